@@ -13,7 +13,7 @@ from thirdbody.curves.turning_point import PROMINENCE, TurningPoints
 from thirdbody.study import checks, claims
 from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim
-from thirdbody.study.evidence import FULL_EFFORT, Curve
+from thirdbody.study.evidence import FULL_EFFORT, curve_of
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -23,11 +23,10 @@ DECADES = np.log10(LOADS / LOADS[0])  # 0 to 3
 def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
     """A curve over ``LOADS``; single numbers hold at every load."""
     film = 2e-4 * 10 ** (-0.1 * DECADES) if film is None else film
-    area, ratio, solid, film, solved = (
-        np.broadcast_to(values, LOADS.shape) for values in (area, ratio, solid, film, solved)
-    )
-    found = (np.where(solved, each, np.nan) for each in (area, ratio, solid, film, film * 6.35e-3))
-    return Curve(LOADS, LOADS * 8e5, *found)
+    given = dict(total_contact_area=area, particle_contact_area_ratio=ratio)
+    given |= dict(solid_load_fraction=solid, film_thickness=film)
+    given = {name: np.where(solved, each, np.nan) + 0.0 * LOADS for name, each in given.items()}
+    return curve_of(given | {"load": LOADS, "normal_load": LOADS * 8e5})
 
 
 def make_claim(kind, quantity="", published=None, size=0.1, relative=False, given=None, **fields):

@@ -15,11 +15,10 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption
-from thirdbody.figures.curves import curves_in
+from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
-from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
@@ -77,7 +76,7 @@ def turning_points_in(data):
     """The highest point of each curve, where it lies within the loads."""
     found = []
     for curve in curves_in(data):
-        ratio = curve.values(RATIO)
+        ratio = curve.values[RATIO]
         top = int(np.argmax(ratio))
         if 0 < top < ratio.size - 1:
             place = {"load": float(data["load"].values[top]), "peak_ratio": float(ratio[top])}
@@ -86,8 +85,7 @@ def turning_points_in(data):
 
 
 def plotted(name, datasets, **given):
-    data = datasets[name]
-    return CURVE_FIGURES[name].plot(data, turning_points_in(data), **given)
+    return CURVE_FIGURES[name].plot(datasets[name], turning_points_in(datasets[name]), **given)
 
 
 def saved(drawing, stem, text=None):
@@ -122,20 +120,19 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         curves, ranges = panel.of_kind(CURVE), panel.of_kind(BAND)
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
-    figure = drawing
-    assert "ensemble range" in key_of(figure)
+    assert "ensemble range" in key_of(drawing)
     assert "Shaded: ensemble range." in caption(name, drawing.panels)
-    figure.draw_without_rendering()
-    width, height = figure.bbox.size
-    box = figure.get_tightbbox().extents * figure.dpi  # [inches]
+    drawing.draw_without_rendering()
+    width, height = drawing.bbox.size
+    box = drawing.get_tightbbox().extents * drawing.dpi  # [inches]
     assert box[0] >= 0 and box[1] >= 0 and box[2] <= width and box[3] <= height
-    boxes = [axes.get_tightbbox() for axes in figure.axes] + [figure.legends[0].get_tightbbox()]
+    boxes = [axes.get_tightbbox() for axes in drawing.axes] + [drawing.legends[0].get_tightbbox()]
     assert not any(one.overlaps(other) for one in boxes for other in boxes if one is not other)
-    for axes, panel in zip(figure.axes, drawing.panels, strict=True):
+    for axes, panel in zip(drawing.axes, drawing.panels, strict=True):
         curves = panel.of_kind(CURVE)
         expected = {("fig12", "C"): 7}.get((name, panel.letter), count)
         assert len({curve.name for curve in curves}) == len(curves)
-        assert len(curves) == (0 if panel.is_over_sizes else expected)
+        assert len(curves) == (0 if panel.x == "diameter_ratio" else expected)
         (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
         for curve in curves:
             assert left < curve.x.min() and curve.x.max() < right
@@ -161,12 +158,14 @@ def look(line):
 
 def test_loads_stand_in_newtons_at_the_upper_edge(datasets):
     drawing = plotted("fig11", datasets)
-    *over_load, over_film = drawing.axes
-    ratio = float(datasets["fig11"]["normal_load"][0] / datasets["fig11"]["load"][0])
-    for axes in over_load:
-        places = {text.get_text(): text.get_position()[0] for text in axes.texts}
-        assert places["10 N"] * ratio == pytest.approx(10.0)
-    assert not any(text.get_text().endswith(" N") for text in over_film.texts)
+    drawing.draw_without_rendering()
+    newtons_per_load = float(datasets["fig11"]["normal_load"][0] / datasets["fig11"]["load"][0])
+    for axes in drawing.axes[:2]:
+        upper = axes.child_axes[-1]
+        places = {text.get_text(): text.get_position()[0] for text in upper.get_xticklabels()}
+        assert places["10 N"] == 10.0
+        np.testing.assert_allclose(upper.get_xlim(), newtons_per_load * np.array(axes.get_xlim()))
+    assert len(drawing.axes[2].child_axes) == 1  # over the film there is only the edge with modes
 
 
 @pytest.mark.parametrize("name", ["fig04", "fig11"])
@@ -188,7 +187,7 @@ def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
     for panel in drawing.panels:
         for curve in curves_in(data):
             if (panel.letter, curve.label) in drawn and panel.y != OVER:
-                expected = np.column_stack([curve.values(n) for n in (panel.x, panel.y)])
+                expected = np.column_stack([curve.values[n] for n in (panel.x, panel.y)])
                 found = drawn[panel.letter, curve.label]
                 np.testing.assert_allclose(found, expected, rtol=1e-9)  # %.10g
     assert {row["curve"] for row in rows} >= {c.name for c in drawing.panels[0].of_kind(CURVE)}
@@ -208,7 +207,7 @@ def test_a_wide_table_has_a_column_for_each_curve(datasets, tmp_path):
     }
     for heading, quantity in headings.items():
         found = [float(row[heading]) for row in rows]
-        np.testing.assert_allclose(found, curve.values(quantity), rtol=1e-9)
+        np.testing.assert_allclose(found, curve.values[quantity], rtol=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -232,10 +231,10 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         (marked,) = panel.of_kind(status)
         assert marked.name == curve.label
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
-            np.testing.assert_array_equal(drawn, curve.values(name)[places])
+            np.testing.assert_array_equal(drawn, curve.values[name][places])
     assert meaning in key_of(drawing)
     assert meaning in caption("fig11", drawing.panels)
-    assert meaning not in key_of(plotted("fig11", datasets).figure)
+    assert meaning not in key_of(plotted("fig11", datasets))
 
 
 def test_turning_points_and_windows_are_marked(datasets, printed):
@@ -267,12 +266,12 @@ def test_areas_are_compared_with_dry_two_body_contact(name, datasets):
     data = datasets[name]
     curves = {curve.label: curve for curve in curves_in(data)}
     references = {
-        curve.condition.roughness: curve.values(AREA)
+        curve.condition.roughness: curve.values[AREA]
         for curve in curves.values()
         if curve.condition.is_dry and curve.condition.is_two_body
     }
     for series in plotted(name, datasets).panels[-1].of_kind(CURVE):
-        area = curves[series.name].values(AREA)
+        area = curves[series.name].values[AREA]
         expected = area / references[series.curve.roughness]
         np.testing.assert_allclose(series.y, expected, rtol=1e-14)
     without = data.where(data["particle_diameter"] > 0.0)
@@ -315,10 +314,11 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     lubricated = sections("fig01", [state(5e-7, 50.0, 9e-5)], parameters)
     interface = SCHEMATICS["fig01"](lubricated)
     drawing, again = (SCHEMATICS["fig02"](sections("fig02", states, parameters)) for _ in range(2))
-    labels = [[series.label for series in panel.series] for panel in drawing.panels]
+    labels = [[series.name for series in panel.series] for panel in drawing.panels]
     assert ["contact of summits" in each for each in labels] == [True, False, True]
     assert ["carries load" in "".join(each) for each in labels] == [False, True, True]
-    for each in (interface, drawing):
+    for each in (interface, drawing, again):
+        each.draw_without_rendering()
         for axes in each.axes:
             box, (width,), (height,) = axes.bbox, *map(np.diff, (axes.get_xlim(), axes.get_ylim()))
             assert height / width == pytest.approx(box.height / box.width)  # to scale

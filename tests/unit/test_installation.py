@@ -33,7 +33,7 @@ LACKING = {
     "from thirdbody import Solution; Solution().to_dataframe()": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.Interface": ("xarray, netCDF4", "data"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
-    "import thirdbody.study.sobol": ("cma, emcee, jinja2, pandas, tabulate", "study"),
+    "import thirdbody.study.search": ("cma, emcee, jinja2, pandas, tabulate", "study"),
 }
 
 

@@ -11,13 +11,13 @@ from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim, load_claims
-from thirdbody.study.page import claims_html, claims_json, claims_markdown
+from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
-HELD = Verdict("1", (1.0,), 0, 0.0, 0.0, True, True)
-MISSED = Verdict("2", (2.0,), 0, 1.0, 3.0, True, False)
-BEYOND = Verdict("> 2", (2.0,), 0, 1.0, 0.0, False, False)
-WORDY = Verdict("boundary", (), 0, 0.0, 0.0, True, True)
+HELD = Verdict("1", 0.0, 0.0, (1.0,))
+MISSED = Verdict("2", 7.4, 1.0, (2.0,))
+BEYOND = Verdict("> 2", 0.0, 1.0, (2.0,), tested=False)
+WORDY = Verdict("boundary", 0.0, 0.0)
 
 
 def claim(name, loads=(), **fields):
@@ -134,7 +134,7 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
 
 def test_programs_read_what_the_page_says():
     nan = float("nan")
-    main = (HELD, MISSED, HELD, Verdict("?", (nan,), 0, nan, nan, False, False))
+    main = (HELD, MISSED, HELD, Verdict("?", nan, nan, (nan,), tested=False))
     content = json.loads(claims_json(judged(main, [main], headline=["taken"])))
     assert (content["held"], content["judged"]) == (2, 2)
     assert content["inputs"] == DEFAULT["inputs"]
@@ -145,7 +145,7 @@ def test_programs_read_what_the_page_says():
     assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, None)
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5}
-    assert (last["score"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
+    assert (last["deviation"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
 
 
 def test_everything_is_judged_by_the_real_model(parameters):

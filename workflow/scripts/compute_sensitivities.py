@@ -9,11 +9,11 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.sensitivity import (
     Subject,
+    default_indices,
     elasticities,
     sensitivity_rows,
     varied_inputs,
 )
-from thirdbody.study.sobol import default_indices
 
 with logged(snakemake.log[0]):
     settings = snakemake.params.settings

@@ -6,8 +6,7 @@ from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
-from thirdbody.study.page import claims_html, claims_json, claims_markdown
-from thirdbody.study.verdicts import judge_everything
+from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown, judge_everything
 
 with logged(snakemake.log[0]):
     default = snakemake.input.default

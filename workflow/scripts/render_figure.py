@@ -6,9 +6,9 @@ from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption
+from thirdbody.figures.curves import curve_figure
 from thirdbody.figures.drawing import save, write_wide
 from thirdbody.figures.marks import read_turning_points
-from thirdbody.figures.registry import curve_figure
 from thirdbody.job_log import logged
 
 with logged(snakemake.log[0]):

@@ -35,10 +35,9 @@ def transitions(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
     """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
-    ``separation`` d [m] and the ``values`` of the quantities in ``LIMITS`` have the shape (loads,
-    curves), at increasing loads, nan where unknown; ``conditions``, shape (4, curves), are those of
-    ``solve`` after the load.  Returns for each crossing the index of the limit and of the curve,
-    the load F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
+    ``separation`` d [m] and ``values`` of the quantities have the shape (loads, curves), at increasing
+    loads, nan where unknown; ``conditions`` (4, curves).  Returns for each crossing the index of the limit
+    and of the curve, F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
     above, known = excess > 0.0, np.isfinite(excess)
@@ -72,6 +71,6 @@ def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
     outside = (at_first > 0.0) == (at_last > 0.0)
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
     ends = (np.where(outside, nearest, end) for end in (first, last))
-    d, width = bracketed_roots(excess, *ends, 0.1 * rtol * last)
+    d, width = bracketed_roots(excess, *ends, rtol=0.1 * rtol)
     load, _, steepest = load_at(solids, viscosity, roughness, d)
     return load, load * (steepest * width + rtol)

@@ -38,12 +38,11 @@ SAMPLES = 60  # separations between which the maxima under all films are sought
 
 @dataclass(frozen=True)
 class TurningPoints(Tabular):
-    """The most prominent interior maximum of each curve: its turning point if ``exists``.
+    """The most prominent interior maximum of A_sa,t* of each curve: its turning point if ``exists``.
 
-    Arrays of shape (curves,), nan for curves without interior maximum: ``load`` is F_t* there,
-    F_TPCA* [1], and ``load_error`` bounds its error; ``peak_ratio`` is A_sa,t* [1],
-    ``solid_load_fraction`` L_s [1] and ``separation`` d* [m].  ``prominence`` is the excess of
-    A_sa,t* over the least value at smaller or at larger loads, whichever is less [1].
+    Arrays of shape (curves,), nan without one: the load F_TPCA* [1] and a bound on its error, A_sa,t*
+    and L_s [1], the separation d* [m], and the ``prominence`` [1]: the excess of A_sa,t* over the least
+    value at smaller or at larger loads, whichever is less.
     """
 
     load: NDArray
@@ -70,11 +69,8 @@ def turning_points(
 ) -> TurningPoints:
     """Find the most prominent interior maximum of A_sa,t*(F_t*) on each curve.
 
-    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, whose
-    first and last are those of the range; nan without solution.  They only bracket the maxima,
-    which are found more accurately.  The conditions have the shape (curves,) [m2/s, m, m, m-2].
-    Two-body curves, and curves without solution at the maximum, have none; nor do curves whose
-    maximum float64 cannot distinguish from the least value beside it.
+    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, nan without
+    solution; they only bracket the maxima.  The conditions have the shape (curves,) [m2/s, m, m, m-2].
     """
     ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
     solids = particle_diameter, roughness, particle_density
@@ -96,32 +92,24 @@ def film_turning_points(
 ) -> TurningPoints:
     """Find the turning points of the same solids under every film: arrays of shape (films, solids).
 
-    The maxima are at the same separations d* for all films, and are found once; their loads and
-    their prominence within the range of loads differ.  ``separation``, shape (loads, films,
-    solids), only gives the ends of the curves; ``viscosity`` [m2/s] has the shape (films,), the
-    others (solids,).  ``prominence`` is negative for maxima outside the loads, as in
-    ``ratio_maxima``; all other fields are nan without a turning point.
+    The maxima, at the same separations for all films, are found once.  ``separation``, shape (loads,
+    films, solids), gives the ends of the curves; ``viscosity`` [m2/s] has the shape (films,), the others
+    (solids,).  ``prominence`` is as in ``ratio_maxima``; other fields are nan without a turning point.
     """
     first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
     between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), SAMPLES)
     viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
     solids = particle_diameter, roughness, particle_density
     found = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
-    known = {
-        name: np.where(found.exists, values, np.nan)
-        for name, values in vars(found).items()
-        if name != "prominence"
-    }
-    return replace(found, **known)
+    known = {name: np.where(found.exists, each, np.nan) for name, each in vars(found).items()}
+    return replace(found, **known | {"prominence": found.prominence})
 
 
 def _turning_points(
     separation, ends, viscosity, diameter, roughness, density, parameters, rtol
 ) -> TurningPoints:
-    """The most prominent maximum of each solid under each film: arrays of shape (films, solids).
-
-    ``separation`` [m] has shape (separations, solids), ``ends`` and ``viscosity`` (films, solids).
-    """
+    """The most prominent maximum of each solid under each film, for ``separation`` [separations, solids],
+    ``ends`` and ``viscosity`` [films, solids]: arrays of shape (films, solids)."""
     found = TurningPoints(*np.full((len(fields(TurningPoints)), *viscosity.shape), np.nan))
     three_body = np.flatnonzero(has_particles(diameter, density))
     if three_body.size == 0:
@@ -133,22 +121,20 @@ def _turning_points(
         solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
     )
     film, maximum = np.nonzero(np.isfinite(prominence))
-    best = _greatest(film * three_body.size + solid[maximum], prominence[film, maximum])
+    # the index of the most prominent maximum of each curve
+    curve, height = film * three_body.size + solid[maximum], prominence[film, maximum]
+    order = np.lexsort((-height, curve))
+    best = order[np.unique(curve[order], return_index=True)[1]]
     film, maximum = film[best], maximum[best]
     curve = three_body[solid[maximum]]
     contacts, separation = solids.take(solid[maximum]), peak[maximum]
     load, fraction, steepest = load_at(
         contacts, viscosity[film, curve], roughness[curve], separation
     )
-    state = {
-        "load": load,
-        "load_error": load * (steepest * width[maximum] + rtol),
-        "peak_ratio": particle_ratio(contacts, separation),
-        "solid_load_fraction": fraction,
-        "separation": separation,
-        "prominence": prominence[film, maximum],
-    }
-    for name, values in state.items():
+    error = load * (steepest * width[maximum] + rtol)
+    ratio, height = particle_ratio(contacts, separation), prominence[film, maximum]
+    state = TurningPoints(load, error, ratio, fraction, separation, height)
+    for name, values in vars(state).items():
         getattr(found, name)[film, curve] = values
     return found
 
@@ -157,13 +143,12 @@ def _turning_points(
 def ratio_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-    """Find the maxima of A_sa,t* over the separation, to ``rtol`` d, and their prominence.
+    """Find the maxima of A_sa,t* over the separation, to ``rtol`` d.
 
     ``separation`` d [m], shape (separations, curves), decreases from row to row, nan without solution;
     ``ends``, shape (..., curves), are d [m] at the first and last load.  Returns the curve of each maximum,
-    its d* [m], a bound on the error of d*, and its prominence [1], shape (..., maxima): the excess of
-    A_sa,t* over the least value at smaller or larger loads, whichever is less.  For a maximum outside the
-    curve it is minus the excess over the end, so that it passes through 0 at the end.
+    its d* [m], a bound on the error of d*, and its prominence [1], shape (..., maxima); outside the curve
+    this is minus the excess over the end, so that it passes through 0 at the end.
     """
     falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
@@ -171,7 +156,7 @@ def ratio_maxima(
     step, curve = np.nonzero(bracket)
     near, far = separation[step + 1, curve], separation[step, curve]
     slope = partial(odds_slope, solids.take(curve))
-    place, width = bracketed_roots(slope, near, far, rtol * near)
+    place, width = bracketed_roots(slope, near, far, rtol=rtol)
     ratio = particle_ratio(solids.take(curve), place)
     high = falling[step + 1, curve]
     prominence = _prominence(
@@ -209,8 +194,8 @@ def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
 def load_at(
     solids: Contact, viscosity: NDArray, roughness: NDArray, separation: NDArray
 ) -> tuple[NDArray, NDArray, NDArray]:
-    """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1] there, and the largest |d ln F/dd| [m-1] of
-    solids and film, for nu [m2/s] and sigma [m]: arrays of one shape."""
+    """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1], and the largest |d ln F/dd| [m-1] of solids and
+    film: arrays of one shape."""
     inputs, loads = solids.parameters, solids.log_solid_load(separation)
     solid = np.exp(loads.value)
     film, film_slope = film_load(separation, viscosity, roughness, inputs)
@@ -219,16 +204,8 @@ def load_at(
 
 
 def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
-    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd.
-
-    It is finite where no summit touches, and negative where no particle touches.
-    """
+    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd; negative where no particle
+    touches."""
     state = solids.log_solid_load(separation, with_areas=True)
     slope = state.area_slope - state.area * state.beside_slope
     return np.where(state.area > 0.0, slope, -TINY)
-
-
-def _greatest(curve, values):
-    """Index of the greatest value of each curve."""
-    order = np.lexsort((-values, curve))
-    return order[np.unique(curve[order], return_index=True)[1]]

@@ -21,11 +21,8 @@ from thirdbody.tabular import Tabular
 
 @dataclass(frozen=True)
 class Window(Tabular):
-    """Range of x_a/sigma [1] with a turning point.
-
-    ``low`` and ``high`` are nan if there is no window.  ``low_error`` and ``high_error`` bound
-    their errors; they are infinite if the sweep ends inside the window.
-    """
+    """Range of x_a/sigma [1] with a turning point, nan if there is none; the bounds on the errors of its
+    ends are infinite if the sweep ends inside the window."""
 
     low: float
     low_error: float
@@ -35,12 +32,9 @@ class Window(Tabular):
 
 @dataclass(frozen=True)
 class WindowSearch:
-    """Resolution and tolerance of the search for windows.
-
-    ``ratios`` are the sampled x_a/sigma [1], increasing; ``tolerance`` is the absolute error of both ends
-    [1]; if infinite, they are interpolated, not refined.  Maxima are sought between ``separations`` points
-    and must have a ``prominence`` [1]; ``rtol`` is the relative error of the solved points.
-    """
+    """Resolution of the search for windows: the sampled x_a/sigma [1], increasing; the number of
+    separations between which maxima are sought, and their least prominence [1]; ``rtol`` of the solved
+    points, and the absolute error of both ends [1], which are interpolated if it is infinite."""
 
     ratios: NDArray
     separations: int = 60
@@ -56,17 +50,26 @@ def turning_point_windows(
     load_range: tuple[float, float],
     parameters: Parameters,
 ) -> list[Window]:
-    """Find the longest range of x_a/sigma with a turning point for each ``roughness`` sigma [m].
-
-    The contact is dry, ``density`` is eta_a [m-2], and ``load_range`` the first and last load F_t* [1].
-    """
+    """Find the longest range of x_a/sigma with a turning point in dry contact for each ``roughness``
+    sigma [m], at a ``density`` eta_a [m-2], between the first and last load F_t* [1]."""
     roughness = np.asarray(roughness)
     if not roughness.size:
         return []
 
     def margin(ratios, surface):
-        there = roughness[surface]
-        return _margin(search, load_range, ratios * there, there, density, parameters)
+        """Margin of the largest prominence over the least required; negative without a turning point."""
+        sigma = roughness[surface]
+        columns = ratios * sigma, sigma, np.full_like(sigma, density)
+        names = "particle_diameter", "roughness", "particle_density"
+        points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
+        points |= dict(zip(names, columns, strict=True))
+        first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
+        solids = make_contact(*columns, parameters, search.rtol)
+        between = _separations(first, last, sigma, search.separations)
+        curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)
+        greatest = np.full_like(first, np.nan)
+        np.fmax.at(greatest, curve, prominence)
+        return _margin_over_least(greatest, search.prominence)
 
     ratios, surface = np.broadcast_arrays(search.ratios[:, None], np.arange(roughness.size))
     margins = margin(ratios.ravel(), surface.ravel()).reshape(ratios.shape)
@@ -75,22 +78,15 @@ def turning_point_windows(
     enclosed = np.isfinite(errors)
     if np.isfinite(search.tolerance) and enclosed.any():
         _, surface = np.nonzero(enclosed)
-        ends[enclosed], width = bracketed_roots(
-            lambda ratios: margin(ratios, surface),
-            inner[enclosed],
-            outer[enclosed],
-            search.tolerance,
-        )
+        given = inner[enclosed], outer[enclosed], search.tolerance
+        ends[enclosed], width = bracketed_roots(lambda ratios: margin(ratios, surface), *given)
         errors[enclosed] = width + search.tolerance
     return [Window(*each) for each in zip(ends[0], errors[0], ends[1], errors[1], strict=True)]
 
 
 def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArray]:
-    """Find the ends [1] of the windows of many sweeps at once, nan without a window.
-
-    ``ratios`` are the x_a/sigma of the sweeps [1], ``prominence`` [1], shape (ratios, ...), is from
-    ``film_turning_points``.  A window that reaches an end of the sweep ends there.
-    """
+    """Find the ends [1] of the windows of many sweeps over ``ratios``, x_a/sigma [1], at once: nan without a
+    window; ``prominence``, shape (ratios, ...), is from ``film_turning_points``."""
     columns = ratios.reshape(-1, *[1] * (prominence.ndim - 1))
     margins = _margin_over_least(prominence)
     _, _, (low, high) = _ends_of_longest_runs(np.broadcast_to(columns, margins.shape), margins)
@@ -98,8 +94,8 @@ def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArra
 
 
 def _ends_of_longest_runs(ratios, margins):
-    """The longest run of positive ``margins`` along the first axis: the ratios at its two ends, their outer
-    neighbours, and the interpolated zeros of the margin between them; shape (2, ...) each."""
+    """The longest run of positive ``margins``: the ratios at its ends, their outer neighbours, and the
+    interpolated zeros between them; shape (2, ...) each."""
     length, longest, last = np.zeros((3, *margins.shape[1:]), int)
     for place, inside in enumerate(margins > 0.0):
         length = (length + 1) * inside
@@ -116,34 +112,15 @@ def _ends_of_longest_runs(ratios, margins):
     return inner, outer, inner + fraction * (outer - inner)
 
 
-def _margin(search, load_range, diameter, roughness, density, parameters):
-    """Margin of the largest prominence over the least required; negative without a turning point."""
-    columns = diameter, roughness, np.full_like(diameter, density)
-    names = "particle_diameter", "roughness", "particle_density"
-    points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
-    points |= dict(zip(names, columns, strict=True))
-    first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
-    solids = make_contact(*columns, parameters, search.rtol)
-    between = _separations(first, last, roughness, search.separations)
-    curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)
-    greatest = np.full_like(first, np.nan)
-    np.fmax.at(greatest, curve, prominence)
-    return _margin_over_least(greatest, search.prominence)
-
-
 def _margin_over_least(prominence, least=PROMINENCE):
-    """Signed square root of the prominence minus the root of the least; nan counts as 0.
-
-    The prominence of a maximum grows with the square of its distance from the end of the loads: its
-    root is nearly linear in x_a/sigma.
-    """
+    """Signed square root of the prominence, nearly linear in x_a/sigma, minus the root of the least; nan
+    counts as 0."""
     known = np.where(np.isnan(prominence), 0.0, prominence)
     return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(least)
 
 
 def _separations(first, last, roughness, count):
-    """``count`` separations [m] from the largest ``first`` to the least ``last`` of the curves of
-    each roughness: shape (count, curves)."""
+    """Separations [m] between the ends of all curves of each roughness: shape (count, curves)."""
     _, surface = np.unique(roughness, return_inverse=True)
     ends = np.full((2, surface.max() + 1), np.nan)
     np.fmax.at(ends[0], surface, first)

@@ -1,9 +1,7 @@
 """The figures, drawn from datasets and tables; nothing is solved or evaluated here.
 
-``registry`` lists the figures of the paper; ``claims``, ``fronts``, ``sensitivity`` and ``charts``
-show the reproduction.  Each figure is a function of data that returns a ``Drawing``: the matplotlib
-figure, and the content of its panels as data.  ``drawing.save`` writes the files, and
-``captions.caption`` returns the caption.  Start with ``registry``.
+Each is a function of data that returns a ``Drawing``: the matplotlib figure, and the content of its
+panels as data.  Start with ``curves.toml``, the list of the figures of curves.
 """
 
 from thirdbody.extras import require

@@ -1,8 +1,4 @@
-"""Captions and alternative texts, as data and as Markdown; the texts are in ``captions.toml``.
-
-A caption has a title, the content of each panel, the conditions, the marks, and the conclusion of
-the paper.  The alternative text of a figure of curves is generated from the curves.
-"""
+"""Captions and alternative texts as Markdown, from ``captions.toml`` and from the panels of a figure."""
 
 from __future__ import annotations
 
@@ -20,14 +16,9 @@ from thirdbody.figures.scales import SCALES, label, note, unit_text, value_text
 
 WORDS = tomllib.loads(Path(__file__).with_name("captions.toml").read_text(encoding="utf-8"))
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
-MEANINGS = {
-    marks.TURNING_POINTS: "Stars: turning points of the contact area.",
-    marks.LOCUS: "Heavy dashes join the turning points.",
-    marks.WINDOW: "Blue vertical lines: limits of the range with turning points.",
-    marks.PRINTED: "Open squares and black vertical lines: numbers that the paper prints; bars and "
-    "grey areas: their tolerances.",
-    marks.BAND: "Shaded: ensemble range.",
-} | {status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES}
+MEANINGS = WORDS.pop("marks") | {
+    status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES
+}
 
 
 def caption(
@@ -46,13 +37,6 @@ def caption(
     return f"{sentences}\n\n**Alternative text.** {words['alternative']}\n"
 
 
-def _content(panel) -> str:
-    """The letter and quantities of a panel, and the conditions in its title."""
-    own = f" at {panel.title}" if panel.title != SCALES[panel.y].title else ""
-    over = "" if panel.x == "load" else f" over the {_quantity(panel.x)}"
-    return f"({panel.letter}) {_quantity(panel.y)}{own}{over}"
-
-
 def _quantity(name) -> str:
     title = SCALES[name].title
     return title[0].lower() + title[1:]
@@ -62,7 +46,12 @@ def _notes(panels) -> list[str]:
     """Sentences on the panels, the load axis, the conditions, and the meaning of marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
     kinds = {series.kind for panel in panels for series in panel.series}
-    sentences = ["; ".join(map(_content, panels)) + "."]
+    contents = []
+    for panel in panels:
+        own = f" at {panel.title}" if panel.title != SCALES[panel.y].title else ""
+        over = "" if panel.x == "load" else f" over the {_quantity(panel.x)}"
+        contents.append(f"({panel.letter}) {_quantity(panel.y)}{own}{over}")
+    sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in kinds]
     if len({condition.is_dry for condition in conditions}) > 1:
@@ -98,11 +87,11 @@ def _description(panel) -> str:
             own = ", ".join(note(name, getattr(curve.curve, name)) for name in varying)
             ends = f"{curve.y[0]:.2g} to {curve.y[-1]:.2g}"
             parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
-    for kind, (text, _) in marks.MARKS.items():
+    for kind, look in marks.LOOKS.items():
         places = [series.x for series in panel.of_kind(kind)]
-        if places and kind != marks.LOCUS:
+        if places and kind not in (marks.LOCUS, marks.BAND, marks.TOLERANCE):
             x = np.concatenate(places)
-            parts.append(f"{text}: {x.size}, {_quantity(panel.x)} {_range(x)}")
+            parts.append(f"{look['label']}: {x.size}, {_quantity(panel.x)} {_range(x)}")
     return f"Panel {panel.letter}: {'; '.join(parts)}."
 
 

@@ -14,7 +14,7 @@ from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
 WIDTH = 7.2  # inches
 LINE_INCHES = 0.17  # height of a line
 KEY_INCHES = 1.4  # of the key and the axis
-NO_SCORE = -0.35  # position of a statement without a score
+MARGIN = 0.35  # beside the least and the largest score
 AGREEMENT = 0.75  # fraction of the ensemble from which a marker is filled
 # verdict: colour of its marker; dark and light, so that they differ in grey
 COLOURS = {
@@ -23,8 +23,6 @@ COLOURS = {
     "not tested": "C3",
     "contradicted by the paper itself": "C4",
 }
-# marker by the verdict if the figure of a statement is left out of the search for inputs
-PREDICTED, NOT_PREDICTED = "o", "D"
 DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)  # ticks, in tolerances
 
 
@@ -44,30 +42,24 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     figure = Drawing(figsize=(WIDTH, height), layout="constrained")
     axes = figure.add_subplot()
     series = []
-    places: dict[tuple, list] = {}  # scores and lines by colour, filling and marker
     for line, (text, found) in enumerate(lines):
         if text not in {row["id"] for row in found}:
             axes.axhspan(line - 0.5, line + 0.5, color="0.94", linewidth=0, zorder=0)
         for row in found:
-            missing = row["score"] is None or math.isnan(row["score"])
-            score = NO_SCORE if missing else min(row["score"], LAST)
+            score = min(row["score"], LAST)
             series.append(Series(CURVE, row["id"], np.array([score]), np.array([line])))
-            colour = COLOURS[row["verdict"]]
-            divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
-            look = colour, "white" if divided else colour, _marker(row)
-            places.setdefault(look, []).append((score, line))
-    for (colour, filling, marker), points in places.items():
-        look = {"color": colour, "markerfacecolor": filling, "marker": marker}
-        axes.plot(*np.transpose(points), linestyle="none", zorder=2, **look)
+            look = {"color": COLOURS[row["verdict"]], "marker": "o" if _is_predicted(row) else "D"}
+            if row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]:
+                look["markerfacecolor"] = "white"
+            axes.plot(score, line, linestyle="none", zorder=2, **look)
     axes.axvline(1.0, color="black", linewidth=0.8, zorder=1.5)
-    axes.set(xlim=(2.0 * NO_SCORE, LAST - NO_SCORE), ylim=(len(lines) - 0.5, -0.5))
+    axes.set(xlim=(-MARGIN, LAST + MARGIN), ylim=(len(lines) - 0.5, -0.5))
     axes.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000+"])
     axes.set_yticks(range(len(lines)), [text for text, _ in lines])
     axes.tick_params(axis="y", length=0)
-    axes.yaxis.set_label_coords(0.0, 0.5)  # no label, so that none is placed beside the names
     axes.set_xlabel("deviation in tolerances; logarithmic beyond 1")
     figure.legend(handles=_key(rows), loc="outside lower center", ncols=3)
-    figure.panels.append(Panel("", "score", "line", series, letter="A"))
+    figure.panels = [Panel("", "score", "line", series, letter="A")]
     return figure
 
 
@@ -87,8 +79,9 @@ def _lines(rows) -> list[tuple[str, list[Mapping]]]:
     return lines
 
 
-def _marker(row) -> str:
-    return PREDICTED if (row["predicted"] or "holds") == "holds" else NOT_PREDICTED
+def _is_predicted(row) -> bool:
+    """Whether a statement holds, if evaluated, when its figure is left out of the search for inputs."""
+    return row["predicted"] in ("", None, "holds")
 
 
 def _key(rows) -> list[Line2D]:
@@ -99,8 +92,8 @@ def _key(rows) -> list[Line2D]:
         for verdict, colour in COLOURS.items()
         if verdict in found
     }
-    count = [_marker(row) for row in rows].count(NOT_PREDICTED)
+    count = sum(not _is_predicted(row) for row in rows)
     if count:
-        looks[f"not predicted ({count})"] = {"color": "black", "marker": NOT_PREDICTED}
+        looks[f"not predicted ({count})"] = {"color": "black", "marker": "D"}
     looks["ensemble divided"] = {"color": "black", "markerfacecolor": "white", "marker": "o"}
     return [Line2D([], [], label=text, linestyle="none", **look) for text, look in looks.items()]

@@ -1,47 +1,63 @@
-"""Figures of curves: the curves of a dataset, the content of panels, and how they are drawn."""
+"""Figures of curves: those of the paper, from ``curves.toml``, and those of other scenes."""
 
 from __future__ import annotations
 
+import math
+import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
 
+import matplotlib
 import numpy as np
-from matplotlib.axes import Axes
+from matplotlib import rcParams
+from matplotlib.artist import Artist
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Polygon
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
-from thirdbody.figures.scales import SCALES, label, parameter_title, set_scales, shared_notes
-from thirdbody.figures.styles import band_style, curve_styles, key_entries
+from thirdbody.figures.scales import (
+    SCALES,
+    label,
+    parameter_title,
+    set_scales,
+    shared_notes,
+    value_text,
+)
 
 BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
-KEY_INCHES = 0.5, 0.17  # height of a key without entries, and of a row of entries
 CELL = 3.5, 2.9  # of a panel with its labels [inches]
-MARGINS = 0.68, 0.42, 0.48, 0.44
-TITLE_PAD = 17.0  # points; newtons are below the title
-TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
+KEY_HEIGHT = 0.9  # of a key below the panels [inches]
+MARKERS = "osD^vPX"  # every second one is hollow, so that neighbouring levels differ
+DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: black is two-body contact, white is paper
+GREY = "0.5"
+BLUE = "#0072B2"  # of a single curve of an interface, or of the model
+MARKERS_PER_CURVE = 5
+# Dry curves are drawn over the lubricated ones, which are visible between the dashes.
+DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
+DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
+TINT = 0.13  # of the colour in a range, the rest is white
 
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """One curve of a dataset: its ``condition``, and its ``place`` after the load axis; ``load``
-    and ``peak_ratio`` of its turning point, if it has one; the ``reference`` of its area, dry
-    two-body contact on the same surface, if it is in the dataset."""
+    """One curve of a dataset: its condition; the values of each quantity over the load, shape (loads,);
+    ``load`` and ``peak_ratio`` of its turning point, if it has one; and its line properties."""
 
-    data: PlainDataset
     condition: Condition
-    place: tuple[int, ...]
+    values: dict[str, NDArray]
     turning_point: Mapping[str, float]
-    reference: Curve | None = None
+    look: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def label(self) -> str:
@@ -50,53 +66,46 @@ class Curve:
 
     def has(self, name: str) -> bool:
         """Whether there are values of the quantity ``name`` along the curve."""
-        stored = AREA if name == RELATIVE_AREA else name
-        return stored in self.data and bool(np.isfinite(self.values(name)).any())
-
-    def values(self, name: str) -> NDArray[np.float64]:
-        """Values of the quantity ``name`` along the curve, shape (loads,)."""
-        if name == RELATIVE_AREA:
-            reference = self.reference.values(AREA) if self.reference else np.nan
-            return self.values(AREA) / reference
-        values = self.data[name].values
-        return values if values.ndim == 1 else values[(slice(None), *self.place)]
+        return bool(np.isfinite(self.values.get(name, np.nan)).any())
 
     def at(self, name: str, load: float) -> float:
-        """The quantity ``name`` at a ``load``, interpolated over ln load; or one of the two numbers
-        of a panel of turning points, which do not depend on the load."""
-        if name == "diameter_ratio":
-            return self.condition.diameter_ratio
-        if name == "turning_point_ratio":
-            return self.turning_point["peak_ratio"]
-        loads = np.log(self.values("load"))
-        return float(np.interp(np.log(load), loads, self.values(name)))
+        """The quantity ``name`` at a ``load``, interpolated over ln load."""
+        return float(np.interp(np.log(load), np.log(self.values["load"]), self.values[name]))
 
 
-def curves_in(data: PlainDataset, turning_points: Iterable[Mapping] = ()) -> list[Curve]:
-    """The curves of ``data``, in the order of its axes; ``turning_points`` have the four conditions."""
+def curves_in(
+    data: PlainDataset, turning_points: Iterable[Mapping] = (), ranges: PlainDataset | None = None
+) -> list[Curve]:
+    """The curves of ``data``, in the order of its axes, with their ``ranges``; ``turning_points`` have
+    the four conditions.  Areas are also relative to dry two-body contact on the same surface."""
     found = {
         condition_key(each[name] for name in Condition._fields): each for each in turning_points
     }
     conditions, shown = curves_of(data)
-    curves = [
-        Curve(data, Condition(*values), tuple(place), found.get(condition_key(values), {}))
-        for values, place in zip(conditions.T.tolist(), np.argwhere(shown).tolist(), strict=True)
-    ]
-    references = {
-        curve.condition.roughness: curve
-        for curve in curves
-        if curve.condition.is_dry and curve.condition.is_two_body
+    variables = {**data.variables, **(ranges.variables if ranges is not None else {})}
+    over_load = {name: each.values for name, each in variables.items() if each.dims == ("load",)}
+    columns = {
+        name: each.values[:, shown].T for name, each in variables.items() if len(each.dims) > 1
     }
-    return [replace(curve, reference=references.get(curve.condition.roughness)) for curve in curves]
+    curves, references = [], {}
+    for place, values in enumerate(conditions.T.tolist()):
+        condition, point = Condition(*values), found.get(condition_key(values), {})
+        own = over_load | {name: rows[place] for name, rows in columns.items()}
+        own["diameter_ratio"] = np.full_like(own["load"], condition.diameter_ratio)
+        own["turning_point_ratio"] = np.full_like(own["load"], point.get("peak_ratio", np.nan))
+        curves.append(Curve(condition, own, point))
+        if condition.is_dry and condition.is_two_body and AREA in own:
+            references[condition.roughness] = own[AREA]
+    for curve in curves:
+        if curve.condition.roughness in references:
+            reference = references[curve.condition.roughness]
+            curve.values[RELATIVE_AREA] = curve.values[AREA] / reference
+    return curves
 
 
 @dataclass(frozen=True)
 class Content:
-    """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``.
-
-    Over ``diameter_ratio`` only turning points are shown.  ``surface`` selects the smoothest (0) or
-    the roughest (-1) surface of the dataset; ``locus`` joins the turning points of the curves.
-    """
+    """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``; as in ``curves.toml``."""
 
     y: str
     x: str = "load"
@@ -106,11 +115,7 @@ class Content:
 
 @dataclass(frozen=True)
 class CurveFigure:
-    """A figure of curves that differ in one ``parameter`` of their ``Condition``: a row of the registry.
-
-    Its panels show ``contents`` in order, or each of them for every roughness of the dataset.
-    Two-body contact is one of the curves, or only the reference of areas.
-    """
+    """A figure of curves that differ in one ``parameter``: an entry of ``curves.toml``."""
 
     parameter: str
     contents: tuple[Content, ...]
@@ -131,84 +136,111 @@ class CurveFigure:
         has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and ``windows`` are rows
         of the tables ``printed``, those of this figure, and ``tpca_windows``.
         """
-        curves = curves_in(data, turning_points)
+        curves = curves_in(data, turning_points, ensemble_range)
         if not self.two_body:
             curves = [one for one in curves if not one.condition.is_two_body]
         # in the order of the key
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
+        looks = curve_styles(conditions, self.parameter, data.sizes["load"])
+        curves = [replace(curve, look=looks[curve.condition]) for curve in curves]
         common = shared_notes(conditions)
-        panels: list[Panel] = []
-        for content in self._contents(curves):
-            chosen = curves
-            if content.surface is not None:
-                roughness = data["roughness"].values[content.surface]
-                chosen = [one for one in curves if one.condition.roughness == roughness]
-            if content.x == "diameter_ratio":
-                series = tuple(_window_series(content, chosen, windows, printed))
-            else:
-                series = tuple(_curve_series(content, chosen, ensemble_range, printed))
-            if series:
+        roughness = data["roughness"].values
+        panels = []
+        for content in self.contents:
+            for surface in range(roughness.size) if self.each_surface else [content.surface]:
+                chosen = curves
+                if surface is not None:
+                    chosen = [c for c in curves if c.condition.roughness == roughness[surface]]
+                if content.x == "diameter_ratio":
+                    series = tuple(_window_series(content, chosen, windows, printed))
+                else:
+                    series = tuple(_curve_series(content, chosen, printed))
                 shared = shared_notes([curve.condition for curve in chosen])
                 own = ", ".join(text for text in shared if text not in common)
-                title = own or SCALES[content.y].title
-                panels.append(Panel(title, content.x, content.y, series))
+                panels.append(Panel(own or SCALES[content.y].title, content.x, content.y, series))
+        panels = [panel for panel in panels if panel.series]
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
-        styles = curve_styles(conditions, self.parameter, data.sizes["load"])
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
-        entries = key_entries(styles, self.parameter) + marks.mark_entries(panels)
-        title = key_title(parameter_title(self.parameter), common)
-        return draw_panels(panels, styles, newtons_per_load, entries, title)
-
-    def _contents(self, curves) -> list[Content]:
-        """The contents with values along ``curves``."""
-        sizes = {each.condition.diameter_ratio for each in curves}
-        contents = [
-            each
-            for each in self.contents
-            if any(curve.has(each.x) and curve.has(each.y) for curve in curves)
-            or (each.x == "diameter_ratio" and len(sizes) > 1)
-        ]
-        if not self.each_surface:
-            return contents
-        indices = range(curves[0].data.sizes["roughness"])
-        return [replace(each, surface=index) for each in contents for index in indices]
+        title = parameter_title(self.parameter)
+        return draw_panels(panels, looks.values(), title, common, newtons_per_load)
 
 
-def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
+ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
+LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
+
+ROWS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+CURVE_FIGURES = {
+    name: CurveFigure(**row | {"contents": tuple(Content(**each) for each in row["contents"])})
+    for name, row in ROWS.items()
+}
+
+
+def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
+    """The figure ``name`` of the paper or, for any other scene in ``data``, areas over the load on each
+    surface, also load fractions and film unless all curves are dry; ``ValueError`` if several conditions
+    vary, beside dry and lubricated contact."""
+    if name in CURVE_FIGURES:
+        return CURVE_FIGURES[name]
+    conditions = [curve.condition for curve in curves_in(data)]
+    levels = {axis: {getattr(each, axis) for each in conditions} for axis in Condition._fields}
+    absent = {"viscosity": set(), "particle_diameter": {0.0}, "particle_density": {0.0}}
+    varying = [axis for axis, none in absent.items() if len(levels[axis] - none) > 1]
+    if len(varying) > 1 and len(levels["viscosity"]) == 2 and 0.0 in levels["viscosity"]:
+        varying.remove("viscosity")
+    if len(varying) > 1:
+        raise ValueError(
+            f"{name}: {' and '.join(varying)} vary; allowed: one of them beside dry and lubricated "
+            "contact, and any number of roughnesses"
+        )
+    contents = tuple(map(Content, ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED))
+    surfaces = len(levels["roughness"])
+    if not varying and surfaces > 1:
+        return CurveFigure("roughness", contents)
+    return CurveFigure(*varying or ["viscosity"], contents, surfaces > 1)
+
+
+def _curve_series(content, curves, printed) -> Iterator[Series]:
     """All series of a panel of curves."""
     x, y = content.x, content.y
+    curves = [curve for curve in curves if curve.has(x) and curve.has(y)]
     for curve in curves:
-        yield Series(CURVE, curve.label, curve.values(x), curve.values(y), curve.condition)
+        yield Series(
+            CURVE, curve.label, curve.values[x], curve.values[y], curve.condition, curve.look
+        )
     yield from marks.status_series(x, y, curves)
     if content.locus:
         yield from marks.turning_point_series(x, y, curves, marks.LOCUS)
     if content.locus or y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
     yield from marks.printed_series(x, y, curves, printed)
-    if ranges is not None and x == "load" and f"{y}_low" in ranges:
-        for curve in curves:
-            around = replace(curve, data=ranges)
-            load, low, high = map(around.values, ("load", f"{y}_low", f"{y}_high"))
+    if x == "load":
+        for curve in (curve for curve in curves if curve.has(f"{y}_low")):
+            load, low, high = (curve.values[name] for name in ("load", f"{y}_low", f"{y}_high"))
             some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
-            outline = range_outline(load[some], low[some], high[some])
-            yield Series(marks.BAND, curve.label, *outline, curve.condition)
+            ends = load[some], low[some], high[some]
+            yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
 
 
-def range_outline(x, low, high):
+def range_series(name, x, low, high, colour, condition=None) -> Series:
     """The closed outline of a range where it is known: along its low and back along its high end."""
     known = np.isfinite(low) & np.isfinite(high)
     x, low, high = x[known], low[known], high[known]
-    return np.concatenate([x, x[::-1], x[:1]]), np.concatenate([low, high[::-1], low[:1]])
+    outline = np.append(x, x[::-1]), np.append(low, high[::-1])
+    x, y = (np.append(each, each[:1]) for each in outline)
+    # opaque with an edge, because several may overlap
+    tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
+    look = {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
+    look["label"] = marks.LOOKS[marks.BAND]["label"]
+    return Series(marks.BAND, name, x, y, condition, look)
 
 
 def _window_series(content, curves, windows, printed) -> Iterator[Series]:
-    """Turning points over x_a/σ on one surface, and the computed and printed ends of their range,
-    which have no height: their ``y`` is 0."""
+    """Turning points over x_a/σ on one surface, and the computed and printed ends of their range at y = 0."""
     yield from marks.turning_point_series(content.x, content.y, curves, marks.TURNING_POINTS)
 
     def is_here(row):
@@ -217,75 +249,107 @@ def _window_series(content, curves, windows, printed) -> Iterator[Series]:
     ends = np.array([row["diameter_over_roughness"] for row in windows if is_here(row)])
     ends = ends[np.isfinite(ends)]
     if ends.size:
-        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size))
+        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size), look=marks.LOOKS[marks.WINDOW])
     for row in printed:
         if row["quantity"].startswith("window") and is_here(row):
-            mark = marks.Mark(row["value"], 0.0, (row["low"], row["high"]), "x")
-            yield from mark.series(row["id"])
+            yield from marks.printed_limit(row)
 
 
 def draw_panels(
     panels: Sequence[Panel],
-    styles: Mapping[Condition | str, dict],
+    looks: Iterable[Mapping[str, Any]],
+    title: str = "",
+    common: Sequence[str] = (),
     newtons_per_load: float | None = None,
-    entries: Sequence[Line2D] = (),
-    key_title: str = "",
 ) -> Drawing:
-    """Draw panels of curves, and a legend in the free cell or below them.
-
-    ``styles`` are line properties by the ``curve`` of a series.  With ``newtons_per_load``,
-    F_t/F_t* [N], load axes also show newtons.
-    """
-    beside = len(panels) % 2 == 1
-    rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)
-    below = KEY_INCHES[0] + KEY_INCHES[1] * rows if rows else 0.0
-    figure = grid_of_axes(len(panels), CELL, MARGINS, below=below)
-    for panel in panels:
-        axes = figure.add_panel(panel, TITLE_PAD)
+    """Draw panels of curves, and a key for ``looks`` with a label and for marks; with ``newtons_per_load``,
+    F_t/F_t* [N], load axes also show newtons."""
+    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    looks = [*looks, *(look for look in marks.LOOKS.values() if look.get("label") in labels)]
+    labelled = [look for look in looks if look.get("label")]
+    entries = {look["label"]: Line2D([], [], **look) for look in labelled}
+    rows, beside = math.ceil(len(panels) / 2), len(panels) % 2 == 1
+    below = 0.0 if beside else KEY_HEIGHT
+    figure = empty_panels(panels, (2 * CELL[0], rows * CELL[1] + below))
+    for axes, panel in zip(figure.axes, figure.panels, strict=True):
         for series in panel.series:
-            _draw_series(axes, panel, series, styles.get(series.curve, {}))
+            if series.kind == marks.BAND:
+                axes.fill(series.x, series.y, **series.look)
+            elif panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
+                axes.plot(series.x, series.y, **series.look)
+            elif series.kind == marks.TOLERANCE:
+                axes.axvspan(*series.x, **series.look)
+            else:
+                for end in series.x:
+                    axes.axvline(end, **series.look)
         set_scales(axes, panel.x, panel.y, newtons_per_load)
     if entries:
-        add_key(figure, entries, key_title, beside)
+        add_key(figure, list(entries.values()), title, common, beside)
     return figure
 
 
-def key_title(title: str, conditions: Sequence[str]) -> str:
-    """Title of a legend, and below it the conditions common to all curves."""
-    return "\n".join(filter(None, (title, ", ".join(conditions))))
-
-
-def add_key(figure: Figure, entries: Sequence[Line2D], title: str, beside: bool) -> None:
-    """Add a legend beside the last panel of a figure or below all panels."""
+def add_key(
+    figure: Figure,
+    entries: Sequence[Artist],
+    title: str = "",
+    common: Sequence[str] = (),
+    beside: bool = False,
+) -> None:
+    """Add a key below all panels, or beside the last one in the free cell of two columns, with a title and
+    the conditions common to all curves."""
+    place = {"loc": "outside lower center", "ncols": KEY_COLUMNS}
     if beside:
-        height = figure.get_figheight()
-        columns = -(-len(entries) // KEY_ROWS)
-        place = {"loc": "center", "bbox_to_anchor": (0.76, 0.5 * CELL[1] / height)}
-    else:
-        columns = KEY_COLUMNS
-        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.0)}
-    figure.legend(handles=entries, title=title or None, ncols=columns, **place)
+        cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
+        columns = math.ceil(len(entries) / KEY_ROWS)
+        place = {"loc": "center", "bbox_to_anchor": cell, "ncols": columns}
+    text = "\n".join(filter(None, (title, ", ".join(common))))
+    figure.legend(handles=entries, title=text or None, **place)
 
 
-def _draw_series(axes: Axes, panel: Panel, series: Series, style: dict) -> None:
-    """Draw a series in the ``style`` of its curve; data without height as vertical lines and areas."""
-    colour = {"color": style["color"]} if style else {}
-    is_limit = panel.is_over_sizes and series.kind != marks.TURNING_POINTS
-    if series.kind == CURVE:
-        axes.plot(series.x, series.y, **style)
-    elif series.kind == marks.BAND:
-        # not `fill`, which updates the limits of the axes for each edge
-        area = np.column_stack([series.x, series.y])
-        axes.add_artist(Polygon(area, **band_style(style["color"])))
-        axes.update_datalim(area)
-    elif series.kind == marks.TOLERANCE and is_limit:
-        axes.axvspan(*series.x, color="black", alpha=0.07, linewidth=0)
-    elif series.kind == marks.TOLERANCE:
-        axes.plot(series.x, series.y, **TOLERANCE_LOOK, **colour)
-    elif is_limit:
-        look = marks.PRINTED_LIMIT if series.kind == marks.PRINTED else marks.MARKS[series.kind]
-        for end in series.x:
-            axes.axvline(end, **look[1])
-    else:
-        look = marks.MARKS[series.kind][1]
-        axes.plot(series.x, series.y, **(look | colour if series.kind == marks.PRINTED else look))
+def level_styles(count: int, size: int = 1) -> list[dict]:
+    """Line properties of curves of ``size`` points at ``count`` ordered levels: colours become
+    lighter, and each has its own marker, at other points than the next one."""
+    colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(DARKEST, LIGHTEST, count))
+    step = max(size // MARKERS_PER_CURVE, 1)
+    return [
+        {"color": colour, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
+        | {"markerfacecolor": "white" if index % 2 else colour, "markeredgecolor": colour}
+        | {"markevery": (int(step * (index + 0.5) / count), step)}
+        for index, colour in enumerate(map(tuple, colours.tolist()))
+    ]
+
+
+def curve_styles(
+    curves: Sequence[Condition], parameter: str, size: int
+) -> dict[Condition | str, dict]:
+    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by its
+    level.  Two-body contact is black or grey; with lubricated contact, dry contact is dashed, or dotted
+    without particles."""
+    media = {each.viscosity for each in curves}
+    compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2
+    levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
+    looks = dict(zip(levels, level_styles(len(levels), size), strict=True))
+    looks[0.0] = {"color": "black"}
+    styles = {}
+    for each in curves:
+        look = looks[getattr(each, parameter)]
+        if each.is_dry and parameter == "viscosity" and each.is_two_body:
+            look = DRY_TWO_BODY
+        elif each.is_dry and any(media):
+            look = look | DRY | {"marker": "none"}
+        if not (compares_media and each.is_dry):
+            look = look | {"label": _level_text(each, parameter)}
+        styles[each] = look
+    for viscosity in sorted(media, reverse=True) if compares_media else ():
+        text = f"{value_text('viscosity', viscosity)} cSt" if viscosity else "dry"
+        styles[text] = ({} if viscosity else DRY) | {"color": GREY, "label": text}
+    return styles
+
+
+def _level_text(condition, parameter):
+    level = getattr(condition, parameter)
+    if level:
+        return value_text(parameter, level)
+    if parameter == "viscosity":
+        return "dry, two-body" if condition.is_two_body else "dry"
+    return "none (two-body)"

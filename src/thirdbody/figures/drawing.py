@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from io import BytesIO
 from itertools import zip_longest
 from os import PathLike
@@ -15,7 +15,6 @@ from typing import Any
 
 import matplotlib.style
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -38,21 +37,15 @@ SI_UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points [SI] of a panel under one name, and their curve: its condition, or its name.  The kind
-    is ``CURVE``, "band", "turning points", "printed", ..."""
+    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws
+    them.  The kind is ``CURVE``, "band", "turning points", "printed", ..."""
 
     kind: str
     name: str
-    x: NDArray[np.float64]
-    y: NDArray[np.float64]
-    curve: Condition | str | None = None
-
-    @property
-    def label(self) -> str:
-        """Name in the file of the data drawn."""
-        if self.kind == CURVE:
-            return self.name
-        return f"{self.kind}; {self.name}" if self.name else self.kind
+    x: NDArray
+    y: NDArray
+    curve: Condition | None = None
+    look: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,11 +58,6 @@ class Panel:
     series: Sequence[Series]
     letter: str = ""
 
-    @property
-    def is_over_sizes(self) -> bool:
-        """Whether the panel shows turning points over x_a/σ."""
-        return self.x == "diameter_ratio"
-
     def of_kind(self, kind: str) -> list[Series]:
         """The series of one kind."""
         return [one for one in self.series if one.kind == kind]
@@ -78,17 +66,7 @@ class Panel:
 class Drawing(Figure):
     """A figure that notebooks display as a picture, with or without pyplot; ``panels`` has its content."""
 
-    def __init__(self, *given: Any, **options: Any) -> None:
-        super().__init__(*given, **options)
-        self.panels: list[Panel] = []
-
-    def add_panel(self, panel: Panel, pad: float = 6.0) -> Axes:
-        """The next axes, with the letter and title of ``panel``, ``pad`` points above."""
-        axes = self.axes[len(self.panels)]
-        panel = replace(panel, letter=ascii_uppercase[len(self.panels)])
-        axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0, pad=pad)
-        self.panels.append(panel)
-        return axes
+    panels: Sequence[Panel] = ()
 
     def _repr_png_(self) -> bytes:
         picture = BytesIO()
@@ -96,41 +74,30 @@ class Drawing(Figure):
         return picture.getvalue()
 
 
-def grid_of_axes(
-    count: int,
-    cell: tuple[float, float],
-    margins: tuple[float, float, float, float],
-    columns: int = 2,
-    below: float = 0.0,
-) -> Drawing:
-    """A figure with axes in rows, each in a ``cell`` (width, height) with ``margins`` left, right,
-    below and above, and space ``below`` all [inches].
-
-    Margins are fixed: computing them from the texts takes longer than drawing.
-    """
-    (width, height), (left, right, bottom, top) = cell, margins
-    rows = math.ceil(count / columns)
-    size = columns * width, rows * height + below
-    figure = Drawing(figsize=size)
-    for place in range(count):
-        row, column = divmod(place, columns)
-        x, y = column * width + left, below + (rows - 1 - row) * height + bottom
-        inches = np.array([x, y, width - left - right, height - bottom - top])
-        figure.add_axes(tuple(inches / (*size, *size)))
+def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: int = 2) -> Drawing:
+    """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its letter and title."""
+    figure = Drawing(figsize=size, layout="constrained")
+    figure.panels = [
+        replace(panel, letter=ascii_uppercase[place]) for place, panel in enumerate(panels)
+    ]
+    rows = math.ceil(len(panels) / columns)
+    for place, panel in enumerate(figure.panels, 1):
+        axes = figure.add_subplot(rows, columns, place)
+        axes.set_title(f"({panel.letter})  {panel.title}", loc="left")
     return figure
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
     """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError``
     if the disk is full or not writable."""
-    layout = drawing.get_layout_engine()
-    if layout is not None:  # once for all formats
-        layout.execute(drawing)
-        drawing.set_layout_engine(None)
+    drawing.get_layout_engine().execute(drawing)
+    drawing.set_layout_engine(None)  # once for all formats
     rows = []
     for panel in drawing.panels:
         for series in panel.series:
-            names = dict(panel=panel.letter, curve=series.label, x_name=panel.x, y_name=panel.y)
+            kind = "" if series.kind == CURVE else series.kind
+            curve = "; ".join(filter(None, (kind, series.name)))
+            names = dict(panel=panel.letter, curve=curve, x_name=panel.x, y_name=panel.y)
             known = np.isfinite(series.x) & np.isfinite(series.y)
             points = zip(series.x[known].tolist(), series.y[known].tolist(), strict=True)
             rows += [names | {"x": x, "y": y} for x, y in points]

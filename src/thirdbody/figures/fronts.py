@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Mapping, Sequence
 
@@ -9,12 +10,10 @@ import numpy as np
 from matplotlib import rcParams
 
 from thirdbody.figures.claims import score_of
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
 
 COLUMNS = 3
 CELL = 2.4, 1.55  # of a panel with its labels [inches]
-MARGINS = 0.42, 0.08, 0.2, 0.38
-BELOW = 0.75  # inches for the labels of the axes and the key
 LETTERS = 30  # in a line of a title
 DISTANCES = (0, 0.5, 1, 2, 5, 20)  # ticks, in tolerances
 ABOVE = 25.0  # the objective is drawn up to this much above the least
@@ -25,23 +24,24 @@ def plot(interpretations: Sequence[Mapping]) -> Drawing:
     """The front of each headline statement against all others, one line per interpretation;
     ``interpretations`` are the contents of calibrated files, the first of which is drawn on top."""
     statements = list(dict.fromkeys(name for each in interpretations for name in each["fronts"]))
-    figure = grid_of_axes(len(statements), CELL, MARGINS, COLUMNS, BELOW)
+    panels = []
     for statement in statements:
-        series = tuple(_front(each, statement) for each in interpretations)
         title = "\n".join(textwrap.wrap(statement, LETTERS))
-        axes = figure.add_panel(Panel(title, "score", "objective_without_it", series))
-        for front in series:
-            look = FIRST if front is series[0] else OTHERS
+        series = tuple(_front(each, statement) for each in interpretations)
+        panels.append(Panel(title, "score", "objective_without_it", series))
+    rows = math.ceil(len(statements) / COLUMNS)
+    figure = empty_panels(panels, (COLUMNS * CELL[0], rows * CELL[1] + 0.5), COLUMNS)
+    for axes, panel in zip(figure.axes, panels, strict=True):
+        for front in panel.series:
+            look = FIRST if front is panel.series[0] else OTHERS
             axes.plot(front.x, front.y, drawstyle="steps-post", label=front.name, **look)
         axes.axvline(1.0, color="black", linewidth=0.7, zorder=1.5)
         axes.set_xticks([score_of(each) for each in DISTANCES], DISTANCES)
-        least = min(front.y.min() for front in series if front.y.size)
+        least = min(front.y.min() for front in panel.series if front.y.size)
         axes.set(xlim=(-0.05, score_of(DISTANCES[-1])), ylim=(least - 1.0, least + ABOVE))
-    style = {"fontsize": rcParams["axes.labelsize"]}
-    bottom = BELOW / figure.get_figheight()
-    figure.supxlabel("deviation in tolerances", y=0.8 * bottom, **style)
-    figure.supylabel("objective of all other statements", x=0.008, **style)
-    figure.legend(*axes.get_legend_handles_labels(), loc="lower center", ncols=2)
+    figure.supxlabel("deviation in tolerances", fontsize=rcParams["axes.labelsize"])
+    figure.supylabel("objective of all other statements", fontsize=rcParams["axes.labelsize"])
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure
 
 

@@ -1,23 +1,20 @@
-"""Marks in panels: turning points of the contact area (TPCA), statuses of points, and printed
-numbers with their tolerances, through which curves should pass.
-
-A printed number at a point of a curve (``A_sa,t*`` at the turning point, for example) is drawn at
-the other printed coordinate of this point, or otherwise at that of the curve.
-"""
+"""Marks in panels: turning points (TPCA), statuses of points, and printed numbers with their tolerances."""
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, NamedTuple
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
-from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key, row_key
+from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.drawing import Panel, Series
+from thirdbody.figures.drawing import Series
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
 
@@ -26,41 +23,26 @@ if TYPE_CHECKING:
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
+PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
 # markers of points that have not converged; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
-POINTS = {"linestyle": "none", "zorder": 3.2}
-LINE = {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9}
-CROSS = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
-STAR = POINTS | {
-    "marker": "*",
-    "markersize": 8.0,
-    "markerfacecolor": "C1",
-    "markeredgecolor": "black",
+LOOKS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+LOOKS |= {
+    status: LOOKS["status"] | {"marker": marker, "label": status.replace("_", " ")}
+    for status, marker in STATUSES.items()
 }
-SQUARE = POINTS | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
-SQUARE |= {"markeredgewidth": 1.1, "color": "black", "clip_on": False}
-# kind of series: text in the legend, line properties
-MARKS = {
-    TURNING_POINTS: ("turning point (TPCA)", STAR),
-    LOCUS: ("locus of turning points", LINE),
-    WINDOW: ("limits of turning points", {"color": "C5", "linewidth": 1.8}),
-    PRINTED: ("printed, with tolerance", SQUARE),
-} | {name: (name.replace("_", " "), CROSS | {"marker": mark}) for name, mark in STATUSES.items()}
-PRINTED_LIMIT = "printed limits, with tolerance", {"color": "black", "linestyle": "--"}
-BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 
 RATIO, SOLID = "particle_contact_area_ratio", "solid_load_fraction"
 AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
 MIXED = "bend_load_over_mixed_load"
-# panels over the load for numbers that are not variables: loads of a bend or a reversal, and those
-# of a turning point
+# panels over the load for numbers that are not variables: loads, and values at a turning point
 LOADS = {
+    "turning_point_load": (RATIO,),
     "bend_load": (AREA,),
     MIXED: (AREA,),
     "total_contact_area_reversal_load": (AREA, RELATIVE_AREA),
 }
 AT_TURNING_POINT = {
-    "turning_point_load": RATIO,
     "turning_point_ratio": RATIO,
     "turning_point_solid_load_fraction": SOLID,
     "turning_point_solid_load": SOLID,
@@ -68,14 +50,10 @@ AT_TURNING_POINT = {
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
-    """Turning points from a file of the table ``tpca_loads``: the four conditions [SI], ``load``
-    and ``peak_ratio``; ``OSError`` in one line if the file is damaged."""
-    columns = {axis.name: axis.column for axis in CONDITION_AXES}
-    columns |= {"load": "load", "peak_ratio": "peak_ratio"}
-    return [
-        {name: row[column] for name, column in columns.items()}
-        for row in read_csv(path, TABLES["tpca_loads"])
-    ]
+    """Rows of a file of the table ``tpca_loads``, with the names of conditions; ``OSError`` if it is damaged."""
+    names = {axis.column: axis.name for axis in CONDITION_AXES}
+    rows = read_csv(path, TABLES["tpca_loads"])
+    return [{names.get(column, column): value for column, value in row.items()} for row in rows]
 
 
 def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> Iterator[Series]:
@@ -83,47 +61,29 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
     marked = [curve for curve in curves if curve.turning_point]
     if marked:
         places = [[one.at(name, one.turning_point["load"]) for one in marked] for name in (x, y)]
-        yield Series(kind, "", *np.array(places))
+        yield Series(kind, "", *np.array(places), look=LOOKS[kind])
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
     """First and last points with a status other than ``converged``, and ends of curves without values."""
     for status in STATUSES:
         for curve in curves:
-            marked = curve.values(STATUS) == SOLUTION_STATUSES.index(status)
+            marked = curve.values[STATUS] == SOLUTION_STATUSES.index(status)
             if status in WITHOUT_VALUES:
                 beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
-                marked = beside & np.isfinite(curve.values(y))
+                marked = beside & np.isfinite(curve.values[y])
             places = np.flatnonzero(marked)
             if places.size:
                 ends = np.unique(places[[0, -1]])
-                points = (curve.values(name)[ends] for name in (x, y))
-                yield Series(status, curve.label, *points, curve.condition)
+                points = (curve.values[name][ends] for name in (x, y))
+                yield Series(status, curve.label, *points, curve.condition, LOOKS[status])
 
 
-def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:
-    """Legend entries for the marks in ``panels``."""
-    kinds = {series.kind for panel in panels if not panel.is_over_sizes for series in panel.series}
-    limits = {series.kind for panel in panels if panel.is_over_sizes for series in panel.series}
-    entries = [entry for kind, entry in MARKS.items() if kind in kinds | limits - {PRINTED}]
-    entries += [PRINTED_LIMIT] if PRINTED in limits else []
-    entries += [BAND_ENTRY] if BAND in kinds else []
-    return [Line2D([], [], label=text, **look) for text, look in entries]
-
-
-class Mark(NamedTuple):
-    """A printed number in a panel: its position, and the ends of its tolerance along ``x`` or ``y``."""
-
-    x: float
-    y: float
-    ends: tuple[float, float]
-    along: str
-
-    def series(self, name: str, condition: Condition | None = None) -> Iterator[Series]:
-        """Series of the number and of its tolerance."""
-        bar = (self.ends, (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, self.ends)
-        yield Series(PRINTED, name, np.array([self.x]), np.array([self.y]), condition)
-        yield Series(TOLERANCE, name, *np.array(bar), condition)
+def printed_limit(row: Mapping) -> Iterator[Series]:
+    """A printed end of a window, and its tolerance: a ``row`` of the table ``printed``."""
+    value, ends = np.array([row["value"]]), np.array([row["low"], row["high"]])
+    yield Series(PRINTED, row["id"], value, np.zeros(1), look=LOOKS[PRINTED_LIMIT])
+    yield Series(TOLERANCE, row["id"], ends, np.zeros(2), look=LOOKS[LIMIT_TOLERANCE])
 
 
 def printed_series(
@@ -131,73 +91,60 @@ def printed_series(
 ) -> Iterator[Series]:
     """Printed numbers of ``curves``, rows of the table ``printed``, in a panel of ``x`` and ``y``;
     each position is shown once, even if several curves have it."""
-    drawn: set[Mark] = set()
+    drawn = set()
     for curve in curves:
-        key = condition_key(curve.condition)
-        rows = [row for row in printed if row_key(row) == key]
-        numbers = {row["quantity"]: row["value"] for row in reversed(rows)}
-        marks = [(row["id"], _mark(curve, row, numbers, x, y)) for row in rows]
-        new = [(name, mark) for name, mark in marks if mark and mark not in drawn]
-        for name, mark in new:
-            yield from mark.series(name, curve.condition)
-            drawn.add(mark)
+        key, colour = condition_key(curve.condition), {"color": curve.look["color"]}
+        for row in (row for row in printed if row_key(row) == key):
+            points = _low_value_high(curve, row, x, y)
+            place = row["id"], tuple(np.ravel(points))
+            if points and place not in drawn:
+                drawn.add(place)
+                points, look = np.array(points), LOOKS[PRINTED] | colour
+                yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
+                look = LOOKS[TOLERANCE] | colour
+                yield Series(TOLERANCE, row["id"], *points[:, ::2], curve.condition, look)
 
 
-def _mark(curve, row, numbers, x, y) -> Mark | None:
-    """The mark of ``row`` in a panel of ``x`` and ``y``, or None; ``numbers`` are those of the curve."""
-    quantity, value, ends = row["quantity"], row["value"], (row["low"], row["high"])
+def _low_value_high(curve, row, x, y) -> tuple[NDArray, NDArray] | None:
+    """The number in ``row`` between the ends of its tolerance, as points in a panel of ``x`` and
+    ``y``, at the curve along the other axis; None if the panel does not show it."""
+    quantity, number = row["quantity"], np.array([row["low"], row["value"], row["high"]])
     if x == quantity == "film_thickness":
-        return Mark(value, curve.at(y, _extreme(curve, row)), ends, "x")
+        return number, np.full(3, curve.at(y, _load_of(curve, row)))
     if x != "load":
         return None
-    if y == quantity:
-        if SCALES[y].limits:  # a fraction
-            ends = tuple(np.clip(ends, 0.0, 1.0))
-        return Mark(_load_of(curve, row), value, ends, "y")
     if quantity == "load" and y == row["at_quantity"]:
-        return Mark(value, row["at_level"], ends, "x")
+        return number, np.full(3, row["at_level"])
     if y in LOADS.get(quantity, ()):
-        unit = _falls_to(curve, SOLID, BOUNDARY_LIMIT) if quantity == MIXED else 1.0
-        load, low, high = (unit * each for each in (value, *ends))
-        return Mark(load, curve.at(y, load), (low, high), "x")
-    if y != AT_TURNING_POINT.get(quantity):
+        if quantity == MIXED:
+            number = number * _falls_to(curve, SOLID, BOUNDARY_LIMIT)
+        return number, np.full(3, curve.at(y, number[1]))
+    if y != AT_TURNING_POINT.get(quantity, quantity):
         return None
-    if quantity == "turning_point_load":
-        found = curve.turning_point.get("peak_ratio", curve.at(y, value))
-        return Mark(value, numbers.get("turning_point_ratio", found), ends, "x")
-    highest = float(curve.values("load")[np.argmax(curve.values(RATIO))])
-    load = numbers.get("turning_point_load", curve.turning_point.get("load", highest))
-    # L_s = L_s F_t*/F_t*
-    unit = 1.0 / load if quantity == "turning_point_solid_load" else 1.0
-    low, high = np.clip([unit * end for end in ends], 0.0, 1.0)
-    return Mark(load, unit * value, (low, high), "y")
+    load = _load_of(curve, row)
+    if quantity == "turning_point_solid_load":
+        number = number / load  # L_s = L_s F_t*/F_t*
+    if SCALES[y].zones:  # a fraction
+        number = np.clip(number, 0.0, 1.0)
+    return np.full(3, load), number
 
 
 def _load_of(curve, row) -> float:
-    """The load of the printed number in ``row``."""
+    """The load of the number in ``row``: given, or where the curve has a level, an extreme or its turning point."""
     if row["at_quantity"] == "load":
         return row["at_level"]
     if row["at_quantity"]:
         return _falls_to(curve, row["at_quantity"], row["at_level"])
-    return _extreme(curve, row)
+    load = curve.values["load"]
+    within = load <= (row["load_max"] or np.inf)
+    within &= curve.values["normal_load"] <= (row["load_max_N"] or np.inf)
+    values = curve.values[RATIO if row["quantity"] in AT_TURNING_POINT else row["quantity"]]
+    find = np.argmin if row["extreme"] == "minimum" else np.argmax
+    return float(load[find(values[within])])
 
 
 def _falls_to(curve, name, level) -> float:
     """The load at which the variable ``name`` last falls below ``level``, or the last load."""
-    below = curve.values(name) < level
+    below = curve.values[name] < level
     falls = np.flatnonzero(below[1:] & ~below[:-1])
-    return float(curve.values("load")[falls[-1] + 1 if falls.size else -1])
-
-
-def _extreme(curve, row) -> float:
-    """The load of the extreme of the curve in ``row``."""
-    load = curve.values("load")
-    within = load <= (row["load_max"] or np.inf)
-    within &= curve.values("normal_load") <= (row["load_max_N"] or np.inf)
-    values = curve.values(row["quantity"])[within]
-    wanted = values.min() if row["extreme"] == "minimum" else values.max()
-    found = np.flatnonzero(values == wanted)
-    # A constant curve has it everywhere.  The paper means loads up to the last one, and the
-    # fractions of solids and particles decrease with the load.
-    is_last = row["load_max"] or row["extreme"] == "minimum"
-    return float(load[found[-1 if is_last else 0]])
+    return float(curve.values["load"][falls[-1] + 1 if falls.size else -1])

@@ -12,25 +12,24 @@ import matplotlib.style
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.quantities import STATUS
-from thirdbody.figures.curves import draw_panels, key_title, range_outline
+from thirdbody.figures.curves import (
+    BLUE,
+    CURVE_FIGURES,
+    LUBRICATED,
+    curve_figure,
+    draw_panels,
+    level_styles,
+    range_series,
+)
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
-from thirdbody.figures.marks import BAND, read_turning_points
-from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
+from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.scales import SCALES, note
-from thirdbody.figures.styles import BLUE, level_styles
 
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
-DRAWN = (
-    "particle_contact_area_ratio",
-    "total_contact_area",
-    "solid_load_fraction",
-    "film_thickness",
-)
 
 
 def plot(
@@ -47,7 +46,6 @@ def plot(
     ----------
     data : xarray.Dataset or path
         Dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the workflow.
-        Use ``.sel`` to select from a larger one.
     over : str, optional
         The axis along x: "load", "viscosity", "particle_diameter", "roughness" or
         "particle_density".  Over the load, one of viscosity, particle diameter and density may
@@ -56,8 +54,8 @@ def plot(
     like : str, optional
         Draw the panels of this figure of the paper, "fig03" to "fig13"; only over the load.
     turning_points : sequence of mapping, or path, optional
-        Turning points to mark over the load, as mappings of the four conditions [SI], ``load`` [1]
-        and ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
+        Turning points to mark over the load: mappings of the four conditions [SI], ``load`` [1] and
+        ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
     band : xarray.Dataset or path, optional
         Ensemble range on the axes of ``data``, drawn over the load: a file in ``results/bands/``.
 
@@ -111,39 +109,39 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     others = [name for name in DIMENSIONS if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
     common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
-    names = [name for name in DRAWN if name in data and bool(data[name].notnull().any())]
+    names = [name for name in LUBRICATED if name in data and bool(data[name].notnull().any())]
     if not names:
-        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(DRAWN)}")
+        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(LUBRICATED)}")
     curves = {}
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
-    panels = []
-    for name in names:
-        series = (
-            Series(CURVE, label, data[over].values, curve[name].values.astype(float), label)
-            for label, curve in curves.items()
-        )
-        panels.append(Panel(SCALES[name].title, over, name, tuple(series)))
-    looks = dict(zip(curves, level_styles(len(curves)), strict=True))
-    entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
-    return draw_panels(panels, looks, None, entries, key_title("", common))
+    looks = level_styles(len(curves))
+    looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
+    panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
+    return draw_panels(panels, looks, common=common)
 
 
 def plot_curve(curve: Any) -> Figure:
     """Draw the result of ``Interface.curve``, with its range if it has one."""
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
-    name, unit = units.get(curve.along, ("normal_load", 1.0))
-    along, x = curve.along, unit * np.asarray(curve.points)
-    panels = []
-    for variable in DRAWN:
-        series = [Series(CURVE, "", x, curve.values[variable], along)]
-        if variable in curve.low:
-            outline = range_outline(x, curve.low[variable], curve.high[variable])
-            series.append(Series(BAND, "", *outline, along))
-        panels.append(Panel(SCALES[variable].title, name, variable, tuple(series)))
+    along, unit = units.get(curve.along, ("normal_load", 1.0))
+    x = unit * np.asarray(curve.points)
+    panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in LUBRICATED]
+    for panel in panels:
+        if panel.y in curve.low:
+            panel.series.append(range_series("", x, curve.low[panel.y], curve.high[panel.y], BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, {along: {"color": BLUE}})
+        return draw_panels(panels, [])
+
+
+def _panel(over, x, name, curves, looks) -> Panel:
+    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables."""
+    series = [
+        Series(CURVE, label, x, np.asarray(values[name], float), look=look)
+        for (label, values), look in zip(curves.items(), looks, strict=True)
+    ]
+    return Panel(SCALES[name].title, over, name, series)
 
 
 def plot_comparison(comparison: Any) -> Figure:

@@ -1,17 +1,15 @@
 """Random sections through the three-body interface, to scale, and their dataset.
 
 The surfaces are Gaussian, the particles follow the size distribution of the model, and the mean
-planes are at the solved separation.  The seed is fixed.
-
-A section has values by the variable names of the dataset.  Its state: the condition, d [m],
-A_sa,t*, L_s and the mode of the solution.  Shape (n,): ``position`` along it, the heights ``lower``
-and ``upper`` of both surfaces [m], equal and flat where ``surfaces_touch``.  Shape (particles,):
-position and height of their centres and their size [m], and ``particle_carries_load``.
+planes are at the solved separation.  The seed is fixed.  A section is a mapping by the names of
+``VARIABLES``, and ``position`` along it; its state has the condition and the solution.
 """
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,37 +31,19 @@ ATTEMPTS = 1000
 
 Section = Mapping[str, Any]
 
+
 NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
-STATE, LINE, PARTICLE = ("panel",), ("panel", "position"), ("panel", "particle")
-
-
-def _metres(meaning: str) -> dict[str, str]:
-    return {"units": "m", "long_name": meaning}
-
-
-PARTICLES = {
-    "particle_position": _metres("position of the centre of a particle; nan: no particle"),
-    "particle_height": _metres("height of the centre of a particle"),
-    "particle_size": _metres("diameter of a particle"),
-    "particle_carries_load": {"long_name": "whether a particle carries load"},
-}
-# dimensions and attributes of the variables of the dataset
-VARIABLES = (
-    {name: (STATE, coordinate_attributes(AXES[name])) for name in Condition._fields}
-    | {name: (STATE, coordinate_attributes(QUANTITIES[name])) for name in NUMBERS}
-    | {
-        "contact_mode": (STATE, variable_attributes(FLAGS["contact_mode"])),
-        "lower": (LINE, _metres("height of the lower surface")),
-        "upper": (LINE, _metres("height of the upper surface")),
-        "surfaces_touch": (LINE, {"long_name": "whether the surfaces touch"}),
-    }
-    | {name: (PARTICLE, attributes) for name, attributes in PARTICLES.items()}
-)
+STATE = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
+STATE |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
+STATE |= {"contact_mode": variable_attributes(FLAGS["contact_mode"])}
+# attributes of the other variables, over the position and over the particles
+OTHERS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+LINES, PARTICLES = OTHERS["lines"], OTHERS["particles"]
+VARIABLES = STATE | LINES | PARTICLES
 
 
 def state_of(condition: Condition, solution: Any) -> dict[str, Any]:
-    """The state of an interface from the ``Solution`` of its ``condition``, one point; ``ValueError`` if
-    there is none."""
+    """The state of an interface from the ``Solution`` of one point; ``ValueError`` if there is none."""
     if not np.isfinite(solution.separation):
         raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
     numbers = {name: float(getattr(solution, name)) for name in NUMBERS}
@@ -76,18 +56,19 @@ def condition_of(section: Section) -> Condition:
 
 
 def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> PlainDataset:
-    """The sections of the schematic ``fig01`` or ``fig02`` as one dataset, a panel for each state; errors as
-    below."""
+    """The sections of ``fig01`` or ``fig02`` as one dataset, a panel for each state; errors as below."""
     found = [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
     most = max(section["particle_size"].size for section in found)
     variables = {}
-    for name, (dims, attributes) in VARIABLES.items():
-        values = [section[name] for section in found]
-        if dims is PARTICLE:  # panels with fewer particles are padded with nan
-            nothing = np.nan if values[0].dtype == float else 0
+    for name, attributes in VARIABLES.items():
+        values, dims = [section[name] for section in found], ("panel",)
+        if name in LINES:
+            dims = ("panel", "position")
+        elif name in PARTICLES:  # panels with fewer particles are padded with nan
+            dims, nothing = ("panel", "particle"), np.nan if values[0].dtype == float else 0
             values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
         variables[name] = Variable(dims, np.array(values), attributes)
-    position = Variable(("position",), found[0]["position"], _metres("along the section"))
+    position = Variable(("position",), found[0]["position"], OTHERS["position"])
     return PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
 
 
@@ -101,11 +82,8 @@ def panels_of(data: PlainDataset) -> list[Section]:
 
 
 def section_through(state: Section, parameters: Parameters, length: float, seed: int) -> Section:
-    """A section of this ``length`` [m] through the contacts that carry the load: summits touch in
-    the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
-
-    ``ValueError`` if no random section is of this kind.
-    """
+    """A random section of this ``length`` [m] through the contacts that carry the load in the mode of the
+    ``state``: summits, a particle, or both; ``ValueError`` if none is found."""
     random = np.random.default_rng(seed)
     position = np.linspace(0.0, length, POINTS)
     mode = CONTACT_MODES[state["contact_mode"]]
@@ -127,14 +105,9 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
             and _are_apart(particles, position[touches], length)
         ):
             middle = 0.5 * (lower + upper)
-            return {
-                **state,
-                "position": position,
-                "lower": np.where(touches, middle, lower),
-                "upper": np.where(touches, middle, upper),
-                "surfaces_touch": touches.astype(np.int8),
-                **particles,
-            }
+            lower, upper = np.where(touches, middle, [lower, upper])
+            lines = dict(zip(LINES, (lower, upper, touches.astype(np.int8)), strict=True))
+            return {**state, "position": position, **lines, **particles}
     raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
 
 
@@ -146,8 +119,13 @@ def _surfaces(state, parameters, position, summits_touch, random):
     # ASSUME: this autocorrelation, and the density rather than the radius of the summits, as a
     # Gaussian surface cannot have both
     length = 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * parameters.surface(sigma).summit_density)
+    step = position[1] - position[0]
+    reach = int(3.0 * length / step)
+    kernel = np.exp(-((np.arange(-reach, reach + 1) * step / length) ** 2))
+    noise = random.standard_normal((2, position.size + 2 * reach))
+    profiles = np.array([np.convolve(each, kernel, "valid") for each in noise])
     # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
-    lower, upper = (sigma / np.sqrt(2.0) * _profile(position, length, random) for _ in range(2))
+    lower, upper = sigma / np.sqrt(2.0) * (profiles / np.sqrt(np.sum(kernel**2)))
     if summits_touch:
         # a Gaussian process through a given height there: a sample plus its regression on the
         # difference; above a high level d it rises by sigma^2/d on average
@@ -158,21 +136,9 @@ def _surfaces(state, parameters, position, summits_touch, random):
     return lower, upper + separation
 
 
-def _profile(position, length, random):
-    """A Gaussian random profile of unit variance and autocorrelation exp(-x^2/2 length^2)."""
-    step = position[1] - position[0]
-    reach = int(3.0 * length / step)
-    kernel = np.exp(-((np.arange(-reach, reach + 1) * step / length) ** 2))
-    noise = random.standard_normal(position.size + 2 * reach)
-    return np.convolve(noise, kernel, "valid") / np.sqrt(np.sum(kernel**2))
-
-
 def _particles(state, parameters, position, lower, upper, reach, random) -> dict[str, NDArray]:
-    """Particles of a slab as deep as their mean spacing.
-
-    With a ``reach`` the first carries load: it is in the narrowest gap on the right, and larger
-    than this gap minus the reach.
-    """
+    """Particles of a slab as deep as their mean spacing; with a ``reach`` the first carries load: it is in
+    the narrowest gap on the right, and larger than this gap minus the reach."""
     count = round(position[-1] * np.sqrt(state["particle_density"]))
     places = random.uniform(0.05, 0.95, count) * position[-1]
     smallest = np.zeros(count)
@@ -193,8 +159,7 @@ def _particles(state, parameters, position, lower, upper, reach, random) -> dict
 def size_quantiles(
     fraction: ArrayLike, smallest: ArrayLike, diameter: float, parameters: Parameters
 ) -> NDArray:
-    """Quantiles [m] of the sizes from ``smallest`` [m] to X_max at a ``fraction``, for x_a =
-    ``diameter`` [m]."""
+    """Quantiles [m] of the sizes from ``smallest`` [m] to X_max, for x_a = ``diameter`` [m]."""
     mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
     above = ndtr(parameters.truncation)
     below = np.minimum(ndtr((smallest - mean) / spread), above)
@@ -202,8 +167,8 @@ def size_quantiles(
 
 
 def _settled(place, diameter, position, lower, upper, reach) -> tuple[float, bool]:
-    """Height of a particle resting on the lower surface, or held in a narrower gap; and whether it
-    carries load, which it does if the gap exceeds it by at most ``reach``."""
+    """Height of a particle that rests on the lower surface or is held in a narrower gap; and whether it
+    carries load: the gap exceeds it by at most ``reach``."""
     radius = 0.5 * diameter
     across = np.abs(position - place) < radius
     if not across.any():

@@ -9,11 +9,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from thirdbody.data.readable import MEASURES, result_name
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
 
 WIDTH, ROW = 7.5, 0.17  # of the figure, height of a row [inches]
-MARGINS = 1.65, 0.1, 0.05, 0.22
-BELOW = 1.75  # inches for the names of the results and the note
+BESIDE = 2.3  # inches for the names of the results, the titles and the note
 LETTERS = 110  # in a line of the note
 # measure: colour map, values at its ends, smallest value that is printed
 SHADES = {"elasticity": ("RdBu", (-3.0, 3.0), 0.05), "sobol_total": ("Blues", (0.0, 0.6), 0.015)}
@@ -28,26 +27,26 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     rows = [row for row in rows if row["input"]]
     inputs = _by_weight(rows)
     results = list(dict.fromkeys(map(result_name, rows)))
-    cell = WIDTH, ROW * len(inputs) + MARGINS[2] + MARGINS[3]
-    figure = grid_of_axes(2, cell, MARGINS, columns=1, below=BELOW)
-    for measure, title in MEASURES.items():
-        values = np.full((len(inputs), len(results)), np.nan)
-        series = []
-        for row in rows:
-            if row["measure"] == measure and row["sensitivity"] is not None:
-                place = inputs.index(row["input"]), results.index(result_name(row))
-                values[place] = row["sensitivity"]
-                name = f"{results[place[1]]}; {row['input']}; {row['sensitivity']:.10g}"
-                series.append(Series(CURVE, name, *(CORNERS + place[::-1]).T))
-        axes = figure.add_panel(Panel(title, "result", measure, series))
-        _draw_cells(axes, values, measure)
+    values = {measure: np.full((len(inputs), len(results)), np.nan) for measure in MEASURES}
+    series = {measure: [] for measure in MEASURES}
+    for row in rows:
+        measure, value = row["measure"], row["sensitivity"]
+        if value is not None:
+            place = inputs.index(row["input"]), results.index(result_name(row))
+            values[measure][place] = value
+            name = f"{results[place[1]]}; {row['input']}; {value:.10g}"
+            series[measure].append(Series(CURVE, name, *(CORNERS + place[::-1]).T))
+    panels = [Panel(title, "result", name, series[name]) for name, title in MEASURES.items()]
+    figure = empty_panels(panels, (WIDTH, 2 * ROW * len(inputs) + BESIDE), columns=1)
+    for axes, measure in zip(figure.axes, MEASURES, strict=True):
+        _draw_cells(axes, values[measure], measure)
         axes.set_yticks(np.arange(len(inputs)) + 0.5, [name.replace("_", " ") for name in inputs])
         axes.set_xticks([])
     style = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
     axes.set_xticks(np.arange(len(results)) + 0.5, results, **style)
     if missing:
         text = textwrap.fill(f"Without a value at the default: {'; '.join(missing)}.", LETTERS)
-        figure.supxlabel(text, fontsize=7, x=0.02, y=0.01, ha="left", va="bottom")
+        figure.supxlabel(text, fontsize=7, x=0.02, ha="left")
     return figure
 
 

@@ -2,8 +2,8 @@
 
 ``claims`` has the statements of the paper as data; ``checks`` evaluates them on curves solved by
 ``evidence``.  ``calibration``, ``search`` and ``results`` find the unprinted inputs.  ``verdicts``
-and ``page`` make tables and pages; ``band``, ``sensitivity`` and ``sobol`` compute the dependence
-of results on the inputs.  Start with ``claims``, then ``checks.judge``.
+makes tables and pages; ``band`` and ``sensitivity`` compute the dependence of results on the inputs.
+Start with ``claims``, then ``checks.judge``.
 """
 
 from thirdbody.extras import require

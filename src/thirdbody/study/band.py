@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,28 +21,14 @@ from thirdbody.solver.solve import solve
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
 # Suffix of a variable: the word in its long name, and the function, which ignores nan.
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}
-SUMMARY = (
-    "Lowest and highest value of each quantity over an ensemble of inputs that explain the paper's "
-    "statements about equally well, at the points of the dataset of this figure."
-)
-COMMENT = (
-    "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. "
-    "Each member is solved at the same F_t*, which is another normal load where its apparent area "
-    "differs. A member that has no solution at a point does not widen the band there. ensemble "
-    "gives what differs from the default in each member, by the names of config/inputs.yaml, SI."
-)
+ATTRIBUTES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
 
 
 def band(
     dataset: PlainDataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
 ) -> PlainDataset:
-    """Lowest and highest value of each quantity over an ensemble of inputs, along the given curves.
-
-    ``dataset`` has the points of a figure, solved with ``base``; each member of the ``ensemble`` has the
-    inputs that differ from ``base``, SI.  Every member is solved at the conditions and loads F_t* of
-    ``dataset``, whose values are included, so that the band encloses its curves.  Returns variables
-    ``<quantity>_low`` and ``<quantity>_high``, with the layout of the quantity in ``dataset``.
-    """
+    """Lowest and highest value of each quantity, ``<quantity>_low`` and ``_high``, over ``dataset``, solved
+    with ``base``, and the ``ensemble``, whose members have the inputs that differ from it, SI."""
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
     start = {name: dataset[name].values[:, shown] for name in QUANTITIES}
@@ -56,33 +44,23 @@ def band(
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():
                 envelope[end][name] = widest(values, getattr(solution, name))
-    variables = {
-        f"{name}_{end}": _variable(envelope[end][name], dataset[name].attrs, shown, extreme)
-        for end, (extreme, _) in ENDS.items()
-        for name in QUANTITIES
-    }
-    return PlainDataset(variables, dataset.coords, _attributes(dataset, ensemble))
-
-
-def _variable(values, attributes, shown, extreme):
-    """A variable with ``values`` [load, curve] where conditions are ``shown``, and the fill value
-    elsewhere."""
-    whole = np.full((len(values), *shown.shape), FILL_FLOAT)
-    whole[:, shown] = values
-    described = {name: attributes[name] for name in ("units", "symbol", "equation")}
-    described["long_name"] = f"{extreme} {attributes['long_name']} of the ensemble"
-    described["coverage_content_type"] = "modelResult"
-    return Variable(DIMENSIONS, whole, described | {"_FillValue": FILL_FLOAT})
-
-
-def _attributes(dataset, ensemble) -> dict:
+    variables = {}
+    for end, (extreme, _) in ENDS.items():
+        for name in QUANTITIES:
+            whole = np.full((len(load), *shown.shape), FILL_FLOAT)
+            whole[:, shown] = envelope[end][name]
+            given = dataset[name].attrs
+            described = {key: given[key] for key in ("units", "symbol", "equation")}
+            described["long_name"] = f"{extreme} {given['long_name']} of the ensemble"
+            described |= {"coverage_content_type": "modelResult", "_FillValue": FILL_FLOAT}
+            variables[f"{name}_{end}"] = Variable(DIMENSIONS, whole, described)
     members = json.dumps([dict(member) for member in ensemble])
     origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
-    return dataset.attrs | {
+    attributes = dataset.attrs | {
         "title": f"{dataset.attrs['title']}: envelope of the ensemble",
-        "summary": SUMMARY,
-        "comment": COMMENT,
+        **ATTRIBUTES,
         "configuration_sha256": hashlib.sha256(origin.encode()).hexdigest(),
         "rtol": BAND_RTOL,
         "ensemble": members,
     }
+    return PlainDataset(variables, dataset.coords, attributes)

@@ -1,9 +1,8 @@
 """Calibration of the unprinted inputs as an inverse problem.
 
-An *interpretation* of the printed equations fixes some inputs and leaves others unknown.  The
-search is for unknowns with which the statements of the paper hold, as defined in
-``config/calibration.yaml``.  It works on *positions*: the value of each unknown between its bounds,
-scaled to 0 to 1, linearly or logarithmically.
+An *interpretation* of the printed equations fixes some inputs and leaves others unknown, as defined in
+``config/calibration.yaml``.  The search works on *positions*: the value of each unknown between its
+bounds, scaled to 0 to 1, linearly or logarithmically.
 """
 
 from __future__ import annotations
@@ -28,8 +27,7 @@ SLOPE_OF_LOSS = 0.1
 
 @dataclass(frozen=True)
 class Unknown:
-    """An unknown input, a field of ``Parameters``: values are searched between ``bounds`` and
-    penalised outside the ``usual`` range [unit of the input]."""
+    """An input that is searched between ``bounds`` and penalised outside the ``usual`` range."""
 
     name: str
     bounds: tuple[float, float]
@@ -51,8 +49,7 @@ class Unknown:
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """Squared distance of a value from the usual range: in decades if the scale is logarithmic,
-        otherwise in widths of the range [1]."""
+        """Squared distance of a value from the usual range, in decades or in widths of the range [1]."""
         low, high = self.usual
         if self.logarithmic:
             return max(0.0, np.log10(low / value), np.log10(value / high)) ** 2
@@ -61,8 +58,7 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """One interpretation of the printed equations, by its name in ``config/calibration.yaml``:
-    fixed inputs, SI, and unknowns, in the order of the positions."""
+    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of positions."""
 
     name: str
     fixed: dict[str, Any]
@@ -70,7 +66,7 @@ class Interpretation:
 
     @classmethod
     def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
-        """Read an interpretation from the content of ``config/calibration.yaml``."""
+        """The interpretation of this name in the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
         unknowns = []
         for each in (*settings["always"], *entry.get("unknowns", ())):
@@ -85,7 +81,7 @@ class Interpretation:
         pairs = zip(self.unknowns, positions, strict=True)
         return {unknown.name: unknown.value(position) for unknown, position in pairs}
 
-    def positions(self, inputs: Mapping[str, Any]) -> NDArray[np.float64]:
+    def positions(self, inputs: Mapping[str, Any]) -> NDArray:
         """Positions of the unknowns, shape (unknowns,), from their values by name, SI."""
         return np.array([unknown.position(inputs[unknown.name]) for unknown in self.unknowns])
 
@@ -96,22 +92,17 @@ class Interpretation:
 
 @dataclass(frozen=True)
 class Objective:
-    """The objective of a calibration: weighted losses of the statements [1], plus penalties for
-    unusual inputs."""
+    """The objective of a calibration [1]: weighted losses of statements and penalties for unusual inputs."""
 
     judge: Judge
-    weights: NDArray[np.float64]
+    weights: NDArray
 
     @classmethod
     def of(
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
-        """Make the objective over ``claims``, without those set aside.
-
-        The weight of a statement is that of its kind, divided among the statements of its cluster.
-        ``settings`` is the content of ``config/calibration.yaml``; ``base`` has the inputs that are
-        neither fixed nor searched.
-        """
+        """The objective over ``claims`` that are not set aside, with the weight of their kind divided among the
+        statements of a cluster; ``base`` has all other inputs."""
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
         weights = [
@@ -124,15 +115,12 @@ class Objective:
         """Statements to which the inputs are fitted."""
         return self.judge.claims
 
-    def repeating(self, name: str) -> NDArray[np.bool_]:
+    def repeating(self, name: str) -> NDArray:
         """Which of ``claims`` is the one with the id ``name``, or repeats it."""
-        clusters = [claim.counted_as for claim in self.claims]
-        place = [claim.id for claim in self.claims].index(name)
-        return np.array(clusters) == clusters[place]
+        (own,) = (claim.counted_as for claim in self.claims if claim.id == name)
+        return np.array([claim.counted_as == own for claim in self.claims])
 
-    def scores(
-        self, interpretation: Interpretation, inputs: Mapping[str, Any]
-    ) -> NDArray[np.float64]:
+    def scores(self, interpretation: Interpretation, inputs: Mapping[str, Any]) -> NDArray:
         """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these inputs."""
         try:
             verdicts = self.judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
@@ -151,16 +139,14 @@ class Objective:
 
 
 def loss(score: ArrayLike) -> ArrayLike:
-    """Loss of a statement, s^4/(1 + s^4) + 0.1 s for a score s in tolerances [1]: small where it
-    holds, steepest at the tolerance, and nearly flat far away, so that a statement that cannot hold
-    does not outweigh the others."""
+    """Loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1]: steepest at the tolerance, and nearly
+    flat far away, so that a statement that cannot hold does not outweigh the others."""
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
 class Fold(NamedTuple):
-    """One fold of the cross-validation: statements of some figures are left out of the search and
-    ``judged`` with its result; those ``fitted`` neither refer to these figures nor repeat or
-    contradict a judged one."""
+    """One fold of the cross-validation: statements of some figures are ``judged`` with the result of a
+    search over those ``fitted``, which neither refer to these figures nor repeat or contradict them."""
 
     judged: tuple[Claim, ...]
     fitted: tuple[Claim, ...]
@@ -182,12 +168,12 @@ def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> lis
     return folds
 
 
-def write_rows(path: Path, rows: NDArray[np.float64]) -> None:
+def write_rows(path: Path, rows: NDArray) -> None:
     """Write positions and objectives, shape (rows, unknowns + 1), with all digits."""
     with atomic_write(path) as part:
         np.savetxt(part, rows, fmt="%.17g", delimiter=",")
 
 
-def read_rows(path: Path) -> NDArray[np.float64]:
+def read_rows(path: Path) -> NDArray:
     """Read a file of ``write_rows``."""
     return np.loadtxt(path, delimiter=",", ndmin=2)

@@ -1,9 +1,8 @@
 """Checks of the statements of the paper: one for each kind of statement.
 
-``judge`` takes the curves, turning points and windows of a claim from ``evidence``, computes the
-number or course in question, and expresses its distance from the statement in tolerances of the
-claim.  A claim holds if this distance is at most 1.  The head of ``config/claims.yaml`` explains
-the kinds of statements.  ``Judge`` evaluates all claims for any inputs.
+``judge`` computes the number or course in question from ``evidence``, and its distance from the
+statement in tolerances of the claim, which holds if this is at most 1.  The head of
+``config/claims.yaml`` explains the kinds of statements.
 """
 
 from __future__ import annotations
@@ -33,40 +32,40 @@ from thirdbody.study.evidence import FULL_EFFORT, Effort, Evidence, solve_eviden
 MISSING_SCORE = 10.0  # the largest score, also used if there is nothing to compare
 # Loads may miss the bound of a claim by this before its score grows: a line width.
 BOUND_TOLERANCE = 0.02
+MAXIMA = {"absence", "rising_then_falling"}  # kind or direction of statements on a maximum
 BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
 SATURATED = 1e-12  # closer to 0 or 1, the odds of a ratio have lost their digits
 TINY = 1e-300  # least argument of logarithms, so that vanishing quantities can be compared
 
 
-class Measured(NamedTuple):
-    """Result of a check: a text, the distance from the published value in tolerances [1], and
-    numbers, of which ``worst`` has the largest deviation, ``deviation``; nan if there is none."""
-
-    text: str
-    distance: float
-    deviation: float
-    numbers: Sequence[float] = ()
-    worst: int = 0
-
-
 class Verdict(NamedTuple):
-    """Result of judging a claim.
+    """Result of judging a claim: the result of the model as text, its distance from the published value in
+    tolerances [1], and the largest deviation, computed minus published, relative [1] if the tolerance is.
 
-    ``computed`` is the result of the model as text; ``numbers`` are compared with published ones
-    [unit of the quantity], and ``worst`` has the largest ``deviation``: computed minus published,
-    relative [1] if the tolerance is.  ``score`` is the distance from the published value in
-    tolerances [1], 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one large
-    miss does not outweigh the rest.  A claim is ``tested`` if the model reaches its condition
-    within the loads, and ``holds`` if it is tested and the score is at most 1.
+    ``numbers`` are those compared [unit of the quantity], ``worst`` the index of that with the deviation.
+    A claim is ``tested`` if the model reaches its condition within the loads.
     """
 
     computed: str
-    numbers: tuple[float, ...]
-    worst: int
+    distance: float
     deviation: float
-    score: float
-    tested: bool
-    holds: bool
+    numbers: tuple[float, ...] = ()
+    worst: int = 0
+    tested: bool = True
+
+    @property
+    def score(self) -> float:
+        """The distance, 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one large
+        miss does not outweigh the rest."""
+        if np.isnan(self.distance):
+            return MISSING_SCORE
+        logarithm = float(np.log(max(self.distance, 1.0)))
+        return min(min(self.distance, 1.0) + logarithm, MISSING_SCORE)
+
+    @property
+    def holds(self) -> bool:
+        """Whether the claim is tested and met within its tolerance."""
+        return self.tested and self.score <= 1.0
 
     @property
     def value(self) -> float:
@@ -75,8 +74,7 @@ class Verdict(NamedTuple):
 
 
 class NotReached(Exception):
-    """No load of a curve is within the bounds of a claim; the argument is the shortfall, in the
-    unit of the bound, or the logarithm of a ratio of loads."""
+    """No load of a curve is within the bounds of a claim, by the shortfall in the argument."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +98,9 @@ class Judge:
         prominence = effort.window.prominence
         if prominence != PROMINENCE:  # it is also the tolerance of statements on maxima
             some = [
-                replace(claim, tolerance=prominence) if claim.is_about_a_maximum else claim
+                replace(claim, tolerance=prominence)
+                if MAXIMA & {claim.kind, claim.direction}
+                else claim
                 for claim in some
             ]
         parameters = Parameters(**{**self.base, **inputs})
@@ -112,32 +112,28 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     """Compare the model with a statement of the paper; ``evidence`` must have its curves."""
     try:
         found = CHECKS[claim.kind](claim, evidence)
-        tested = _is_within_the_loads(claim, evidence)
+        found = found._replace(tested=_is_within_the_loads(claim, evidence))
     except NotReached as short:
-        tested = claim.must_be_reached
-        lack = short.args[0]
-        text = f"not reached, by {lack:.3g}"
-        found = Measured(text, 2.0 + lack / BOUND_TOLERANCE, np.nan)
-    text, distance = found.text, found.distance
+        (lack,) = short.args
+        text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
+        found = Verdict(text, distance, np.nan, tested=claim.must_be_reached)
     if claim.source == "turning_point":
-        least = np.min([evidence.turning_points[each].prominence for each in claim.all_curves])
-        wanted = evidence.effort.window.prominence
-        if not least >= wanted:
-            text += f"; stands out by {least:.2g}"
-        distance = np.maximum(distance, _faintness(least / wanted))
-    score = MISSING_SCORE
-    if not np.isnan(distance):
-        score = float(min(min(distance, 1.0) + np.log(max(distance, 1.0)), MISSING_SCORE))
-    holds = bool(tested and score <= 1.0)
-    numbers = tuple(map(float, found.numbers))
-    return Verdict(text, numbers, int(found.worst), float(found.deviation), score, tested, holds)
+        every = (evidence.turning_points[each] for each in claim.curves + claim.references)
+        least = np.min([point.prominence for point in every])
+        height = least / evidence.effort.window.prominence
+        # smooth: 1 where it is just visible, 0 from twice that height on
+        faintness = max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
+        remark = "" if height >= 1.0 else f"; stands out by {least:.2g}"
+        distance = float(np.maximum(found.distance, faintness))
+        found = found._replace(computed=found.computed + remark, distance=distance)
+    return found
 
 
 def _is_within_the_loads(claim: Claim, evidence) -> bool:
     """Whether a claim on loads can be decided: a load beyond the last one is only known to be larger."""
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
-    last = evidence.curves[claim.curves[0]].load[-1]
+    last = evidence.curves[claim.curves[0]]["load"][-1]
     if claim.quantity == "bend_load_over_mixed_load":
         return bool(np.max([_bend_loads(claim, evidence), _mixed_loads(claim, evidence)]) < last)
     loads = _scalars(claim, evidence)
@@ -149,19 +145,11 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
     if claim.published is None or not beyond.any():
         return not beyond.any()
     # a published number is missed if the last load already misses it
-    return bool(_against_published(claim, np.minimum(loads, last), "").distance > 1.0)
+    return _against_published(claim, np.minimum(loads, last), "").distance > 1.0
 
 
-def _faintness(height: float) -> float:
-    """Distance of a turning point from being visible: 1 at a ``height`` of 1, 0 from 2 on, smooth."""
-    return max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
-
-
-# --- one check for each kind of claim ---
-
-
-def check_value(claim: Claim, evidence) -> Measured:
-    """Check that one number agrees, or is reached, on all curves, or with ``any_curve`` on one of them."""
+def check_value(claim: Claim, evidence) -> Verdict:
+    """One number agrees, or is reached, on all curves, or with ``any_curve`` on one of them."""
     values = compared = _scalars(claim, evidence)
     text = _text_of(claim, evidence, values)
     if claim.kind == "reach":
@@ -170,31 +158,31 @@ def check_value(claim: Claim, evidence) -> Measured:
     each = [_against_published(claim, value, text) for value in compared]
     pick = np.argmin if claim.any_curve else np.argmax
     chosen = int(pick([found.distance for found in each]))
-    return each[chosen]._replace(numbers=values, worst=chosen)
+    return each[chosen]._replace(numbers=tuple(values.tolist()), worst=chosen)
 
 
-def check_span(claim: Claim, evidence) -> Measured:
-    """Check that both published numbers occur on a curve, and at which loads."""
+def check_span(claim: Claim, evidence) -> Verdict:
+    """Both published numbers occur on a curve; the text has their loads."""
     (curve,) = (evidence.curves[condition] for condition in claim.curves)
     (course,) = _courses(claim, evidence)
-    numbers = np.array([course.min(), course.max()])
-    nearest = np.clip(claim.published, *numbers)
+    ends = course.min(), course.max()
     order = np.argsort(course)
-    newtons = np.interp(claim.published, course[order], curve.normal_load[order])
+    newtons = np.interp(claim.published, course[order], curve["normal_load"][order])
     loads = " and ".join(f"{newton:.3g} N" for newton in newtons)
-    text = f"{numbers[0]:.4g} to {numbers[1]:.4g}; nearest to the printed ends at {loads}"
-    return _against_published(claim, nearest, text)._replace(numbers=numbers)
+    text = f"{ends[0]:.4g} to {ends[1]:.4g}; nearest to the printed ends at {loads}"
+    found = _against_published(claim, np.clip(claim.published, *ends), text)
+    return found._replace(numbers=tuple(map(float, ends)))
 
 
-def check_window(claim: Claim, evidence) -> Measured:
-    """Check the range of x_a/sigma with a turning point; the worst of several surfaces is used."""
+def check_window(claim: Claim, evidence) -> Verdict:
+    """The range of x_a/sigma with a turning point; the worst of several surfaces is used."""
     windows = np.array([evidence.windows[condition.roughness] for condition in claim.curves])
     text = ", ".join(f"{low:.3f} to {high:.3f}" for low, high in windows)
     return _against_published(claim, windows, text)
 
 
-def check_ordering(claim: Claim, evidence) -> Measured:
-    """Check that neighbouring curves are nowhere in the opposite order, and somewhere apart."""
+def check_ordering(claim: Claim, evidence) -> Verdict:
+    """Neighbouring curves are nowhere in the opposite order, and somewhere apart."""
     sign = -1.0 if claim.direction == "decreasing" else 1.0
     gaps = [sign * gap for gap in _gaps(claim, evidence)]
     against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
@@ -202,14 +190,14 @@ def check_ordering(claim: Claim, evidence) -> Measured:
     return _missed(claim, text, np.max([against, 2.0 * claim.step - apart]))
 
 
-def check_coincidence(claim: Claim, evidence) -> Measured:
-    """Check that curves overlap with their references."""
+def check_coincidence(claim: Claim, evidence) -> Verdict:
+    """Curves overlap with their references."""
     widest = np.max([np.abs(gap).max() for gap in _gaps(claim, evidence)])
     return _missed(claim, f"apart by {widest:.3g} at most", widest)
 
 
-def check_course(claim: Claim, evidence) -> Measured:
-    """Check a trend over the load, or from curve to curve; or that there is no interior maximum."""
+def check_course(claim: Claim, evidence) -> Verdict:
+    """A trend over the load, or from curve to curve; or that there is no interior maximum."""
     along_curves = claim.along == "curves"
     courses = [_scalars(claim, evidence)] if along_curves else _courses(claim, evidence)
     miss = COURSES[claim.direction or claim.kind]
@@ -222,8 +210,8 @@ def check_course(claim: Claim, evidence) -> Measured:
     return _missed(claim, text, misses[worst])
 
 
-def check_sequence(claim: Claim, evidence) -> Measured:
-    """Check that regimes, modes or both occur in order on all curves, or with ``any_curve`` on one."""
+def check_sequence(claim: Claim, evidence) -> Verdict:
+    """Regimes, modes or both occur in order on all curves, or with ``any_curve`` on one."""
     curves = [evidence.curves[condition] for condition in claim.curves]
     misses = [_sequence_miss(claim, curve) for curve in curves]
     chosen = int(np.argmin(misses) if claim.any_curve else np.argmax(misses))
@@ -244,28 +232,26 @@ CHECKS = {
 }
 
 
-def _against_published(claim, computed, text) -> Measured:
+def _against_published(claim, computed, text) -> Verdict:
     """Result of a check of ``computed`` numbers against the published ones."""
     published = np.nan if claim.published is None else np.asarray(claim.published)
-    deviation = computed - published
+    deviation = np.ravel(computed - published)
     distance = np.abs(deviation) / claim.tolerance
     if claim.relative:
         # A ratio of logarithms, 1 at both ends of the tolerance: it keeps growing where a quantity
         # is far too small, so that a calibration has a slope.
-        ratio = np.maximum(computed / published, TINY)
+        ratio = np.maximum(np.ravel(computed / published), TINY)
         deviation = ratio - 1.0
         distance = np.log(ratio) / np.log1p(np.copysign(claim.tolerance, deviation))
     worst = int(np.argmax(distance))
-    return Measured(text, np.max(distance), np.ravel(deviation)[worst], np.ravel(computed), worst)
+    numbers = tuple(np.ravel(computed).tolist())
+    return Verdict(text, float(distance[worst]), float(deviation[worst]), numbers, worst)
 
 
-def _missed(claim, text, miss) -> Measured:
+def _missed(claim, text, miss) -> Verdict:
     """Result of a check that a course or an order is missed by ``miss``."""
     deviation = np.expm1(miss) if claim.relative else miss
-    return Measured(text, np.maximum(miss / claim.step, 0.0), deviation)
-
-
-# --- measuring ---
+    return Verdict(text, float(np.maximum(miss / claim.step, 0.0)), float(deviation))
 
 
 def _scalars(claim, evidence):
@@ -315,18 +301,18 @@ def _reversal_load(claim, evidence):
 
 def _bend_loads(claim, evidence):
     """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below that of the reference."""
-    found = []
-    for reference, curve in _pairs(claim, evidence):
-        drop = reference.total_contact_area_slope - curve.total_contact_area_slope
-        found.append(_first_fall(curve.load, BEND - drop))
-    return found
+    slope = "total_contact_area_slope"
+    pairs = _pairs(claim, evidence)
+    return [
+        _first_fall(curve["load"], BEND - (other[slope] - curve[slope])) for other, curve in pairs
+    ]
 
 
 def _mixed_loads(claim, evidence):
     """Loads F_t* [1] at which mixed lubrication begins."""
     curves = [evidence.curves[condition] for condition in claim.curves]
-    excess = [_log(curve.solid_load_fraction / BOUNDARY_LIMIT) for curve in curves]
-    return [_first_fall(curve.load, each) for curve, each in zip(curves, excess)]
+    excess = [_log(curve["solid_load_fraction"] / BOUNDARY_LIMIT) for curve in curves]
+    return [_first_fall(curve["load"], each) for curve, each in zip(curves, excess)]
 
 
 def _departure_sharpness(claim, evidence):
@@ -334,8 +320,8 @@ def _departure_sharpness(claim, evidence):
     ratio on logarithmic axes within a tenth of a decade, over the largest slope; 1 at a kink."""
     found = []
     for dry, wet in _pairs(claim, evidence):
-        log_load = np.log(wet.load)
-        slope = np.diff(_log(wet.film_thickness / dry.film_thickness)) / np.diff(log_load)
+        log_load = np.log(wet["load"])
+        slope = np.diff(_log(wet["film_thickness"] / dry["film_thickness"])) / np.diff(log_load)
         middle = 0.5 * (log_load[1:] + log_load[:-1])
         later = np.interp(middle + 0.1 * np.log(10.0), middle, slope)
         found.append(np.max(later - slope) / np.maximum(np.max(slope), TINY))
@@ -359,7 +345,7 @@ def _table(claim, evidence, group, quantity=""):
     # Bounds of the load apply to a curve, not to its reference.
     x = _loads(claim, curves[-1], curves[bool(claim.references) :])
     if claim.against != "load":
-        spans = [getattr(curve, claim.against) for curve in curves]
+        spans = [curve[claim.against] for curve in curves]
         x = _sample(curves[-1], claim.against, x)
         x = np.clip(x, np.max(np.min(spans, axis=1)), np.min(np.max(spans, axis=1)))
     values = [_sample(curve, quantity or claim.quantity, x, claim.against) for curve in curves]
@@ -369,39 +355,32 @@ def _table(claim, evidence, group, quantity=""):
 def _loads(claim, grid, bounded):
     """Loads F_t* [1] of a curve, ``grid``: one if the claim gives it or a level, otherwise all
     within its bounds on ``bounded`` curves."""
-    limits = claim.limits
+    limits, load = claim.limits, grid["load"]
     if not limits:
-        return grid.load
+        return load
     if "load" in limits:
         return np.array([limits["load"]])
     for name in limits.keys() & set(CURVE_QUANTITIES):
-        excess = _log(getattr(grid, name)) - np.log(limits[name])
-        return np.array([_first_fall(grid.load, excess)])
-    heaviest = np.interp(limits.get("load_max_N", np.inf), grid.normal_load, grid.load)
-    low = max(limits.get("load_min", 0.0), grid.load[0])
-    high = min(limits.get("load_max", heaviest), grid.load[-1])
-    inner = grid.load[(grid.load > low) & (grid.load < high)]
+        return np.array([_first_fall(load, _log(grid[name]) - np.log(limits[name]))])
+    heaviest = np.interp(limits.get("load_max_N", np.inf), grid["normal_load"], load)
+    low = max(limits.get("load_min", 0.0), load[0])
+    high = min(limits.get("load_max", heaviest), load[-1])
     if not low < high:
         raise NotReached(np.log(low / high))
-    loads = np.concatenate([[low], inner, [high]])
-    shortfalls = [
-        sign * (limits[key] - _sample(curve, name, loads))
-        for key, (name, sign) in BOUNDS.items()
-        if key in limits
-        for curve in bounded
-    ]
-    if not shortfalls:
-        return loads
-    shortfall = np.max(shortfalls, axis=0)
+    loads = np.concatenate([[low], load[(load > low) & (load < high)], [high]])
+    shortfall = np.full(loads.size, -np.inf)
+    for key in limits.keys() & BOUNDS.keys():
+        name, sign = BOUNDS[key]
+        for curve in bounded:
+            shortfall = np.maximum(shortfall, sign * (limits[key] - _sample(curve, name, loads)))
     if shortfall.min() > 0.0:
         raise NotReached(shortfall.min())
     return loads[~(shortfall > 0.0)]
 
 
 def _first_fall(loads, values):
-    """Load at which ``values`` first fall to zero: the first load if they start below; if they
-    never do, they are extrapolated with their last slope, over a decade at most, so that nothing
-    jumps when inputs change."""
+    """Load at which ``values`` first fall to zero, or the first load if they start below; extrapolated with
+    the last slope, over a decade at most, so that nothing jumps when inputs change."""
     above = values > 0.0
     if not above[0]:
         return loads[0] if values[0] <= 0.0 else np.nan
@@ -413,14 +392,13 @@ def _first_fall(loads, values):
 
 
 def _sample(curve, quantity, x, against="load"):
-    """A quantity where the quantity ``against`` equals ``x``, interpolated in logarithms; nan if
-    unsolved."""
+    """A quantity where ``against`` equals ``x``, interpolated in logarithms; nan if unsolved."""
     if quantity == against:
         return x
-    values = getattr(curve, quantity)
-    if x is curve.load:  # no interpolation needed
+    values = curve[quantity]
+    if x is curve["load"]:  # no interpolation needed
         return values
-    known = np.log(curve.load) if against == "load" else np.log(getattr(curve, against))
+    known = np.log(curve[against])
     forward = slice(None, None, 1 if known[0] < known[-1] else -1)
     if (values <= 0.0).any():
         return np.interp(np.log(x), known[forward], values[forward], np.nan, np.nan)
@@ -441,11 +419,8 @@ def _peak_height(values):
 
 
 def _peak_miss(values, step):
-    """Shortfall of a course of ratios from an interior maximum of two steps.
-
-    Without a maximum, the distance of the course from turning is included, by the slope of ln(v/(1
-    - v)), so that a calibration has a slope.
-    """
+    """Shortfall of a course of ratios from an interior maximum of two steps; without a maximum also its
+    distance from turning, by the slope of ln(v/(1 - v)), so that a calibration has a slope."""
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
     odds = np.copysign(np.log(size[free] / (1.0 - size[free])), values[free])
@@ -471,28 +446,19 @@ COURSES = {
 
 
 def _sequence_miss(claim, curve):
-    """Largest excursion of a curve from the published sequence of states.
-
-    The points of the curve are assigned to the steps in order, so that the largest excursion of a
-    point from its step is minimal: the miss.  Each step must have a point, and be met by one
-    tolerance for a miss of 0.
-    """
+    """Largest excursion of a curve from the published sequence of states, if its points are assigned to the
+    steps in order so that it is minimal.  Each step must have a point that is inside by a tolerance."""
     excursions = np.array([_excursion(curve, step) for step in claim.published])
     if np.isnan(excursions).any():
         return np.nan
     required = excursions[:-1] if claim.open_end else excursions
     unmet = max(np.max(np.min(required, axis=1)) + claim.tolerance, 0.0)
-    enter, reached = -np.inf, [np.inf] * len(excursions)
-    # reached[step]: least miss so far if the previous point belongs to this step.  Plain numbers
-    # are faster than arrays for so few steps.
-    for point in np.maximum(excursions, 0.0).T.tolist():
-        come = enter
-        for step, here in enumerate(point):
-            stay = reached[step]
-            best = min(stay, come)
-            come, reached[step] = stay, max(here, best)
-        enter = np.inf
-    return max(min(reached[-2:]) if claim.open_end else reached[-1], unmet)
+    # the least miss up to a point, if it belongs to each step
+    reached = np.append(-np.inf, np.full(len(excursions), np.inf))
+    for here in np.maximum(excursions, 0.0).T:
+        come = reached[:-1]
+        reached = np.append(np.inf, np.maximum(np.minimum(reached[1:], come), here))
+    return max(reached[-2:].min() if claim.open_end else reached[-1], unmet)
 
 
 def _excursion(curve, step):
@@ -502,8 +468,7 @@ def _excursion(curve, step):
         outside = []
         for name in alternative.split():
             quantity, low, high = STATES[name]
-            values = getattr(curve, quantity)
-            outside += [low - values, values - high]
+            outside += [low - curve[quantity], curve[quantity] - high]
         excursions.append(np.max(outside, axis=0))
     return np.min(excursions, axis=0)
 
@@ -513,7 +478,7 @@ def _passed_states(claim, curve):
     names = " ".join(claim.published).replace(" or ", " ").split()
     families = {STATES[name][0] for name in names}
     inside = {
-        name: (getattr(curve, quantity) > low) & (getattr(curve, quantity) <= high)
+        name: (curve[quantity] > low) & (curve[quantity] <= high)
         for name, (quantity, low, high) in STATES.items()
         if quantity in families
     }
@@ -534,7 +499,7 @@ def _text_of(claim, evidence, values):
     """Numbers as text; a load beyond the computed ones is written ``> last`` or ``< first``."""
     texts = [f"{value:.4g}" for value in values]
     if claim.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
-        first, last = evidence.curves[claim.curves[0]].load[[0, -1]]
+        first, last = evidence.curves[claim.curves[0]]["load"][[0, -1]]
         texts = [f"> {last:.4g}" if v >= last else text for v, text in zip(values, texts)]
         texts = [f"< {first:.4g}" if v <= first else text for v, text in zip(values, texts)]
     return ", ".join(texts)

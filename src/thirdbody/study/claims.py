@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
 from pathlib import Path
@@ -57,11 +57,8 @@ STATES = {
 
 @dataclass(frozen=True)
 class Claim:
-    """One statement of the paper: an entry of ``config/claims.yaml``, whose head explains the fields.
-
-    ``tolerance`` is a fraction of the quantity [1] if ``relative``, otherwise in the unit of the
-    quantity, with its ``reason``.  Missing fields are empty.
-    """
+    """One statement: an entry of ``config/claims.yaml``, whose head explains the fields.  ``tolerance`` is a
+    fraction of the quantity [1] if ``relative``, otherwise in its unit."""
 
     id: str
     place: str
@@ -81,7 +78,7 @@ class Claim:
     any_curve: bool = False
     must_be_reached: bool = False
     figures: Sequence[int] = ()
-    reference: Mapping[str, float] | None = None
+    reference: Mapping[str, float] = field(default_factory=dict)
     contradicts: Sequence[str] = ()
     quote: str = ""
     aside: str = ""
@@ -100,14 +97,9 @@ class Claim:
         changes = {
             axis.name: axis.to_si(self.reference[axis.key])
             for axis in CONDITION_AXES
-            if axis.key in (self.reference or {})
+            if axis.key in self.reference
         }
         return tuple(condition._replace(**changes) for condition in self.curves if changes)
-
-    @property
-    def all_curves(self) -> tuple[Condition, ...]:
-        """Conditions of all its curves, including references."""
-        return self.curves + self.references
 
     @cached_property
     def all_figures(self) -> frozenset[int]:
@@ -124,18 +116,13 @@ class Claim:
         """The curves, the bounds of the loads, and the reference as text."""
         loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
         text = "; ".join([*_condition_texts(self.conditions), *loads])
-        against = ", ".join(_condition_texts(self.reference or {}))
+        against = ", ".join(_condition_texts(self.reference))
         return f"{text}; held against {against}" if against else text
 
     @property
     def counted_as(self) -> str:
         """The name under which it is counted: its cluster, or its id."""
         return self.cluster or self.id
-
-    @property
-    def is_about_a_maximum(self) -> bool:
-        """Whether it states that A_sa,t* has, or does not have, a turning point."""
-        return self.kind == "absence" or self.direction == "rising_then_falling"
 
     @property
     def source(self) -> str:
@@ -151,15 +138,13 @@ class Claim:
 
 
 def figures_named(place: str) -> frozenset[int]:
-    """Numbers of the figures in the place of a statement, such as "Figures 4B and 5C" or "Figures 4
-    to 7"."""
+    """Numbers of the figures in a place, such as "Figures 4B and 5C" or "Figures 4 to 7"."""
     ends = FIGURES.findall(place)
     return frozenset().union(*(range(int(one), int(last or one) + 1) for one, last in ends))
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order; ``ValueError`` in one line for a file that does
-    not satisfy ``config/claims.schema.yaml``."""
+    """Read the statements of the paper, in order; ``ValueError`` in one line for an invalid file."""
     claims = []
     for entry in read_valid(path, "claims"):
         relative = "relative" in entry["tolerance"]
@@ -174,7 +159,7 @@ def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
     for ``curve`` and ``turning_point``, of sigma [m] for ``window``."""
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
-        for condition in claim.all_curves:
+        for condition in claim.curves + claim.references:
             asked[claim.source].add(condition.roughness if claim.source == "window" else condition)
     return asked
 
@@ -189,10 +174,8 @@ def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
 
 
 def printed_rows(claims: Iterable[Claim]) -> list[dict]:
-    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves.
-
-    A change from a reference has no row, because it is not a point of a figure.
-    """
+    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves; none for a
+    change from a reference, which is not a point of a figure."""
     rows = []
     for claim in claims:
         is_change = claim.reference and claim.quantity not in BETWEEN_CURVES

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
-from functools import cached_property
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,42 +11,15 @@ from numpy.typing import NDArray
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
+from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import has_values
-from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm
 # Points with larger errors are not used: statements are evaluated to per cents, whatever rtol is.
 LARGEST_ERROR = 1e-3
-
-
-@dataclass(frozen=True)
-class Curve:
-    """A solved curve over the load: arrays of shape (loads,), named as in the datasets, SI.
-
-    ``film_thickness`` is d/R_x [1], with or without a film.  Solved quantities are nan at points
-    without values, or with an error bound above ``LARGEST_ERROR``.
-    """
-
-    load: NDArray[np.float64]
-    normal_load: NDArray[np.float64]
-    total_contact_area: NDArray[np.float64]
-    particle_contact_area_ratio: NDArray[np.float64]
-    solid_load_fraction: NDArray[np.float64]
-    film_thickness: NDArray[np.float64]
-    separation: NDArray[np.float64]
-
-    @cached_property
-    def solid_load(self) -> NDArray[np.float64]:
-        """Dimensionless load carried by the solids, L_s F_t* [1]."""
-        return self.solid_load_fraction * self.load
-
-    @cached_property
-    def total_contact_area_slope(self) -> NDArray[np.float64]:
-        """d ln A_t*/d ln F_t* [1]: the slope of the curve on logarithmic axes."""
-        area = np.maximum(self.total_contact_area, np.finfo(float).tiny)
-        return np.gradient(np.log(area), np.log(self.load))
+Curve = Mapping[str, NDArray]
 
 
 @dataclass(frozen=True)
@@ -64,13 +36,12 @@ FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111))
 QUICK_EFFORT = Effort(
     60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
 )
-SOLVED_FIELDS = tuple(field.name for field in fields(Curve) if field.name in VARIABLES)
 
 
 @dataclass(frozen=True)
 class Evidence:
-    """Results of the model for one set of inputs: curves and turning points (single numbers) by
-    condition, and both ends of the windows [1] by sigma [m]."""
+    """Results of the model for one set of inputs: curves, from ``curve_of``, and turning points
+    (single numbers) by condition, and both ends of the windows [1] by sigma [m]."""
 
     parameters: Parameters
     effort: Effort
@@ -79,16 +50,29 @@ class Evidence:
     windows: dict[float, tuple[float, float]]
 
 
+def curve_of(solved: Curve) -> Curve:
+    """The quantities of a curve over the load, from ``QUANTITIES``, ``load`` and ``normal_load``;
+    ``film_thickness`` is d/R_x [1], with or without a film."""
+    area = np.maximum(solved["total_contact_area"], np.finfo(float).tiny)
+    return {
+        **solved,
+        "solid_load": solved["solid_load_fraction"] * solved["load"],
+        # on logarithmic axes
+        "total_contact_area_slope": np.gradient(np.log(area), np.log(solved["load"])),
+    }
+
+
 def solve_evidence(
     parameters: Parameters,
     asked: Mapping[str, set],
     newtons: tuple[float, float],
     effort: Effort = FULL_EFFORT,
 ) -> Evidence:
-    """Solve the conditions ``asked``, from ``thirdbody.study.claims.referenced_conditions``;
-    ``newtons`` are the first and last normal load of every curve [N]."""
+    """Solve the conditions ``asked``, from ``referenced_conditions``, between the first and last normal load
+    [N]; quantities are nan without values, or with an error bound above ``LARGEST_ERROR``."""
     load_range = tuple(force / parameters.newtons_per_load for force in newtons)
     loads = np.geomspace(*load_range, effort.loads)
+    shared = {"load": loads, "normal_load": loads * parameters.newtons_per_load}
     conditions = sorted(asked["curve"] | asked["turning_point"])
     curves, points = {}, {}
     if conditions:
@@ -98,16 +82,13 @@ def solve_evidence(
             **Condition(*columns)._asdict(),
             parameters=parameters,
             rtol=effort.rtol,
-            variables=(*SOLVED_FIELDS, "solution_status", "error_bound"),
+            variables=(*QUANTITIES, "solution_status", "error_bound"),
         )
         known = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
-        solved = {name: np.where(known, getattr(solution, name), np.nan) for name in SOLVED_FIELDS}
+        solved = {name: np.where(known, getattr(solution, name), np.nan) for name in QUANTITIES}
         for index, condition in enumerate(conditions):
-            curves[condition] = Curve(
-                load=loads,
-                normal_load=loads * parameters.newtons_per_load,
-                **{name: values[:, index] for name, values in solved.items()},
-            )
+            own = {name: values[:, index] for name, values in solved.items()}
+            curves[condition] = curve_of(shared | own)
         places = [index for index, each in enumerate(conditions) if each in asked["turning_point"]]
         separation = solution.separation[:, places]
         found = turning_points(separation, *columns[:, places], parameters, effort.rtol)
@@ -115,7 +96,6 @@ def solve_evidence(
         for index, some in zip(places, numbers, strict=True):
             points[conditions[index]] = TurningPoints(*some)
     surfaces = sorted(asked["window"])
-    given = surfaces, WINDOW_DENSITY, load_range, parameters
-    found = turning_point_windows(effort.window, *given)
+    found = turning_point_windows(effort.window, surfaces, WINDOW_DENSITY, load_range, parameters)
     windows = {sigma: (each.low, each.high) for sigma, each in zip(surfaces, found, strict=True)}
     return Evidence(parameters, effort, curves, points, windows)

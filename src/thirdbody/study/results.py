@@ -27,18 +27,13 @@ PRICED = 100  # number of best sets of a cost search that are evaluated again
 def summary(
     interpretation: Interpretation,
     judge_all: Judge,
-    searches: Sequence[NDArray[np.float64]],
-    samples: Sequence[NDArray[np.float64]],
-    folds: Sequence[NDArray[np.float64]],
+    searches: Sequence[NDArray],
+    samples: Sequence[NDArray],
+    folds: Sequence[NDArray],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Summarise the searches of an interpretation as the content of its calibrated file, SI.
-
-    ``inputs`` are the acceptable set for which most statements hold, and of several the most
-    plausible.  ``searches``, ``samples`` and ``folds`` are positions and objectives, shape (rows,
-    unknowns + 1): for each seed its search over all statements and its sample, and for each fold
-    its search; the last two only for the shortlist.  ``judge_all`` has all statements.
-    """
+    """The content of the calibrated file of an interpretation, SI, from positions and objectives, shape
+    (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist."""
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]
@@ -72,7 +67,7 @@ def summary(
     }
 
 
-def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:
+def acceptable(rows: NDArray, acceptance: float) -> NDArray:
     """Unique evaluations with an objective up to ``acceptance`` above the least, best first."""
     ordered = np.unique(rows, axis=0)
     ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
@@ -85,7 +80,7 @@ def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]
     return [name for name in ranking if least[name] <= least[ranking[0]] + within][:most]
 
 
-def inputs_of(interpretation: Interpretation, row: NDArray[np.float64]) -> dict[str, float]:
+def inputs_of(interpretation: Interpretation, row: NDArray) -> dict[str, float]:
     """The unknowns of a row of positions and objective, SI, rounded to ``DIGITS``."""
     return {name: _rounded(value) for name, value in interpretation.values(row[:-1]).items()}
 
@@ -106,15 +101,11 @@ def price_front(
     interpretation: Interpretation,
     objective: Objective,
     name: str,
-    rows: NDArray[np.float64],
+    rows: NDArray,
     inputs: Mapping[str, float],
 ) -> list[list[float]]:
-    """Pareto front of the statement with the id ``name`` and all other statements.
-
-    ``rows``, shape (evaluations, unknowns + 1), are from a search with a higher weight of this
-    statement; ``objective`` has the ordinary weights.  The front includes the published ``inputs``;
-    each point is the score of the statement and the objective without it and its repetitions.
-    """
+    """Pareto front of the score of the statement ``name`` and the objective without it and its repetitions,
+    from the published ``inputs`` and ``rows`` of a search with a higher weight of this statement."""
     place = [claim.id for claim in objective.claims].index(name)
     own = objective.repeating(name)
     best = rows[np.argsort(rows[:, -1], kind="stable")[:PRICED]]
@@ -134,13 +125,9 @@ def price_front(
 def mixed_ensemble(
     contents: Sequence[Mapping[str, Any]], fractions: Mapping[str, Sequence[float]], size: int
 ) -> tuple[list[dict[str, Any]], list[str]]:
-    """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each.
-
-    An interpretation is included if its mean fraction is at most one standard deviation (of the
-    folds of the default) below that of the default; its number of members is proportional to the
-    fraction.  ``contents`` are those of calibrated files, the default first; ``fractions`` has the
-    predicted fraction of the statements in each fold for each cross-validated interpretation.
-    """
+    """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each, from calibrated
+    files, the default first.  An interpretation has members in proportion to its mean predicted fraction,
+    if that is at most one standard deviation (of the default's) below that of the default."""
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["interpretation"]
     least = means[first] - float(np.std(fractions[first]))

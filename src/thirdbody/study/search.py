@@ -1,5 +1,4 @@
-"""Search for the unknown inputs of an interpretation that explain most of the paper, and sampling
-of sets that explain about as much."""
+"""Search for the inputs that explain most of the paper, and samples of those that explain about as much."""
 
 from __future__ import annotations
 
@@ -22,11 +21,9 @@ START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, per
 MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
 
-def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray[np.float64]:
-    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns).
-
-    Every second one, from the first on, has summits of at least ``budget["elastic_radius"]``.
-    """
+def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray:
+    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns); every second one has
+    summits of at least ``budget["elastic_radius"]``."""
     unknowns = interpretation.unknowns
     places = LatinHypercube(len(unknowns), rng=np.random.default_rng(0)).random(budget["scattered"])
     for column, unknown in enumerate(unknowns):
@@ -38,18 +35,14 @@ def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArra
 
 def search(
     interpretation: Interpretation,
-    objective: Callable[[Interpretation, NDArray[np.float64]], float],
-    start: NDArray[np.float64],
+    objective: Callable[[Interpretation, NDArray], float],
+    start: NDArray,
     budget: Mapping[str, Any],
     seed: int,
-) -> NDArray[np.float64]:
-    """Search the unknowns of an interpretation, at least two, for the least objective.
-
-    A CMA evolution strategy starts from the position ``start``, and saves evaluations with a quadratic
-    surrogate (Hansen 2019, doi:10.1145/3321707.3321842).  ``budget`` has the number of ``evaluations`` for
-    each unknown, which the last generation may exceed.  The same ``seed``, from 1, gives the same result:
-    positions and, in the last column, the objective there [1], in the order of evaluation.
-    """
+) -> NDArray:
+    """Search the unknowns, at least two, for the least objective, by a CMA evolution strategy with a quadratic
+    surrogate (Hansen 2019, doi:10.1145/3321707.3321842): all positions with the objective [1] in the last
+    column."""
     rows = []
 
     def function(positions):
@@ -73,20 +66,14 @@ def search(
 
 def posterior_sample(
     interpretation: Interpretation,
-    objective: Callable[[Interpretation, NDArray[np.float64]], float],
-    evaluations: NDArray[np.float64],
+    objective: Callable[[Interpretation, NDArray], float],
+    evaluations: NDArray,
     budget: Mapping[str, int],
     seed: int,
-) -> NDArray[np.float64]:
-    """Sample sets of inputs with the density exp(-objective) by an ensemble of walkers.
-
-    Walkers start from the best of the ``evaluations`` of a search; ``budget`` has the numbers of
-    ``walkers`` and ``steps``, of which the first quarter is dropped.  The same ``seed`` gives the same
-    result: positions and, in the last column, the objective there [1], shape (rows, unknowns + 1).
-
-    Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
-    doi:10.1007/s11222-008-9104-9.
-    """
+) -> NDArray:
+    """Sample sets of inputs with the density exp(-objective) by walkers that start from the best of a
+    search: rows as from ``search``, without the first quarter of the steps (Foreman-Mackey et al. 2013,
+    doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9)."""
 
     def log_density(positions):
         if ((positions < 0.0) | (positions > 1.0)).any():

@@ -1,12 +1,12 @@
-"""The verdict on every statement of the paper, as tables.
+"""The verdict on every statement of the paper: as tables, pages for readers and data for programs.
 
 ``judge_everything`` evaluates all statements for many sets of inputs: the default, its ensemble,
-the inputs of every interpretation, and those of every fold of the cross-validation; the other
-functions make tables of the result.
+the inputs of every interpretation, and those of every fold of the cross-validation.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -14,7 +14,9 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
+from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import spread
 from thirdbody.data.tables import TABLES
@@ -35,11 +37,9 @@ Verdicts = Mapping[str, Verdict]  # by the id of the statement
 class Judged:
     """All statements, evaluated for all sets of inputs.
 
-    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated
-    file with the default inputs.  ``verdicts`` are for these inputs, ``faint`` for turning points
-    from ``FAINT`` on, ``members`` for the members of the ensemble.  ``interpretations`` has the
-    verdicts for the inputs of each interpretation, ``predicted`` those of the default on statements
-    whose figure was left out, and ``comparison`` is the table from ``compare``.
+    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file
+    whose inputs ``verdicts`` are for.  ``faint`` is for turning points from ``FAINT`` on; ``predicted``
+    has the statements whose figure was left out, and ``comparison`` is the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
@@ -55,35 +55,32 @@ class Judged:
     @cached_property
     def table(self) -> pd.DataFrame:
         """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
-        claims = self.claims
-        verdicts = [self.verdicts[claim.id] for claim in claims]
-        ranges = [
-            number_ranges(self, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
-            for claim, verdict in zip(claims, verdicts, strict=True)
-        ]
-        range_low, range_high = np.transpose(ranges)
-        sets = {"ensemble": self.members, "interpretations": self.interpretations.values()}
-        table = pd.DataFrame(claims).join(pd.DataFrame(verdicts))
-        table = table.assign(
-            curves=[claim.curves_text for claim in claims],
-            published=[published_text(claim) for claim in claims],
-            value=[verdict.value for verdict in verdicts],
-            range_low=range_low,
-            range_high=range_high,
-            tolerance_kind=np.where(table["relative"], "relative", "absolute"),
-            verdict=[outcome(*each) for each in zip(claims, verdicts, strict=True)],
-            predicted=[
-                outcome(claim, self.predicted[claim.id]) if claim.id in self.predicted else ""
-                for claim in claims
-            ],
-            contradicts=[" ".join(claim.contradicts) for claim in claims],
-            **{
-                f"{name}_agree": [_agreeing(self, some, claim.id) for claim in claims]
-                for name, some in sets.items()
-            },
-            **{f"{name}_size": len(some) for name, some in sets.items()},
-        )
-        return table[[column.name for column in TABLES["claims"]]]
+        rows, others = [], self.interpretations.values()
+        for claim in self.claims:
+            verdict, predicted = self.verdicts[claim.id], self.predicted.get(claim.id)
+            ranges = number_ranges(self, claim.id)
+            low, high = ranges[verdict.worst] if verdict.numbers else NO_RANGE
+            rows.append(
+                {
+                    **vars(claim),
+                    **verdict._asdict(),
+                    "curves": claim.curves_text,
+                    "published": published_text(claim),
+                    "score": verdict.score,
+                    "value": verdict.value,
+                    "range_low": low,
+                    "range_high": high,
+                    "tolerance_kind": "relative" if claim.relative else "absolute",
+                    "verdict": outcome(claim, verdict),
+                    "predicted": outcome(claim, predicted) if predicted else "",
+                    "contradicts": " ".join(claim.contradicts),
+                    "ensemble_agree": _agreeing(self, self.members, claim.id),
+                    "ensemble_size": len(self.members),
+                    "interpretations_agree": _agreeing(self, others, claim.id),
+                    "interpretations_size": len(others),
+                }
+            )
+        return pd.DataFrame(rows)[[column.name for column in TABLES["claims"]]]
 
 
 def judge_everything(
@@ -92,8 +89,8 @@ def judge_everything(
     contents: Sequence[Mapping[str, Any]],
     settings: Mapping[str, Any],
 ) -> Judged:
-    """Evaluate all statements for all sets of inputs: ``contents`` are those of the calibrated
-    files of all interpretations, the others are as in ``Judged``."""
+    """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
+    interpretations."""
     inputs = judge_all.base | default["inputs"]
     interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
@@ -111,8 +108,7 @@ def judge_everything(
 
 
 def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
-    """Evaluate each statement for the inputs found without its figure, from the ``content`` of a
-    calibrated file; empty without a cross-validation."""
+    """Evaluate each statement for the inputs of a calibrated file that were found without its figure."""
     entries = content.get("folds", ())
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
@@ -128,11 +124,8 @@ def compare(
     predicted: Mapping[str, Verdicts],
     settings: Mapping[str, Any],
 ) -> pd.DataFrame:
-    """Compare the interpretations, in the order of the rule that chooses the default.
-
-    The rule: most statements predicted when their figure is left out, then the most plausible
-    inputs, then the fewest unknowns.  ``predicted_fraction`` is nan without a cross-validation.
-    """
+    """Compare the interpretations, in the order of the rule that chooses the default: most statements
+    predicted when their figure is left out, then the most plausible inputs, then the fewest unknowns."""
     objective = Objective.of(judge_all.claims, settings, judge_all.base)
     rows = []
     for content in contents:
@@ -184,24 +177,21 @@ def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
 
 def counts_by_figure(judged: Judged) -> pd.DataFrame:
     """Number of statements with each verdict, by part of the paper."""
-    part = judged.table["place"].map(part_of_paper).rename("figure")
-    words = [HOLDS, FAILS, NOT_TESTED, CONTRADICTED]
-    counts = pd.crosstab(part, judged.table["verdict"])
-    counts = counts.reindex(index=part.unique(), columns=words, fill_value=0)
-    parts = [
-        [claim for claim in judged.claims if part_of_paper(claim.place) == name]
-        for name in counts.index
-    ]
-    held = ["{} of {}".format(*count_once(claims, judged.verdicts)) for claims in parts]
-    return counts.assign(**{"hold, repeats once": held}).reset_index()
+    parts: dict[str, list[Claim]] = {}
+    for claim in judged.claims:
+        parts.setdefault(part_of_paper(claim.place), []).append(claim)
+    rows = []
+    for part, claims in parts.items():
+        found = [outcome(claim, judged.verdicts[claim.id]) for claim in claims]
+        counts = {word: found.count(word) for word in (HOLDS, FAILS, NOT_TESTED, CONTRADICTED)}
+        held = "{} of {}".format(*count_once(claims, judged.verdicts))
+        rows.append({"figure": part, **counts, "hold, repeats once": held})
+    return pd.DataFrame(rows)
 
 
 def headline_table(judged: Judged) -> pd.DataFrame:
-    """The headline numbers in the paper, in the model and in the ensemble.
-
-    A number counts as reached if its statement holds, or if it is within its entry of
-    ``headline_tolerances``.
-    """
+    """The headline numbers in the paper, in the model and in the ensemble; they are reached if their
+    statement holds, or within their entry of ``headline_tolerances``."""
     table = judged.table[judged.table["id"].isin(judged.settings["headline"])]
     tolerances = table["id"].map(judged.settings["headline_tolerances"]).fillna(0.0)
     near = table["verdict"].ne(NOT_TESTED) & table["deviation"].abs().le(tolerances)
@@ -230,8 +220,7 @@ def _range_text(judged: Judged, id: str) -> str:
 
 
 def number_ranges(judged: Judged, id: str) -> np.ndarray:
-    """Range of 90 % of the ensemble for each number of a statement, shape (numbers, 2); nan if no
-    member has the number."""
+    """Range of 90 % of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
     members = [each[id].numbers for each in judged.members if each[id].numbers]
     places = range(len(judged.verdicts[id].numbers))
     ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
@@ -256,3 +245,92 @@ def _agreeing(judged: Judged, sets: Iterable[Verdicts], id: str) -> int:
     """Number of sets of verdicts that agree with the default on a statement."""
     same = judged.verdicts[id].tested, judged.verdicts[id].holds
     return sum((other[id].tested, other[id].holds) == same for other in sets)
+
+
+def claims_markdown(judged: Judged) -> str:
+    """The page ``claims.md``: a summary, then every statement."""
+    table = judged.table
+    numbers = headline_table(judged)
+    failing = table[table["verdict"] == FAILS]
+    names = failing["cluster"].replace("", None).fillna(failing["id"])
+    return ENVIRONMENT.get_template("claims.md.j2").render(
+        judged=judged,
+        score=score_sentence(judged),
+        reached=numbers["reached"].sum(),
+        headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
+        misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
+        words=dict(zip(table["id"], table["verdict"], strict=True)),
+        counts=counts_by_figure(judged),
+        comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
+        statements=table.to_dict("records"),
+        failing=failing.to_dict("records"),
+    )
+
+
+def claims_html(judged: Judged) -> str:
+    """The statements and their verdicts as a table, an HTML page."""
+    score = score_sentence(judged).replace("**", "")
+    rows = judged.table.to_dict("records")
+    return ENVIRONMENT.get_template("claims.html.j2").render(score=score, rows=rows)
+
+
+def claims_json(judged: Judged) -> str:
+    """The same data for programs, as JSON: statements have the columns of the table ``claims``, lists and
+    objects instead of texts, and the ensemble range of each number."""
+    held, of = count_once(judged.claims, judged.verdicts)
+    predicted, predicted_of = count_once(judged.claims, judged.predicted)
+    rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
+    content = {
+        "score": score_sentence(judged).replace("**", ""),
+        "held": held,
+        "judged": of,
+        "predicted": predicted,
+        "predicted_of": predicted_of,
+        "interpretation": judged.default["interpretation"],
+        "inputs": judged.default["inputs"],
+        "identification": judged.default["identification"],
+        "headline": headline_table(judged).to_dict("records"),
+        "interpretations": judged.comparison.to_dict("records"),
+        "statements": [
+            row
+            | {
+                "curves": [condition._asdict() for condition in claim.curves],
+                "references": [condition._asdict() for condition in claim.references],
+                "loads": claim.limits,
+                "published": claim.published,
+                "numbers": judged.verdicts[claim.id].numbers,
+                "range": number_ranges(judged, claim.id).tolist(),
+                "contradicts": list(claim.contradicts),
+            }
+            for row, claim in zip(rows, judged.claims, strict=True)
+        ],
+    }
+    # null for every number that is nan
+    content = json.loads(json.dumps(content), parse_constant=lambda name: None)
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def score_sentence(judged: Judged) -> str:
+    """Numbers of statements that hold: predicted, fitted, and with fainter turning points."""
+    sets = {"fitted": judged.verdicts, "predicted": judged.predicted, "faint": judged.faint}
+    counts = {name: count_once(judged.claims, verdicts) for name, verdicts in sets.items()}
+    texts = ENVIRONMENT.get_template("claims.macros.j2").module
+    return texts.score(**counts, prominence=PROMINENCE, faint_prominence=FAINT)
+
+
+def _cell(value: Any) -> str:
+    """A value as a cell of a table in Markdown."""
+    return str(value).replace("|", "\\|")
+
+
+def _as_markdown(table: pd.DataFrame) -> str:
+    return table.map(_cell).to_markdown(index=False, disable_numparse=True)
+
+
+ENVIRONMENT = Environment(
+    loader=PackageLoader("thirdbody.study", "."),
+    autoescape=select_autoescape(["html.j2"]),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+)
+ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once, "cell": _cell}
