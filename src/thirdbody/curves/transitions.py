@@ -71,6 +71,6 @@ def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
     outside = (at_first > 0.0) == (at_last > 0.0)
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
     ends = (np.where(outside, nearest, end) for end in (first, last))
-    d, width = bracketed_roots(excess, *ends, rtol=0.1 * rtol)
+    d, width = bracketed_roots(excess, *ends, 0.1 * rtol * last)
     load, _, steepest = load_at(solids, viscosity, roughness, d)
     return load, load * (steepest * width + rtol)

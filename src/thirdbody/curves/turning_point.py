@@ -156,7 +156,7 @@ def ratio_maxima(
     step, curve = np.nonzero(bracket)
     near, far = separation[step + 1, curve], separation[step, curve]
     slope = partial(odds_slope, solids.take(curve))
-    place, width = bracketed_roots(slope, near, far, rtol=rtol)
+    place, width = bracketed_roots(slope, near, far, rtol * near)
     ratio = particle_ratio(solids.take(curve), place)
     high = falling[step + 1, curve]
     prominence = _prominence(
