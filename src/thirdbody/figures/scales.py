@@ -134,7 +134,9 @@ def _draw_zones(axes, scale):
     edges = np.array([low, *limits, high])
     right = axes.secondary_yaxis("right")
     right.set_yticks(limits, [f"{limit / scale.unit:g}" for limit in limits])
-    right.set_yticks(0.5 * (edges[1:] + edges[:-1]), names[: edges.size - 1], minor=True)
+    middles = zip(0.5 * (edges[1:] + edges[:-1]), names, np.diff(edges), strict=False)
+    named = [(middle, name) for middle, name, height in middles if height > 0.05 * (high - low)]
+    right.set_yticks(*zip(*named, strict=True), minor=True)
     right.tick_params(which="both", length=0)
     for limit in limits:
         axes.axhline(limit, color="0.55", linewidth=0.5, linestyle=":", zorder=1)
