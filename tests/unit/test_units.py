@@ -53,7 +53,8 @@ def test_an_unknown_unit_and_an_uncertainty_are_refused_by_name(solved):
     with pytest.raises(ValueError, match=message):
         solved(roughness=of_xarray(1.0, "furlong per fun"))
     uncertain = pytest.importorskip("uncertainties").ufloat(10, 1)
-    with pytest.raises(ValueError, match="^load is a quantity of .*; allowed: plain numbers$"):
+    message = "^load is a quantity of .*; allowed: plain numbers, such as the nominal value$"
+    with pytest.raises(ValueError, match=message):
         solved(load=UNIT.Quantity(uncertain, "N"))
 
 
@@ -70,6 +71,40 @@ def test_every_entry_takes_quantities(parameters):
         tb.find("solid_load_fraction", **search, **each).first for each in (named, named | given)
     )
     assert one == pytest.approx(other, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "several",
+    [
+        lambda each: each,
+        lambda each: np.array(each, object),
+        lambda each: xr.DataArray(np.array([10.0, 20.0]) * UNIT.N, dims="x"),
+        lambda each: [each],
+    ],
+    ids=["list", "objects", "xarray", "nested"],
+)
+@pytest.mark.parametrize("name", ["load", "load_N"])
+def test_several_quantities_are_converted_once(parameters, name, several):
+    loads = several([10.0 * UNIT.N, 0.02 * UNIT.kN])
+    given = {key: value for key, value in ENGINEERING.items() if key != "load_N"}
+    found = tb.solve(**given, **{name: loads}, parameters=parameters).solid_load_fraction
+    expected = tb.solve(**given, load_N=[10.0, 20.0], parameters=parameters).solid_load_fraction
+    np.testing.assert_allclose(np.ravel(found), expected, rtol=1e-9)
+
+
+def test_ends_of_a_search_take_quantities_and_warn_in_the_unit_typed(parameters):
+    ends = 1e-6 * UNIT.m**2 / UNIT.s, 100 * UNIT.cSt
+    interface = tb.Interface(**ENGINEERING)
+    assert interface.transitions("viscosity", between=ends).notes[0].endswith("1 to 100 cSt")
+    assert interface.curve("load", 10 * UNIT.N, 20 * UNIT.N, count=2).points.tolist() == [10, 20]
+    named = {name: value for name, value in ENGINEERING.items() if name != "viscosity_cSt"}
+    search = {"variable": "separation", "along": "viscosity_cSt", **named}
+    with pytest.warns(tb.OutOfRangeWarning, match="^between is 1e-06 cSt; usual: 0.3 to 10000 cSt"):
+        tb.find(level=1e-6, between=(1e-6, 1e-4), parameters=parameters, **search)
+    with pytest.warns(tb.OutOfRangeWarning, match="^level of separation is 900 m; usual: 1e-10"):
+        tb.find(level=900, parameters=parameters, **search)
+    with pytest.warns(tb.OutOfRangeWarning, match="^load is 10 MN; usual: .* MN$"):
+        tb.solve(**POINT | {"load": 10.0 * UNIT.MN}, parameters=parameters)
 
 
 @pytest.mark.parametrize("key", UNITS)

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,8 @@ from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.conditions.checks import check_count, check_ends, check_names, checked_parameters
-from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions.checks import check_count, check_names, checked_parameters
+from thirdbody.conditions.in_si import ends_in_si, in_si
 from thirdbody.conditions.usual import without_warnings
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
@@ -27,7 +28,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, has_unit
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal
 
 LENGTH = UNITS["roughness_nm"]  # unit of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
@@ -68,7 +69,7 @@ class Interface:
         for name, key in ENGINEERING.items():
             if given[name].ndim:
                 raise ValueError(f"{key} has shape {given[name].shape}; allowed: one number")
-            if has_unit(getattr(self, key)):
+            if not isinstance(getattr(self, key), Real):
                 number = UNITS[key].from_si(given[name], self.parameters.newtons_per_load)
                 object.__setattr__(self, key, float(decimal(number)))
 
@@ -88,7 +89,7 @@ class Interface:
 
     def changed(self, **conditions: float | Parameters) -> Interface:
         """The same interface with other conditions, or other ``parameters``."""
-        return replace(self, **conditions)
+        return Interface(**self.conditions | {"parameters": self.parameters} | conditions)
 
     def described(self, without: str = "") -> str:
         """The conditions in words, except the one named ``without``."""
@@ -138,6 +139,11 @@ class Interface:
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
 
+    def _ends(self, name: str, ends: Any, key: str) -> tuple[float, float]:
+        """The ends of a range, numbers or quantities, in the unit of the condition ``key``."""
+        found = ends_in_si(name, ends, UNITS[key], self.parameters)
+        return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
+
     def _notes(self, state: Mapping[str, Value]) -> tuple[str, ...]:
         """Remarks on a state."""
         name = state["solution_status"].replace(" ", "_")
@@ -177,7 +183,7 @@ class Interface:
         """
         key = _key_of(along)
         check_names("flags", flags, FLAGS_WITH_BORDERS)
-        between = SEARCHED[along] if between is None else between
+        between = SEARCHED[along] if between is None else self._ends("between", between, key)
         others = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
@@ -227,6 +233,7 @@ class Interface:
         the load, the area ratio and L_s at the turning point, then the least and largest diameter
         for which dry contact has one; ``found`` is whether this interface has one.
         """
+        between_N = self._ends("between_N", between_N, "load_N")
         with without_warnings():
             mine, *of_members = (self._turning_with(each, between_N) for each in self._inputs)
         size = UNITS["particle_diameter_nm"].text
@@ -283,7 +290,7 @@ class Interface:
         True
         """
         key = _key_of(along)
-        check_ends("low to high", (low, high))
+        low, high = self._ends("low to high", (low, high), key)
         check_count("count", count)
         points = np.geomspace(low, high, count)
         mine, *of_members = (

@@ -26,6 +26,7 @@ MESSAGES = {
     r"Missing command.": f"QUESTION is missing; allowed: {', '.join(NAMES)}",
     r"No such command '(.*)'\.": rf"QUESTION is '\1'; allowed: {', '.join(NAMES)}",
     r"No such option: (\S+)": r"there is no option \1",
+    r"\b(?:between|low to high|between_N) is": "--from or --to is",
 }
 
 

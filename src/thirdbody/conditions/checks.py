@@ -88,6 +88,8 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
 def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     """Real numbers as a float64 array, which may contain inf or nan; quantities are refused."""
     several = given if isinstance(given, list | tuple) else [given]
+    if any(isinstance(each, bool | np.bool_) for each in several):
+        raise ValueError(f"{name} is {shown(given)}; allowed: {allowed}")  # numpy takes True as 1
     if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
         raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}")
     if np.ma.is_masked(given):

@@ -18,8 +18,13 @@ USUAL = {
     "load": (1e-13, 2e-2),
     "viscosity": (3e-7, 1e-2),
     "particle_diameter": (1e-9, 1e-3),
-    "roughness": (1e-10, 1e-3),
+    "roughness": (1e-9, 1e-3),
     "particle_density": (1e6, 1e16),
+}
+USUAL_LEVELS = {  # of variables, SI
+    "total_contact_area": (1e-12, 1.0),
+    "separation": (1e-10, 1e-3),
+    "film_thickness": (1e-9, 0.1),
 }
 
 # steel in oil: defaults of comparisons with measurements
