@@ -22,9 +22,10 @@ ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit 
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
     r"Missing option '(\S+)'.": r"\1 is missing",
+    r"Option '(\S+)' requires an argument\.": r"\1 has no value",
     r"Missing argument '(\S+)'.": r"\1 is missing",
     r"Missing command.": f"QUESTION is missing; allowed: {', '.join(NAMES)}",
-    r"No such command '(.*)'\.": rf"QUESTION is '\1'; allowed: {', '.join(NAMES)}",
+    r"No such command '(.*?)'\..*": rf"QUESTION is '\1'; allowed: {', '.join(NAMES)}",
     r"No such option: (\S+)": r"there is no option \1",
     r"\b(?:between|low to high|between_N) is": "--from or --to is",
 }

@@ -24,8 +24,9 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     ]
     try:
         for place, part in zip(places, parts, strict=True):
-            if place.is_dir():
-                raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), part)
+            if place.exists() and not place.is_file():  # a device must not be replaced
+                kind = "Is a directory" if place.is_dir() else "Not a regular file"
+                raise OSError(errno.EINVAL, kind, part)
             part.touch()
             part.unlink()
         yield parts[0] if len(parts) == 1 else tuple(parts)
@@ -49,7 +50,7 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
 def _place(path: str | Path) -> Path:
     """``path`` as a ``Path``, which must name a file."""
     try:
-        place = Path(path)
+        place = Path(os.path.realpath(path) if os.path.islink(path) else path)
     except TypeError:
         place = Path()
     if not place.name or "\0" in place.name:
