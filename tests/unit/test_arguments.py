@@ -180,8 +180,8 @@ def test_all_that_is_outside_is_named_in_one_warning(solve):
 
 
 def test_so_is_a_bearing_in_another_unit(parameters):
-    expected = "ball_radius_mm is 6350 mm; usual: 0.1 to 1000 mm"
-    assert warning(tb.bearing, parameters, ball_radius_mm=6350) == expected
+    expected = "pressure_viscosity_per_GPa is 0.02 GPa-1; usual: 1 to 100 GPa-1"
+    assert warning(tb.bearing, parameters, pressure_viscosity_per_GPa=0.02) == expected
     light = {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 0.87}
     expected = "oil_density_kg_per_m3 is 0.87 kg m-3; usual: 500 to 3000 kg m-3"
     assert warning(tb.bearing, parameters, **light) == expected

@@ -161,7 +161,8 @@ def _add_changes(name: str, along: str, flags: list[str], text: str) -> None:
     least, most = SEARCHED[along]
 
     def changes(first: First = least, last: Last = most, **given):
-        return _interface(given).transitions(along, flags, _increasing(first, last))
+        between = None if (first, last) == (least, most) else _increasing(first, last)
+        return _interface(given).transitions(along, flags, between)
 
     changes.__doc__ = text
     _question(name, _without(along))(changes)

@@ -45,7 +45,7 @@ BOUNDS = {
     "hardness_surface_2": Bounds(1e6, 1e14),
     "yield_pressure_ratio": Bounds(0.1, 1.0),
     "plastic_interference_ratio": Bounds(1.0, 1e5),
-    "ball_radius": Bounds(1e-6, 10.0),
+    "ball_radius": Bounds(1e-6, 1.0),
     "material_parameter": Bounds(1.0, 1e5),
     "hardness_parameter": Bounds(1e-4, 1.0),
     "speed_per_viscosity": Bounds(1e-10, 1.0),
