@@ -50,7 +50,6 @@ class Unit:
         return np.divide(numbers, self.scale)
 
 
-LOAD_IN_NEWTONS = "load_N"
 UNITS = {
     unit.key: unit
     for unit in (
@@ -59,7 +58,7 @@ UNITS = {
         Unit("particle_diameter", "particle_diameter", "m"),
         Unit("roughness", "roughness", "m"),
         Unit("particle_density", "particle_density", "m-2"),
-        Unit(LOAD_IN_NEWTONS, "load", "N", is_force=True),
+        Unit("load_N", "load", "N", is_force=True),
         Unit("viscosity_cSt", "viscosity", "cSt", 1e-6),
         Unit("particle_diameter_nm", "particle_diameter", "nm", 1e-9),
         Unit("roughness_nm", "roughness", "nm", 1e-9),
@@ -167,15 +166,13 @@ def _unit_text(given: Any) -> str | None:
 
 def _of_pint(unit: Unit, given: Any) -> Any:
     """Convert a quantity of another package to pint."""
-    text = _unit_text(given)
+    text, known = _unit_text(given), registry()
     try:
-        found = registry().Unit(text or "dimensionless")
-    except ModuleNotFoundError:
-        raise
+        found = known.Unit(text or "dimensionless")
     except Exception:  # pint raises many types
         message = f"{unit.key} has the unknown unit {shown(text)}"
         raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
-    return registry().Quantity(np.asarray(given), found)
+    return known.Quantity(np.asarray(given), found)
 
 
 @cache

@@ -22,7 +22,6 @@ from thirdbody.conditions.checks import (
     checked_parameters,
 )
 from thirdbody.conditions.in_si import ends_in_si, in_si
-from thirdbody.conditions.usual import USUAL_LEVELS, warn_outside
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
@@ -168,12 +167,11 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
-    impossible = levels[~((levels >= 0.0) & (levels <= quantity.largest) & np.isfinite(levels))]
+    most = 0.01 if quantity.units == "m" else 1.0
+    impossible = levels[~((levels >= 0.0) & (levels <= most))]
     if impossible.size:
-        most = f"0 to {quantity.largest:g}" if quantity.largest < np.inf else "zero or positive"
-        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {most}")
-    if variable in USUAL_LEVELS:
-        warn_outside({f"level of {variable}": (levels, USUAL_LEVELS[variable], quantity.units)})
+        allowed = f"0 to {most:g}, in {quantity.units}"
+        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {allowed}")
     return levels
 
 

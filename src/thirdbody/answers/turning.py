@@ -13,7 +13,7 @@ from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
-from thirdbody.units import LOAD_IN_NEWTONS, UNITS, unit_of
+from thirdbody.units import UNITS, unit_of
 
 SWEEP = 60  # loads between which maxima are sought
 RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
@@ -125,4 +125,4 @@ def turning_window(
 
 def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, converted from newtons."""
-    return tuple(ends_in_si("between_N", between_N, UNITS[LOAD_IN_NEWTONS], parameters).tolist())
+    return tuple(ends_in_si("between_N", between_N, UNITS["load_N"], parameters).tolist())

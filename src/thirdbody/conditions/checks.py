@@ -116,14 +116,6 @@ def check_number(name: str, value: Any, positive: bool = True) -> None:
         raise ValueError(f"{name} is {shown(value)}; allowed: {allowed}")
 
 
-def check_ends(name: str, ends: Any) -> None:
-    """Raise ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
-    allowed = "two numbers, positive and increasing"
-    array = checked_array(name, ends, allowed)
-    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
-        raise ValueError(f"{name} is {shown(ends)}; allowed: {allowed}")
-
-
 def check_count(name: str, count: Any) -> None:
     """Raise ``ValueError`` unless a number of values is an integer from 2 to ``MOST_VALUES``."""
     whole = isinstance(count, Integral) and not isinstance(count, bool)

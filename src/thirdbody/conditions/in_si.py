@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_ends, checked_array
+from thirdbody.conditions.checks import checked_array
 from thirdbody.conditions.usual import USUAL, warn_outside
+from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
 from thirdbody.units import ENGINEERING, Unit, in_own_unit, is_labelled, unit_of
@@ -62,9 +63,12 @@ def ends_in_si(name: str, ends: Any, unit: Unit, parameters: Parameters) -> NDAr
     are positive and increase, and a warning like ``in_si``."""
     newtons = parameters.newtons_per_load
     own, numbers = in_own_unit(replace(unit, key=name), ends, newtons)
-    check_ends(name, numbers)
-    warn_outside({name: (numbers, own.from_si(USUAL[unit.condition], newtons), own.text)})
-    return own.to_si(numbers, newtons)
+    allowed = "two numbers, positive and increasing"
+    array = checked_array(name, numbers, allowed)
+    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
+        raise ValueError(f"{name} is {shown(ends)}; allowed: {allowed}")
+    warn_outside({name: (array, own.from_si(USUAL[unit.condition], newtons), own.text)})
+    return own.to_si(array, newtons)
 
 
 def _numbers(unit: Unit, given: Any, parameters: Parameters) -> tuple[Unit, NDArray]:

@@ -21,11 +21,6 @@ USUAL = {
     "roughness": (1e-9, 1e-3),
     "particle_density": (1e6, 1e16),
 }
-USUAL_LEVELS = {  # of variables, SI
-    "total_contact_area": (1e-12, 1.0),
-    "separation": (1e-10, 1e-3),
-    "film_thickness": (1e-9, 0.1),
-}
 
 # steel in oil: defaults of comparisons with measurements
 BOUNDARY_FRICTION, FILM_FRICTION = 0.12, 0.03

@@ -50,12 +50,12 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
 def _place(path: str | Path) -> Path:
     """``path`` as a ``Path``, which must name a file."""
     try:
-        place = Path(os.path.realpath(path) if os.path.islink(path) else path)
+        place = Path(path)
     except TypeError:
         place = Path()
     if not place.name or "\0" in place.name:
         raise ValueError(f"{shown(path)} is not a file name; allowed: the path of a file to write")
-    return place
+    return Path(os.path.realpath(place)) if os.path.islink(place) else place
 
 
 def unreadable(path: str | os.PathLike, reason: object) -> OSError:
