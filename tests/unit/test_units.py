@@ -63,6 +63,7 @@ def test_every_entry_takes_quantities(parameters):
     interface = tb.Interface(**ENGINEERING | given)
     assert interface == tb.Interface(**ENGINEERING)
     assert interface.described().startswith("load 10 N, viscosity 90 cSt")
+    assert tb.Interface(**POINT, parameters=parameters).changed(load_N=10).viscosity_cSt == 90.0
     grid = tb.grid(**ENGINEERING | given, parameters=parameters)
     xr.testing.assert_identical(grid, tb.grid(**ENGINEERING, parameters=parameters))
     search = dict(level=0.9, along="viscosity_cSt", parameters=parameters)

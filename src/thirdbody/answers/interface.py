@@ -35,14 +35,15 @@ FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
 MEANINGLESS = ("outside_film_formula", "area_exceeded")  # changes with these statuses are left out
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Interface:
     """An interface, with a method for each question.
 
     The normal load F_t [N] and the equivalent root mean square roughness sigma [nm] are positive.
     The kinematic viscosity [cSt] is 0 without oil; the mean diameter x_a [nm] and the number eta_a
-    [m-2] are 0 without particles.  Each is a number or a quantity.  ``parameters`` describe
-    materials, ball and film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
+    [m-2] are 0 without particles.  Each is given by any of its names in ``thirdbody.solve``, as a
+    number or a quantity.  ``parameters`` describe materials, ball and film: by default the
+    calibrated ones; ``thirdbody.bearing`` derives others.
 
     Raises ``ValueError`` for a condition that is not a finite number or out of range, and for inputs that
     are not ``Parameters``; issues one ``OutOfRangeWarning`` for conditions outside their usual range.
@@ -61,17 +62,19 @@ class Interface:
     particle_diameter_nm: float
     roughness_nm: float
     particle_density_per_m2: float
-    parameters: Parameters | None = field(default=None, repr=False)
+    parameters: Parameters = field(repr=False)
 
-    def __post_init__(self):
-        object.__setattr__(self, "parameters", checked_parameters(self.parameters))
-        given = in_si(self.conditions, self.parameters)
-        for name, key in ENGINEERING.items():
-            if given[name].ndim:
-                raise ValueError(f"{key} has shape {given[name].shape}; allowed: one number")
-            if not isinstance(getattr(self, key), Real):
-                number = UNITS[key].from_si(given[name], self.parameters.newtons_per_load)
-                object.__setattr__(self, key, float(decimal(number)))
+    def __init__(self, *, parameters: Parameters | None = None, **conditions: float):
+        parameters = checked_parameters(parameters)
+        object.__setattr__(self, "parameters", parameters)
+        for name, values in in_si(conditions, parameters).items():
+            key = ENGINEERING[name]
+            if values.ndim:
+                raise ValueError(f"{key} has shape {values.shape}; allowed: one number")
+            number = conditions.get(key)
+            if not isinstance(number, Real):
+                number = float(decimal(UNITS[key].from_si(values, parameters.newtons_per_load)))
+            object.__setattr__(self, key, number)
 
     @property
     def conditions(self) -> dict[str, float]:
@@ -89,7 +92,9 @@ class Interface:
 
     def changed(self, **conditions: float | Parameters) -> Interface:
         """The same interface with other conditions, or other ``parameters``."""
-        return Interface(**self.conditions | {"parameters": self.parameters} | conditions)
+        others = {UNITS[key].condition for key in conditions.keys() & UNITS.keys()}
+        kept = {key: getattr(self, key) for name, key in ENGINEERING.items() if name not in others}
+        return Interface(**{"parameters": self.parameters} | kept | conditions)
 
     def described(self, without: str = "") -> str:
         """The conditions in words, except the one named ``without``."""
@@ -283,7 +288,8 @@ class Interface:
         Examples
         --------
         >>> import thirdbody as tb
-        >>> curve = tb.Interface(10, 90, 500, 300, 1e11).curve("viscosity", 90, 150, count=3)
+        >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+        >>> curve = tb.Interface(load_N=10, viscosity_cSt=90, **layer).curve("viscosity", 90, 150, count=3)
         >>> curve.points.round(1)
         array([ 90. , 116.2, 150. ])
         >>> bool((np.diff(curve.values["solid_load_fraction"]) < 0.0).all())
