@@ -34,13 +34,7 @@ class Unit:
     is_force: bool = False
 
     def to_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m.
-
-        Examples
-        --------
-        >>> UNITS["roughness_nm"].to_si(300)
-        array(3.e-07)
-        """
+        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m."""
         numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
         return np.multiply(numbers, 1.0 / newtons_per_load) if self.is_force else numbers
 
@@ -97,12 +91,8 @@ WANTED = {
 
 def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, Any]:
     """The unit of ``given`` and plain numbers in it: of a quantity its own unit, of several SI, and
-    of anything else ``unit``, which belongs to the name of the argument.
-
-    ``newtons_per_load`` converts a force to a load.  Raises ``ValueError`` for an unknown unit, a
-    wrong dimension, uncertainties and a mixture of quantities and numbers, and
-    ``ModuleNotFoundError`` if pint is not installed.
-    """
+    of anything else ``unit``, that of the name of the argument; ``ValueError`` for an unknown unit,
+    a wrong dimension, uncertainties, and quantities mixed with numbers."""
     if is_labelled(given) and has_unit(given.data):
         given = given.data
     given = getattr(given, "quantity", given)  # an array of pint-pandas
