@@ -194,7 +194,10 @@ def test_a_curve_is_there_where_one_condition_varies(tmp_path):
     two = tb.compare(data(**{"viscosity [cSt]": [0, 50, 90]}), **WITHOUT_VISCOSITY)
     assert len(two.curve) == 0
     for found in (one, two):
-        found.plot().savefig(tmp_path / "a.png")
+        figure = found.plot()
+        figure.savefig(tmp_path / "a.png")  # in the resolution of its style
+        width = int.from_bytes((tmp_path / "a.png").read_bytes()[16:20])
+        assert width == round(180 * figure.get_figwidth())
 
 
 def test_spreadsheets_of_other_countries_are_read(tmp_path):
