@@ -15,16 +15,7 @@ LEAST_SPREAD = 1e-6
 
 
 class Bounds(NamedTuple):
-    """A closed interval of numbers, in SI.
-
-    Examples
-    --------
-    >>> fraction = Bounds(0.0, 1.0)
-    >>> fraction.hold(1), fraction.hold(1.5), fraction.hold(float("nan")), fraction.hold("1")
-    (True, False, False, False)
-    >>> print(fraction)
-    a number from 0 to 1
-    """
+    """A closed interval of numbers, in SI."""
 
     least: float
     most: float
