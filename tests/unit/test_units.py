@@ -95,7 +95,7 @@ def test_ends_of_a_search_take_quantities_and_warn_in_the_unit_typed(parameters)
     del search["viscosity_cSt"]
     with pytest.warns(tb.OutOfRangeWarning, match="^between is 1e-06 cSt; usual: 0.3 to 10000 cSt"):
         tb.find(level=1e-6, between=(1e-6, 1e-4), parameters=parameters, **search)
-    with pytest.raises(ValueError, match="^level of separation is 900; allowed: 0 to 0.01, in m$"):
+    with pytest.raises(ValueError, match="^level of separation is 900; allowed: 0 to 0.01 m$"):
         tb.find(level=900, parameters=parameters, **search)
     with pytest.warns(tb.OutOfRangeWarning, match="^load is 10 MN; usual: .* MN$"):
         tb.solve(**POINT | {"load": 10.0 * UNIT.MN}, parameters=parameters)

@@ -167,10 +167,9 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
-    most = 0.01 if quantity.units == "m" else 1.0
+    most, allowed = (0.01, "0 to 0.01 m") if quantity.units == "m" else (1.0, "0 to 1")
     impossible = levels[~((levels >= 0.0) & (levels <= most))]
     if impossible.size:
-        allowed = f"0 to {most:g}, in {quantity.units}"
         raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {allowed}")
     return levels
 
