@@ -31,6 +31,7 @@ REFUSED = {
     f"size {DRY} --from 100 --to 10": "--from is 100; allowed: positive numbers less than --to, 10",
     f"curve {DRY} --particle-diameter-nm 0 --along load --from 0 --to 2": "--from is 0; allowed: pos",
     f"{CURVE} --csv ''": "'' is not a file name",
+    f"compare {STATE.removeprefix('state ')} --other-roughness-nm 0": "--other-roughness-nm is 0",
     "compare-data": "FILE is missing",
     "compare-data ''": "'' cannot be read (Is a directory)",
     "compare-data absent.csv": "absent.csv cannot be read (No such file or directory)",
