@@ -23,14 +23,7 @@ def check_progress(progress: Any) -> None:
 
 
 class Progress:
-    """Context manager that reports the progress of one call, if ``is_shown``.
-
-    Examples
-    --------
-    >>> with Progress(2, "points", is_shown=True) as progress:
-    ...     progress.add(1)
-    ...     progress.add(1)
-    """
+    """Context manager that reports the progress of one call, if ``is_shown``."""
 
     def __init__(self, total: int, things: str, is_shown: bool) -> None:
         self._total, self._things = total, things

@@ -8,7 +8,7 @@ the attribute ``units``, carry their own unit.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -24,34 +24,26 @@ class Unit:
     """A name for a condition, such as ``viscosity_cSt``, and its unit.
 
     ``condition`` is the corresponding argument of ``solve``, ``text`` the unit in UDUNITS spelling
-    and ``scale`` its value in SI (1 for ``load_N``, whose conversion also needs F_t/F_t*).
+    and ``scale`` its value in SI, for the load in newtons if it ``is_force``.
     """
 
     key: str
     condition: str
     text: str
     scale: float = 1.0
+    is_force: bool = False
 
     def to_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m.
-
-        Examples
-        --------
-        >>> UNITS["roughness_nm"].to_si(300)
-        array(3.e-07)
-        """
-        if self.key == LOAD_IN_NEWTONS:
-            return np.multiply(values, 1.0 / newtons_per_load)
-        return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
+        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m."""
+        numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
+        return np.multiply(numbers, 1.0 / newtons_per_load) if self.is_force else numbers
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
         """Convert values in SI to this unit."""
-        if self.key == LOAD_IN_NEWTONS:
-            return np.divide(values, 1.0 / newtons_per_load)
-        return np.divide(values, self.scale)
+        numbers = np.divide(values, 1.0 / newtons_per_load) if self.is_force else values
+        return np.divide(numbers, self.scale)
 
 
-LOAD_IN_NEWTONS = "load_N"
 UNITS = {
     unit.key: unit
     for unit in (
@@ -60,7 +52,7 @@ UNITS = {
         Unit("particle_diameter", "particle_diameter", "m"),
         Unit("roughness", "roughness", "m"),
         Unit("particle_density", "particle_density", "m-2"),
-        Unit(LOAD_IN_NEWTONS, "load", "N"),
+        Unit("load_N", "load", "N", is_force=True),
         Unit("viscosity_cSt", "viscosity", "cSt", 1e-6),
         Unit("particle_diameter_nm", "particle_diameter", "nm", 1e-9),
         Unit("roughness_nm", "roughness", "nm", 1e-9),
@@ -97,14 +89,10 @@ WANTED = {
 }
 
 
-def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
-    """Convert a quantity, or a list or array of quantities, to plain numbers in SI; anything else
-    is returned unchanged.
-
-    ``unit`` belongs to the name of the argument; ``newtons_per_load`` converts a force to a load.
-    Raises ``ValueError`` for an unknown unit, a wrong dimension and uncertainties, and
-    ``ModuleNotFoundError`` if pint is not installed.
-    """
+def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, Any]:
+    """The unit of ``given`` and plain numbers in it: of a quantity its own unit, of several SI, and
+    of anything else ``unit``, that of the name of the argument; ``ValueError`` for an unknown unit,
+    a wrong dimension, uncertainties, and quantities mixed with numbers."""
     if is_labelled(given) and has_unit(given.data):
         given = given.data
     given = getattr(given, "quantity", given)  # an array of pint-pandas
@@ -113,11 +101,19 @@ def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
         parts = list(given.flat) if of_objects else given
         kinds = set(map(type, parts))
         if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
-            return given
-        found = [without_unit(unit, each, newtons_per_load) for each in parts]
-        return np.reshape(found, given.shape) if of_objects else found
+            return unit, given
+        found = [in_own_unit(unit, each, newtons_per_load) for each in parts]
+        plain = {own is unit for own, _ in found}
+        if plain == {True}:
+            return unit, given
+        if True in plain:
+            message = f"{unit.key} has quantities and plain numbers"
+            raise ValueError(f"{message}; allowed: either of them")
+        numbers = [own.to_si(number, newtons_per_load) for own, number in found]
+        in_si = replace(UNITS[unit.condition], key=unit.key)
+        return in_si, np.reshape(numbers, given.shape) if of_objects else numbers
     if not has_unit(given):
-        return given
+        return unit, given
     quantity = given if is_quantity(given) else _of_pint(unit, given)
     is_force = unit.condition == "load" and quantity.is_compatible_with(FORCE[0])
     wanted, words = FORCE if is_force else WANTED[unit.condition]
@@ -125,11 +121,13 @@ def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
         found = f"{quantity.units:~}" or "no unit"
         raise ValueError(f"{unit.key} is in {found}; allowed: {words}")
     try:
-        numbers = decimal(quantity.to(wanted).magnitude, digits=15)
+        numbers = np.asarray(quantity.magnitude, float)
     except (TypeError, ValueError):
         kind = type(quantity.magnitude).__name__
-        raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: plain numbers") from None
-    return numbers / newtons_per_load if is_force else numbers
+        allowed = "plain numbers, such as the nominal value"
+        raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: {allowed}") from None
+    scale = float((1.0 * quantity.units).to(wanted).magnitude)
+    return Unit(unit.key, unit.condition, f"{quantity.units:~}" or "1", scale, is_force), numbers
 
 
 def has_unit(given: Any) -> bool:
@@ -158,15 +156,13 @@ def _unit_text(given: Any) -> str | None:
 
 def _of_pint(unit: Unit, given: Any) -> Any:
     """Convert a quantity of another package to pint."""
-    text = _unit_text(given)
+    text, known = _unit_text(given), registry()
     try:
-        found = registry().Unit(text or "dimensionless")
-    except ModuleNotFoundError:
-        raise
+        found = known.Unit(text or "dimensionless")
     except Exception:  # pint raises many types
         message = f"{unit.key} has the unknown unit {shown(text)}"
         raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
-    return registry().Quantity(np.asarray(given), found)
+    return known.Quantity(np.asarray(given), found)
 
 
 @cache

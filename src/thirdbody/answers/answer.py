@@ -76,13 +76,7 @@ def text_of(value: Value) -> str:
 
 
 def few_particles(per_m2: float, apparent_area: float, name: str = "particles") -> tuple[str, ...]:
-    """A note if there is less than one particle in the nominal area A_n [m2].
-
-    Examples
-    --------
-    >>> few_particles(2500.0, 2.4e-6)
-    ('0.006 particles in A_n = 2.4e-06 m2: most contacts have none',)
-    """
+    """A note if there is less than one particle in the nominal area A_n [m2]."""
     count = per_m2 * apparent_area
     if not 0.0 < count < 1.0:
         return ()

@@ -16,13 +16,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import (
     check_count,
-    check_ends,
     check_points,
     check_rtol,
     checked_array,
     checked_parameters,
 )
-from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions.in_si import ends_in_si, in_si
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
@@ -107,7 +106,7 @@ def find(
         [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
         ``roughness`` [m] or ``roughness_nm``, ``particle_density`` or ``particle_density_per_m2``.
     between : pair of float, optional
-        Ends of the search, positive, in the unit of ``along``.  By default 0.01 to 1000 N, 1 to
+        Ends of the search, positive, in the unit of ``along`` or quantities.  By default 0.01 to 1000 N, 1 to
         1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, from 2 to a million.
@@ -168,10 +167,10 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
-    impossible = levels[~((levels >= 0.0) & (levels <= quantity.largest) & np.isfinite(levels))]
+    most, allowed = (0.01, "0 to 0.01 m") if quantity.units == "m" else (1.0, "0 to 1")
+    impossible = levels[~((levels >= 0.0) & (levels <= most))]
     if impossible.size:
-        most = f"0 to {quantity.largest:g}" if quantity.largest < np.inf else "zero or positive"
-        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {most}")
+        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {allowed}")
     return levels
 
 
@@ -193,12 +192,14 @@ def sweep_values(
     along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
 ) -> tuple[Unit, NDArray]:
     """The unit of an axis, and its sampled values [SI]; arguments as in ``find``."""
-    axis = unit = unit_of(along)
-    if between is None:
-        unit, between = UNITS[ENGINEERING[axis.condition]], SEARCHED[axis.condition]
-    check_ends("between", between)
+    unit = unit_of(along)
     check_count("count", count)
-    return axis, np.geomspace(*unit.to_si(between, parameters.newtons_per_load), count)
+    if between is None:
+        default = UNITS[ENGINEERING[unit.condition]]
+        ends = default.to_si(SEARCHED[unit.condition], parameters.newtons_per_load)
+    else:
+        ends = ends_in_si("between", between, unit, parameters)
+    return unit, np.geomspace(*ends, count)
 
 
 def crossings(

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,8 @@ from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.conditions.checks import check_count, check_ends, check_names, checked_parameters
-from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions.checks import check_count, check_names, checked_parameters
+from thirdbody.conditions.in_si import ends_in_si, in_si
 from thirdbody.conditions.usual import without_warnings
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
@@ -27,21 +28,22 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, has_unit
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal
 
 LENGTH = UNITS["roughness_nm"]  # unit of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
 MEANINGLESS = ("outside_film_formula", "area_exceeded")  # changes with these statuses are left out
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Interface:
     """An interface, with a method for each question.
 
     The normal load F_t [N] and the equivalent root mean square roughness sigma [nm] are positive.
     The kinematic viscosity [cSt] is 0 without oil; the mean diameter x_a [nm] and the number eta_a
-    [m-2] are 0 without particles.  Each is a number or a quantity.  ``parameters`` describe
-    materials, ball and film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
+    [m-2] are 0 without particles.  Each is given by any of its names in ``thirdbody.solve``, as a
+    number or a quantity.  ``parameters`` describe materials, ball and film: by default the
+    calibrated ones; ``thirdbody.bearing`` derives others.
 
     Raises ``ValueError`` for a condition that is not a finite number or out of range, and for inputs that
     are not ``Parameters``; issues one ``OutOfRangeWarning`` for conditions outside their usual range.
@@ -60,17 +62,19 @@ class Interface:
     particle_diameter_nm: float
     roughness_nm: float
     particle_density_per_m2: float
-    parameters: Parameters | None = field(default=None, repr=False)
+    parameters: Parameters = field(repr=False)
 
-    def __post_init__(self):
-        object.__setattr__(self, "parameters", checked_parameters(self.parameters))
-        given = in_si(self.conditions, self.parameters)
-        for name, key in ENGINEERING.items():
-            if given[name].ndim:
-                raise ValueError(f"{key} has shape {given[name].shape}; allowed: one number")
-            if has_unit(getattr(self, key)):
-                number = UNITS[key].from_si(given[name], self.parameters.newtons_per_load)
-                object.__setattr__(self, key, float(decimal(number)))
+    def __init__(self, *, parameters: Parameters | None = None, **conditions: float):
+        parameters = checked_parameters(parameters)
+        object.__setattr__(self, "parameters", parameters)
+        for name, values in in_si(conditions, parameters).items():
+            key = ENGINEERING[name]
+            if values.ndim:
+                raise ValueError(f"{key} has shape {values.shape}; allowed: one number")
+            number = conditions.get(key)
+            if not isinstance(number, Real):
+                number = float(decimal(UNITS[key].from_si(values, parameters.newtons_per_load)))
+            object.__setattr__(self, key, number)
 
     @property
     def conditions(self) -> dict[str, float]:
@@ -88,7 +92,9 @@ class Interface:
 
     def changed(self, **conditions: float | Parameters) -> Interface:
         """The same interface with other conditions, or other ``parameters``."""
-        return replace(self, **conditions)
+        others = {UNITS[key].condition for key in conditions.keys() & UNITS.keys()}
+        kept = {key: getattr(self, key) for name, key in ENGINEERING.items() if name not in others}
+        return Interface(**{"parameters": self.parameters} | kept | conditions)
 
     def described(self, without: str = "") -> str:
         """The conditions in words, except the one named ``without``."""
@@ -138,6 +144,11 @@ class Interface:
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
 
+    def _ends(self, name: str, ends: Any, key: str) -> tuple[float, float]:
+        """The ends of a range, numbers or quantities, in the unit of the condition ``key``."""
+        found = ends_in_si(name, ends, UNITS[key], self.parameters)
+        return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
+
     def _notes(self, state: Mapping[str, Value]) -> tuple[str, ...]:
         """Remarks on a state."""
         name = state["solution_status"].replace(" ", "_")
@@ -177,7 +188,7 @@ class Interface:
         """
         key = _key_of(along)
         check_names("flags", flags, FLAGS_WITH_BORDERS)
-        between = SEARCHED[along] if between is None else between
+        between = SEARCHED[along] if between is None else self._ends("between", between, key)
         others = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
@@ -227,6 +238,7 @@ class Interface:
         the load, the area ratio and L_s at the turning point, then the least and largest diameter
         for which dry contact has one; ``found`` is whether this interface has one.
         """
+        between_N = self._ends("between_N", between_N, "load_N")
         with without_warnings():
             mine, *of_members = (self._turning_with(each, between_N) for each in self._inputs)
         size = UNITS["particle_diameter_nm"].text
@@ -276,14 +288,15 @@ class Interface:
         Examples
         --------
         >>> import thirdbody as tb
-        >>> curve = tb.Interface(10, 90, 500, 300, 1e11).curve("viscosity", 90, 150, count=3)
+        >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+        >>> curve = tb.Interface(load_N=10, viscosity_cSt=90, **layer).curve("viscosity", 90, 150, count=3)
         >>> curve.points.round(1)
         array([ 90. , 116.2, 150. ])
         >>> bool((np.diff(curve.values["solid_load_fraction"]) < 0.0).all())
         True
         """
         key = _key_of(along)
-        check_ends("low to high", (low, high))
+        low, high = self._ends("low to high", (low, high), key)
         check_count("count", count)
         points = np.geomspace(low, high, count)
         mine, *of_members = (

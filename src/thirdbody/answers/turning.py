@@ -6,13 +6,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.find import queries
-from thirdbody.conditions.checks import check_count, check_ends, check_rtol, checked_parameters
+from thirdbody.conditions.checks import check_count, check_rtol, checked_parameters
+from thirdbody.conditions.in_si import ends_in_si
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
-from thirdbody.units import LOAD_IN_NEWTONS, UNITS, unit_of
+from thirdbody.units import UNITS, unit_of
 
 SWEEP = 60  # loads between which maxima are sought
 RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
@@ -124,5 +125,4 @@ def turning_window(
 
 def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, converted from newtons."""
-    check_ends("between_N", between_N)
-    return tuple(UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist())
+    return tuple(ends_in_si("between_N", between_N, UNITS["load_N"], parameters).tolist())

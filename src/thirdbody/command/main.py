@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import re
 import sys
 import warnings
 from collections.abc import Sequence
+from contextlib import redirect_stdout, suppress
 from inspect import signature
 from shutil import get_terminal_size
 from typing import Any
@@ -22,10 +24,12 @@ ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit 
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
     r"Missing option '(\S+)'.": r"\1 is missing",
+    r"Option '(\S+)' requires an argument\.": r"\1 has no value",
     r"Missing argument '(\S+)'.": r"\1 is missing",
     r"Missing command.": f"QUESTION is missing; allowed: {', '.join(NAMES)}",
-    r"No such command '(.*)'\.": rf"QUESTION is '\1'; allowed: {', '.join(NAMES)}",
+    r"No such command '(.*?)'\..*": rf"QUESTION is '\1'; allowed: {', '.join(NAMES)}",
     r"No such option: (\S+)": r"there is no option \1",
+    r"\b(?:between|low to high|between_N) is": "--from or --to is",
 }
 
 
@@ -33,7 +37,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Answer the question of a command line, by default ``sys.argv``; returns the exit code."""
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in NAMES)])
-    with warnings.catch_warnings(record=True) as caught:
+    printed = io.StringIO()  # of --help and --version
+    with warnings.catch_warnings(record=True) as caught, redirect_stdout(printed):
         warnings.simplefilter("ignore")
         warnings.simplefilter("default", UserWarning)  # other warnings are for developers
         try:
@@ -43,18 +48,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except (ValueError, OSError, ModuleNotFoundError) as error:
             return _refuse(name, str(error))
     for message in dict.fromkeys(str(each.message) for each in caught):
-        print(f"{name}: warning: {_plain(message)}", file=sys.stderr)
+        _tell(name, f"warning: {_plain(message)}")
     if asked == STOPPED:
-        print(f"{name}: stopped; run the same command again to start over", file=sys.stderr)
-    if isinstance(asked, int):  # of --help, --version and Ctrl-C
-        return asked
+        _tell(name, "stopped; run the same command again to start over")
+    if isinstance(asked, int):
+        return _print(name, printed.getvalue()) or asked
     answer, as_json = asked
-    written = _print(name, _text(answer, as_json))
+    written = _print(name, _text(answer, as_json) + "\n")
     return written or (ANSWERED if getattr(answer, "found", True) else NONE_FOUND)
 
 
+def _tell(name: str, message: str) -> None:
+    with suppress(OSError):
+        print(f"{name}: {message}", file=sys.stderr)
+
+
 def _refuse(name: str, message: str) -> int:
-    print(f"{name}: {_plain(message)}", file=sys.stderr)
+    _tell(name, _plain(message))
     return BAD_INPUT
 
 
@@ -85,11 +95,11 @@ def _text(answer: Any, as_json: bool) -> str:
 def _print(name: str, text: str) -> int:
     """Print a text; a closed pipe is not an error."""
     try:
-        print(text, flush=True)
+        print(text, end="", flush=True)
     except OSError as error:
         # The rest of the buffer would be written again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if not isinstance(error, BrokenPipeError):
-            print(f"{name}: the answer cannot be written ({error.strerror})", file=sys.stderr)
+            _tell(name, f"the answer cannot be written ({error.strerror})")
             return NOT_WRITTEN
     return ANSWERED

@@ -161,7 +161,8 @@ def _add_changes(name: str, along: str, flags: list[str], text: str) -> None:
     least, most = SEARCHED[along]
 
     def changes(first: First = least, last: Last = most, **given):
-        return _interface(given).transitions(along, flags, _increasing(first, last))
+        between = None if (first, last) == (least, most) else _increasing(first, last)
+        return _interface(given).transitions(along, flags, between)
 
     changes.__doc__ = text
     _question(name, _without(along))(changes)
@@ -263,7 +264,10 @@ def _compare(other_inputs: Inputs = None, **given):
     changes = {key: given[f"other_{key}"] for key in SOME if given[f"other_{key}"] is not None}
     if other_inputs is not None:
         changes["parameters"] = _inputs(other_inputs, "--other-inputs")
-    return one.compare(one.changed(**changes))
+    try:
+        return one.compare(one.changed(**changes))
+    except ValueError as error:
+        raise ValueError(f"other_{error}") from None
 
 
 MEASURED = f"thirdbody compare-data measured.csv --viscosity-cSt 90 {PARTICLES} --plot compared.svg"

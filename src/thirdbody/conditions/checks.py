@@ -88,6 +88,8 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
 def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     """Real numbers as a float64 array, which may contain inf or nan; quantities are refused."""
     several = given if isinstance(given, list | tuple) else [given]
+    if any(isinstance(each, bool | np.bool_) for each in several):
+        raise ValueError(f"{name} is {shown(given)}; allowed: {allowed}")  # numpy takes True as 1
     if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
         raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}")
     if np.ma.is_masked(given):
@@ -112,14 +114,6 @@ def check_number(name: str, value: Any, positive: bool = True) -> None:
     number = checked_array(name, value, allowed)
     if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
         raise ValueError(f"{name} is {shown(value)}; allowed: {allowed}")
-
-
-def check_ends(name: str, ends: Any) -> None:
-    """Raise ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
-    allowed = "two numbers, positive and increasing"
-    array = checked_array(name, ends, allowed)
-    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
-        raise ValueError(f"{name} is {shown(ends)}; allowed: {allowed}")
 
 
 def check_count(name: str, count: Any) -> None:

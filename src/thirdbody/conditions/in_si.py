@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import checked_array
 from thirdbody.conditions.usual import USUAL, warn_outside
+from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
-from thirdbody.units import ENGINEERING, Unit, has_unit, is_labelled, unit_of, without_unit
+from thirdbody.units import ENGINEERING, Unit, in_own_unit, is_labelled, unit_of
 
 CONDITIONS = tuple(ENGINEERING)
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
@@ -43,7 +45,8 @@ def in_si(
     for name in CONDITIONS:
         if name in units:
             key = units[name].key
-            found[name] = check(key, _numbers(units[name], given[key], parameters))
+            units[name], values = _numbers(units[name], given[key], parameters)
+            found[name] = check(key, values)
         elif name != without:
             raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
     typed = {}
@@ -55,19 +58,30 @@ def in_si(
     return found
 
 
-def _numbers(unit: Unit, given: Any, parameters: Parameters) -> NDArray:
-    """A float64 copy in SI of numbers in ``unit``, or of quantities in their own unit; for an array
-    with named dimensions, its values."""
+def ends_in_si(name: str, ends: Any, unit: Unit, parameters: Parameters) -> NDArray:
+    """The ends of a range, two numbers in ``unit`` or quantities, in SI; ``ValueError`` unless they
+    are positive and increase, and a warning like ``in_si``."""
+    newtons = parameters.newtons_per_load
+    own, numbers = in_own_unit(replace(unit, key=name), ends, newtons)
+    allowed = "two numbers, positive and increasing"
+    array = checked_array(name, numbers, allowed)
+    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
+        raise ValueError(f"{name} is {shown(ends)}; allowed: {allowed}")
+    warn_outside({name: (array, own.from_si(USUAL[unit.condition], newtons), own.text)})
+    return own.to_si(array, newtons)
+
+
+def _numbers(unit: Unit, given: Any, parameters: Parameters) -> tuple[Unit, NDArray]:
+    """The unit of numbers or quantities, and a float64 copy in SI; for an array with named
+    dimensions, of its values."""
     key, newtons = unit.key, parameters.newtons_per_load
     if hasattr(given, "iloc"):
-        instead = ".pint.quantity" if hasattr(given, "pint") else ".to_numpy() or .to_xarray()"
-        raise ValueError(f"{key} is a {type(given).__name__} of pandas; allowed: its {instead}")
-    if key != unit.condition and isinstance(given, list | tuple) and any(map(has_unit, given)):
-        raise ValueError(f"{key} is a list of quantities; allowed: numbers, or one quantity")
-    bare = without_unit(unit, given, newtons)
+        message = f"{key} is a {type(given).__name__} of pandas"
+        raise ValueError(f"{message}; allowed: its .to_numpy() or .to_xarray()")
+    own, bare = in_own_unit(unit, given, newtons)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
     wrong = array[~((array >= least) & np.isfinite(array))]
     if wrong.size:
         raise ValueError(f"{key} is {wrong[0]:g}; allowed: {sign} finite numbers")
-    return np.array(array if has_unit(given) else unit.to_si(array, newtons))
+    return own, np.array(own.to_si(array, newtons))

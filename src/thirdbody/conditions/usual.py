@@ -18,7 +18,7 @@ USUAL = {
     "load": (1e-13, 2e-2),
     "viscosity": (3e-7, 1e-2),
     "particle_diameter": (1e-9, 1e-3),
-    "roughness": (1e-10, 1e-3),
+    "roughness": (1e-9, 1e-3),
     "particle_density": (1e6, 1e16),
 }
 
@@ -35,9 +35,9 @@ class OutOfRangeWarning(UserWarning):
     >>> import warnings
     >>> import thirdbody as tb
     >>> with warnings.catch_warnings(record=True) as caught:
-    ...     inputs = tb.bearing(ball_radius_mm=6350)
+    ...     inputs = tb.bearing(pressure_viscosity_per_GPa=0.02)
     >>> print(caught[0].message)
-    ball_radius_mm is 6350 mm; usual: 0.1 to 1000 mm
+    pressure_viscosity_per_GPa is 0.02 GPa-1; usual: 1 to 100 GPa-1
     """
 
 

@@ -17,7 +17,7 @@ from thirdbody.answers.answer import Answer, Row
 from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.in_si import in_si
-from thirdbody.conditions.usual import without_warnings
+from thirdbody.conditions.usual import warn_outside, without_warnings
 from thirdbody.data.quantities import ENDS
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.messages import shown, shown_file
@@ -30,7 +30,7 @@ SPEED = "speed"
 # a unit of the dimension of each condition, by its heading
 CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
 CONDITIONS[SPEED] = "m/s"
-UNITS_OF = dict(MEASURED.values())
+UNITS_OF = {column: unit for column, unit, _ in MEASURED.values()}
 CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
@@ -150,13 +150,15 @@ def compare(
         _with_model(each, variables, (parameters, *members), speed_m_per_s, assumed)
         for each in (table, curve)
     )
-    notes = []
-    for column, quantity in zip(variables, observed.values(), strict=True):
+    notes, usual = [], {}
+    for (name, quantity), column in zip(observed.items(), variables, strict=True):
         table[column] = quantity.to(UNITS_OF[column]).magnitude
+        usual[column] = table[column], MEASURED[name][2], "1"
         table[f"{column}_residual"] = table[column] - table[f"{column}_model"]
         if column in FORMULAS:
             formula = FORMULAS[column].format(**asdict(assumed))
             notes.append(f"{column} is an estimate: {formula}")
+    warn_outside(usual)
     notes += ensemble_notes(members)
     unsolved = int(table[f"{column}_model"].isna().sum())
     if unsolved:
@@ -205,6 +207,10 @@ def _read_csv(path):
             )
             raise ValueError(f"{message}; allowed: {len(headings)}, as headings")
     if separator == ";":
+        signs = {sign for row in rows for cell in row for sign in ",." if sign in cell}
+        if len(signs) > 1:
+            message = f"{shown_file(path)} has numbers with a comma and numbers with a point"
+            raise ValueError(f"{message}; allowed: one decimal sign, and none between thousands")
         rows = [[cell.replace(",", ".") for cell in row] for row in rows]
     return pd.DataFrame(rows, columns=headings)
 
@@ -215,9 +221,13 @@ def _numbers(heading, column):
     for index, cell in enumerate(column):
         try:
             numbers[index] = float(cell) if str(cell).strip() else np.nan
+            if isinstance(cell, bool | np.bool_) or np.isinf(numbers[index]):
+                raise ValueError
         except (TypeError, ValueError, OverflowError):
             message = f"{heading} is {shown(cell)} in row {index + 1}"
-            raise ValueError(f"{message}; allowed: numbers with a decimal point") from None
+            raise ValueError(
+                f"{message}; allowed: numbers, finite and with a decimal point"
+            ) from None
     return numbers
 
 

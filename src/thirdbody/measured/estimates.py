@@ -23,16 +23,16 @@ from thirdbody.conditions.usual import (
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
-# by heading: the column of tables, and its unit for pint
+# by heading: the column of tables, its unit for pint, and its usual range
 MEASURED = {
-    "friction coefficient": ("friction_coefficient", "dimensionless"),
-    "contact resistance": ("contact_resistance_ohm", "ohm"),
-    "film thickness": ("film_thickness_nm", "nm"),
-    "separation": ("separation_nm", "nm"),
-    "real contact area": ("real_contact_area_mm2", "mm**2"),
-    "real contact area fraction": ("real_contact_area_fraction", "dimensionless"),
-    "solid load fraction": ("solid_load_fraction", "dimensionless"),
-    "fluid load fraction": ("fluid_load_fraction", "dimensionless"),
+    "friction coefficient": ("friction_coefficient", "dimensionless", (1e-4, 1.5)),
+    "contact resistance": ("contact_resistance_ohm", "ohm", (1e-6, 1e9)),
+    "film thickness": ("film_thickness_nm", "nm", (0.1, 1e6)),
+    "separation": ("separation_nm", "nm", (0.1, 1e6)),
+    "real contact area": ("real_contact_area_mm2", "mm**2", (1e-9, 1e3)),
+    "real contact area fraction": ("real_contact_area_fraction", "dimensionless", (1e-9, 1.0)),
+    "solid load fraction": ("solid_load_fraction", "dimensionless", (1e-6, 1.0)),
+    "fluid load fraction": ("fluid_load_fraction", "dimensionless", (1e-6, 1.0)),
 }
 # assumptions of the columns that are estimates
 FORMULAS = {

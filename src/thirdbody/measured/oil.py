@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from numbers import Integral
 from pathlib import Path
 
 import numpy as np
@@ -72,7 +73,7 @@ def oil_viscosity(
             f"{shown(points)}; allowed: a grade with its viscosity_index, or points"
         )
     if points is None:
-        if not isinstance(grade, int) or grade not in GRADES:
+        if not isinstance(grade, Integral) or grade not in GRADES:
             allowed = ", ".join(map(str, GRADES))
             raise ValueError(f"grade is {shown(grade)}; allowed: ISO VG {allowed}")
         points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], viscosity_index)}
