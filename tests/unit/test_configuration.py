@@ -255,7 +255,7 @@ def test_bad_settings_are_refused_in_one_line_that_names_the_key(
 def test_inputs_that_a_surface_cannot_have_are_refused(from_root):
     for member, changes in (
         ("inputs: summit_parameter is 0.0", {"summit_parameter": 0.0195}),
-        ("inputs in member ", {"summit_parameter": 0.02906}),
+        ("inputs in member ", {"summit_parameter": 0.0299}),
     ):
         message = refusal(read_settings, {"inputs": {"summit_offset": True} | changes}, CONFIG)
         assert member in message and "allowed: above 0.019" in message

@@ -142,7 +142,7 @@ class Solution(Tabular):
         --------
         >>> import thirdbody as tb
         >>> points = tb.solve(
-        ...     load=[1e-6, 1e-5],
+        ...     load=[1e-6, 1e-4],
         ...     viscosity=90e-6,
         ...     particle_diameter=3e-7,
         ...     roughness=3e-7,
@@ -151,7 +151,7 @@ class Solution(Tabular):
         ... )
         >>> table = points.to_dataframe()
         >>> table[["load", "lubrication_regime"]].to_dict("list")
-        {'load': [1e-06, 1e-05], 'lubrication_regime': ['boundary', 'mixed']}
+        {'load': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
         """
         from thirdbody.data.labels import labelled_frame
 
