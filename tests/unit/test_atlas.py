@@ -118,7 +118,7 @@ LIMITS = {
 def test_limits_are_the_first_crossings(atlas, defaults, name):
     variable, level, along, *between = LIMITS[name]
     found = atlas[name].sel(roughness=2e-7).load()
-    points = found.stack(point=found.dims)
+    points = found.stack(point=found.dims).isel(point=slice(None, None, 2))
     given = {each: points[each].values for each in found.dims if each != "load"}
     given |= {"load_N": points["load"].values * defaults.newtons_per_load, "roughness": 2e-7}
     search = {"between": tuple(between), "parameters": defaults}

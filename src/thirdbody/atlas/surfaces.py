@@ -12,7 +12,7 @@ from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import ENDS, FLAGS
-from thirdbody.model.film import film_load
+from thirdbody.model.film import Film, film_load, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
     BOUNDARY_LIMIT,
@@ -27,7 +27,7 @@ from thirdbody.solver.sweep import is_worthwhile, sweep
 STATES = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
 SOLVED = ("separation", "particle_contact_area_ratio", "solid_load_fraction", *STATES)
 QUANTILES = np.array([ENDS[0], 0.5, ENDS[1]])  # nine in ten lie between the first and the last
-EVEN = 2.0  # largest step of the log odds over which a limit is interpolated
+EVEN = 0.5  # largest step of the log odds over which a limit is interpolated
 PLACES = 900  # separations between which the diameter of a limit is interpolated
 
 
@@ -95,21 +95,20 @@ def _passed(axes, solution, parameters, rtol) -> dict[str, NDArray]:
     """Largest diameter out of the p-s mode, and least viscosity out of boundary lubrication."""
     ends = np.nanmin(solution.separation), np.nanmax(solution.separation)
     diameter = passed_diameter(PARTICLE_LIMIT, axes, ends, parameters, rtol)
+    viscosity = passed_viscosity(BOUNDARY_LIMIT, axes, parameters, rtol)
     particles = logit(solution.particle_contact_area_ratio) - logit(PARTICLE_LIMIT)
     film = logit(BOUNDARY_LIMIT) - logit(solution.solid_load_fraction)
     return {
         "largest_particle_diameter": first_passed("particle_diameter", axes, particles, diameter),
-        "least_viscosity": first_passed("viscosity", axes, film),
+        "least_viscosity": first_passed("viscosity", axes, film, viscosity),
     }
 
 
-def first_passed(
-    along: str, axes: Axes, excess: NDArray, at_leaps: NDArray | None = None
-) -> NDArray:
+def first_passed(along: str, axes: Axes, excess: NDArray, at_leaps: NDArray) -> NDArray:
     """Where ``excess``, the log odds above a level, first crosses 0 along an axis of a grid, SI.
 
     It is interpolated over the logarithm of the axis, without the value 0.  At a jump, as where the
-    first particle touches, ``at_leaps`` is used, if given.  The result has the shape of the grid
+    first particle touches, ``at_leaps`` is used.  The result has the shape of the grid
     without the axis: 0 where the level is exceeded at the first value, infinite where it never is,
     nan where points without solution leave this open.
     """
@@ -124,10 +123,8 @@ def first_passed(
     ends = nodes[high - 1], nodes[high]
     below, above = (excess[(place, *others)] for place in (high - 1, high))
     crossing = ends[0] * (ends[1] / ends[0]) ** (below / (below - above))
-    if at_leaps is not None:
-        leaps = ~np.isnan(below) & ~(np.abs(above - below) < EVEN)
-        crossing = np.where(leaps, np.clip(at_leaps[others], *ends), crossing)
-    found[others] = crossing
+    leaps = ~np.isnan(below) & ~(np.abs(above - below) < EVEN)
+    found[others] = np.where(leaps, np.clip(at_leaps[others], *ends), crossing)
     return found
 
 
@@ -166,6 +163,25 @@ def passed_diameter(
     rising = np.maximum.accumulate(total, axis=-1)
     found = [np.interp(np.log(axes["load"]), each, log_diameter) for each in rising]
     return np.exp(np.transpose(found))[:, :, np.newaxis, np.newaxis]
+
+
+def passed_viscosity(level: float, axes: Axes, parameters: Parameters, rtol: float) -> NDArray:
+    """Viscosity [m2/s] at which L_s equals ``level``: shape (loads, sizes, 1, 1).
+
+    The solids carry this fraction of the load at one separation, dry or not, and there the film is as
+    thick as the separation (Eqs. 7 and 8).
+    """
+    films = axes["viscosity"][axes["viscosity"] > 0.0]
+    dry = axes | {"load": level * axes["load"][:, np.newaxis], "viscosity": np.zeros(1)}
+    separation = solve_arrays(dry, parameters, rtol, ["separation"]).separation
+    log_fluid = parameters.interpretation.film_load.log_fraction(np.log1p(-level))
+    film = Film.of(films, axes["roughness"], parameters)
+    found = []
+    for wanted, log_load in zip(separation, np.log(axes["load"]), strict=True):
+        thickness, _ = film.thickness(log_load_parameter(log_load + log_fluid, parameters))
+        log_wanted = np.log(wanted / parameters.ball_radius)
+        found.append(np.interp(log_wanted, np.log(thickness), np.log(films)))
+    return np.exp(found)[:, :, np.newaxis, np.newaxis]
 
 
 def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
