@@ -8,25 +8,25 @@ from typing import Any
 LONGEST = 60  # letters
 
 
-def shown(value: Any) -> str:
+def format_value(value: Any) -> str:
     """The ``repr`` of a value on one line, cut if it is long.
 
     Examples
     --------
-    >>> shown("load"), shown(10**100)
+    >>> format_value("load"), format_value(10**100)
     ("'load'", '100000000000000000000000000000000000000000000000000000000...')
     """
     text = " ".join(repr(value).split())
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
-def shown_file(path: str | PathLike) -> str:
+def format_path(path: str | PathLike) -> str:
     """The name of a file, quoted if it is empty or not printable.
 
     Examples
     --------
-    >>> shown_file("mine.yaml"), shown_file("")
+    >>> format_path("mine.yaml"), format_path("")
     ('mine.yaml', "''")
     """
     name = str(path)
-    return name if name.isprintable() and name else shown(name)
+    return name if name.isprintable() and name else format_value(name)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.extras import require
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ SEARCHED = {
 def unit_of(key: Any) -> Unit:
     """The unit of a name; raises ``ValueError`` if there is no such name."""
     if not isinstance(key, str) or key not in UNITS:
-        raise ValueError(f"unknown axis {shown(key)}; allowed: {', '.join(UNITS)}")
+        raise ValueError(f"unknown axis {format_value(key)}; allowed: {', '.join(UNITS)}")
     return UNITS[key]
 
 
@@ -164,7 +164,7 @@ def _of_pint(unit: Unit, given: Any) -> Any:
     except ModuleNotFoundError:
         raise
     except Exception:  # pint raises many types
-        message = f"{unit.key} has the unknown unit {shown(text)}"
+        message = f"{unit.key} has the unknown unit {format_value(text)}"
         raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
     return registry().Quantity(np.asarray(given), found)
 

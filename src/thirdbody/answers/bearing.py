@@ -15,7 +15,7 @@ from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.usual import warn_outside
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS
 
@@ -151,7 +151,7 @@ def bearing(
     for name, body in bodies.items():
         if not isinstance(body, Material):
             allowed = f"a Material, such as MATERIALS of {', '.join(MATERIALS)}"
-            raise ValueError(f"{name} is {shown(body)}; allowed: {allowed}")
+            raise ValueError(f"{name} is {format_value(body)}; allowed: {allowed}")
     modulus, changes = parameters.elastic_modulus_surfaces, {}
     if bodies:
         ball, flat, particle = (bodies.get(name, MATERIALS["steel"]) for name in BODIES)

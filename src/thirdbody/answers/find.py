@@ -25,7 +25,7 @@ from thirdbody.conditions.checks import (
 from thirdbody.conditions.in_si import in_si
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.data.quantities import QUANTITIES
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
@@ -165,7 +165,7 @@ def find(
 def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
     """The levels of a variable; ``ValueError`` for an unknown variable and for impossible levels."""
     if not isinstance(variable, str) or variable not in QUANTITIES:
-        raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
+        raise ValueError(f"variable is {format_value(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
     impossible = levels[~((levels >= 0.0) & (levels <= quantity.largest) & np.isfinite(levels))]

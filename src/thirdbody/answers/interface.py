@@ -22,7 +22,7 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.sizes import sizes_note
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
@@ -118,7 +118,7 @@ class Interface:
         range of the second minus the first; ``found`` is false if a force balance has no root.
         """
         if not isinstance(other, Interface):
-            raise ValueError(f"other is {shown(other)}; allowed: an Interface")
+            raise ValueError(f"other is {format_value(other)}; allowed: an Interface")
         mine, *of_members = self._states()
         theirs, *of_their_members = other._states()
         rows = []
@@ -334,7 +334,7 @@ def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple
 def _key_of(along: str) -> str:
     """The name of an axis in engineering units."""
     if not isinstance(along, str) or along not in ENGINEERING:
-        raise ValueError(f"along is {shown(along)}; allowed: {', '.join(ENGINEERING)}")
+        raise ValueError(f"along is {format_value(along)}; allowed: {', '.join(ENGINEERING)}")
     return ENGINEERING[along]
 
 

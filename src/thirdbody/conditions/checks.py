@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import has_unit, is_labelled
 
@@ -45,16 +45,16 @@ def check_names(argument: str, given: Any, known: Collection[str]) -> None:
     allowed = f"allowed: names from {', '.join(known)}"
     listed = isinstance(given, Collection) and getattr(given, "ndim", 1) == 1
     if not listed or isinstance(given, str | bytes):
-        raise ValueError(f"{argument} is {shown(given)}; {allowed}")
+        raise ValueError(f"{argument} is {format_value(given)}; {allowed}")
     for name in given:
         if not isinstance(name, str) or name not in known:
-            raise ValueError(f"{argument} has {shown(name)}; {allowed}")
+            raise ValueError(f"{argument} has {format_value(name)}; {allowed}")
 
 
 def check_rtol(rtol: Any) -> None:
     """Raise ``ValueError`` unless ``rtol`` is attainable with float64 and the tables."""
     if not isinstance(rtol, Real) or not 1e-11 <= rtol <= 1e-2:
-        raise ValueError(f"rtol is {shown(rtol)}; allowed: 1e-11 to 1e-2")
+        raise ValueError(f"rtol is {format_value(rtol)}; allowed: 1e-11 to 1e-2")
 
 
 def check_points(arrays: Mapping[str, NDArray]) -> None:
@@ -95,7 +95,7 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     try:
         array = np.asarray(given)
     except (TypeError, ValueError):  # a ragged list, or an object of another package
-        raise ValueError(f"{name} is {shown(given)}; allowed: {allowed}") from None
+        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}") from None
     check_points({name: array})
     try:
         if array.dtype.kind in "iuf" or all(type(each) in (int, float) for each in array.flat):
@@ -103,7 +103,7 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     except OverflowError:
         message = "has an integer beyond 1.8e308; allowed: finite numbers"
         raise ValueError(f"{name} {message}") from None
-    raise ValueError(f"{name} is {shown(given)}; allowed: {allowed}")
+    raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
 
 
 def check_number(name: str, value: Any, positive: bool = True) -> None:
@@ -111,7 +111,7 @@ def check_number(name: str, value: Any, positive: bool = True) -> None:
     allowed = "positive numbers" if positive else "zero or positive numbers"
     number = checked_array(name, value, allowed)
     if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
-        raise ValueError(f"{name} is {shown(value)}; allowed: {allowed}")
+        raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
 
 
 def check_ends(name: str, ends: Any) -> None:
@@ -119,7 +119,7 @@ def check_ends(name: str, ends: Any) -> None:
     allowed = "two numbers, positive and increasing"
     array = checked_array(name, ends, allowed)
     if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
-        raise ValueError(f"{name} is {shown(ends)}; allowed: {allowed}")
+        raise ValueError(f"{name} is {format_value(ends)}; allowed: {allowed}")
 
 
 def check_count(name: str, count: Any) -> None:
@@ -127,4 +127,4 @@ def check_count(name: str, count: Any) -> None:
     whole = isinstance(count, Integral) and not isinstance(count, bool)
     if not whole or not 2 <= count <= MOST_VALUES:
         allowed = f"whole numbers from 2 to {MOST_VALUES}"
-        raise ValueError(f"{name} is {shown(count)}; allowed: {allowed}")
+        raise ValueError(f"{name} is {format_value(count)}; allowed: {allowed}")

@@ -14,7 +14,7 @@ from typing import Any
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.messages import shown_file
+from thirdbody.messages import format_path
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 
@@ -119,14 +119,14 @@ def choose_inputs(
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):
-        content, place = read_yaml(given), shown_file(given)
+        content, place = read_yaml(given), format_path(given)
         if "inputs" in content:
             calibrated, content = given, {}
     schema.validate(content, values_schema(entries), place)
     laid_over = plain_values(content)
     found = read_calibrated(calibrated, entries)
     values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
-    schema.validate(values, {"required": [*entries]}, f"{shown_file(calibrated)}: inputs")
+    schema.validate(values, {"required": [*entries]}, f"{format_path(calibrated)}: inputs")
     check_ball(values, place)
     return {
         "parameters": values,

@@ -30,7 +30,7 @@ from thirdbody.data.quantities import (
     STATUS,
     VARIABLES,
 )
-from thirdbody.messages import shown, shown_file
+from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import Progress, check_progress
@@ -165,7 +165,7 @@ def stream(
     (2,)
     """
     if not isinstance(compression, Integral) or compression not in range(10):
-        raise ValueError(f"compression is {shown(compression)}; allowed: 0 to 9")
+        raise ValueError(f"compression is {format_value(compression)}; allowed: 0 to 9")
     parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
     shape = tuple(axis.size for axis in axes.values())
     lengths = [*shape]
@@ -180,7 +180,7 @@ def stream(
         free = disk_usage(Path(path).parent).free
         if size > free and not compression:
             raise OSError(
-                f"{shown_file(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
+                f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
                 f"most the {free:.3g} bytes free on the disk"
             )
         with (
@@ -213,7 +213,9 @@ def _checked_grid(parameters, rtol, variables, progress, conditions):
 def _checked_increasing(key: str, values: NDArray) -> NDArray:
     axis = np.atleast_1d(values)
     if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
-        raise ValueError(f"{key} is {shown(axis.tolist())}; allowed: one increasing dimension")
+        raise ValueError(
+            f"{key} is {format_value(axis.tolist())}; allowed: one increasing dimension"
+        )
     return axis
 
 
@@ -250,7 +252,7 @@ def scene_dataset(
 ) -> PlainDataset:
     """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT``
     over the five axes, and ``separation_count`` if a point has several separations.  Combinations
-    not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
+    not format_value in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {

@@ -7,7 +7,7 @@ import re
 from thirdbody.answers.answer import Answer, Row, few_particles
 from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.usual import warn_outside
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 
 SIZES = 4, 6, 14  # um(c), the sizes counted in a code
@@ -72,12 +72,12 @@ def _scale_numbers(code):
     parts = code.replace(" ", "").removeprefix("ISO").split("/") if isinstance(code, str) else []
     if len(parts) != len(SIZES) or not all(re.fullmatch(r"\d\d?|[-*]", part) for part in parts):
         allowed = "three numbers, as 18/16/13, or - for one"
-        raise ValueError(f"code is {shown(code)}; allowed: {allowed}")
+        raise ValueError(f"code is {format_value(code)}; allowed: {allowed}")
     numbers = [int(part) if part.isdecimal() else None for part in parts]
     known = [number for number in numbers if number is not None]
     if known != sorted(known, reverse=True) or max(known, default=0) > LARGEST:
         allowed = f"numbers up to {LARGEST}, none above that of smaller particles"
-        raise ValueError(f"code is {shown(code)}; allowed: {allowed}")
+        raise ValueError(f"code is {format_value(code)}; allowed: {allowed}")
     return numbers
 
 

@@ -20,7 +20,7 @@ from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import without_warnings
 from thirdbody.data.quantities import ENDS
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
-from thirdbody.messages import shown, shown_file
+from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 from thirdbody.tabular import Tabular
@@ -138,7 +138,7 @@ def compare(
     if not observed:
         raise ValueError(f"measured has no column of {', '.join(MEASURED)}; allowed: one or more")
     if (SPEED in columns) != (speed_m_per_s is not None):
-        message = f"speed_m_per_s is {shown(speed_m_per_s)}"
+        message = f"speed_m_per_s is {format_value(speed_m_per_s)}"
         raise ValueError(f"{message}; allowed: a number with a column of speeds, else none")
     if speed_m_per_s is not None:
         check_number("speed_m_per_s", speed_m_per_s)
@@ -177,7 +177,7 @@ def _read(measured):
         if key in columns or not (name in MEASURED or name in CONDITIONS):
             known = ", ".join([*CONDITIONS, *MEASURED])
             raise ValueError(
-                f"measured has the column {shown(heading)}; allowed: {known}, once each"
+                f"measured has the column {format_value(heading)}; allowed: {known}, once each"
             )
         columns[key] = _quantity(heading, name, unit, _numbers(heading, table[heading]))
     return columns
@@ -188,21 +188,19 @@ def _read_csv(path):
     try:
         content = Path(path).read_bytes()
     except OSError as error:
-        raise type(error)(f"{shown_file(path)} cannot be read ({error.strerror})") from None
+        raise type(error)(f"{format_path(path)} cannot be read ({error.strerror})") from None
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = content.decode("cp1252", "replace")  # of spreadsheets
     lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
     if not lines:
-        raise ValueError(f"{shown_file(path)} is empty; allowed: headings and rows below them")
+        raise ValueError(f"{format_path(path)} is empty; allowed: headings and rows below them")
     separator = next((each for each in "\t;" if each in lines[0]), ",")
     headings, *rows = csv.reader(lines, delimiter=separator)
     for row in rows:
         if len(row) != len(headings):
-            message = (
-                f"{shown_file(path)} has {len(row)} cells in the row {shown(separator.join(row))}"
-            )
+            message = f"{format_path(path)} has {len(row)} cells in the row {format_value(separator.join(row))}"
             raise ValueError(f"{message}; allowed: {len(headings)}, as headings")
     if separator == ";":
         rows = [[cell.replace(",", ".") for cell in row] for row in rows]
@@ -216,7 +214,7 @@ def _numbers(heading, column):
         try:
             numbers[index] = float(cell) if str(cell).strip() else np.nan
         except (TypeError, ValueError, OverflowError):
-            message = f"{heading} is {shown(cell)} in row {index + 1}"
+            message = f"{heading} is {format_value(cell)} in row {index + 1}"
             raise ValueError(f"{message}; allowed: numbers with a decimal point") from None
     return numbers
 
@@ -232,7 +230,7 @@ def _quantity(heading, name, unit, numbers):
         known = False
     if not unit or not known:
         raise ValueError(
-            f"the unit of {shown(heading)} is not known; allowed: as '{name} [{wanted}]'"
+            f"the unit of {format_value(heading)} is not known; allowed: as '{name} [{wanted}]'"
         )
     return quantity
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from thirdbody.conditions.checks import check_number, checked_array
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 
 # ISO 3448: kinematic viscosity at 40 C [cSt] of each grade, +-10 %
 GRADES = {2: 2.2, 3: 3.2, 5: 4.6, 7: 6.8}
@@ -64,17 +64,17 @@ def oil_viscosity(
     temperature = checked_array("temperature_C", temperature_C, "numbers, in degrees Celsius")
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
         raise ValueError(
-            f"temperature_C is {shown(temperature_C)}; allowed: {COLDEST:g} to {HOTTEST:g}"
+            f"temperature_C is {format_value(temperature_C)}; allowed: {COLDEST:g} to {HOTTEST:g}"
         )
     if (points is None) == (grade is None) or (grade is None) != (viscosity_index is None):
         raise ValueError(
-            f"grade is {shown(grade)}, viscosity_index {shown(viscosity_index)} and points "
-            f"{shown(points)}; allowed: a grade with its viscosity_index, or points"
+            f"grade is {format_value(grade)}, viscosity_index {format_value(viscosity_index)} and points "
+            f"{format_value(points)}; allowed: a grade with its viscosity_index, or points"
         )
     if points is None:
         if not isinstance(grade, int) or grade not in GRADES:
             allowed = ", ".join(map(str, GRADES))
-            raise ValueError(f"grade is {shown(grade)}; allowed: ISO VG {allowed}")
+            raise ValueError(f"grade is {format_value(grade)}; allowed: ISO VG {allowed}")
         points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], viscosity_index)}
     (cold, thick), (hot, thin) = _checked_points(points)
     slope = (_doubled(thick) - _doubled(thin)) / math.log10((hot + ZERO) / (cold + ZERO))
@@ -84,7 +84,7 @@ def oil_viscosity(
     outside = viscosity[~((viscosity >= LEAST) & (viscosity <= MOST))]
     if outside.size:
         raise ValueError(
-            f"temperature_C {shown(temperature_C)} gives {outside.flat[0]:.3g} cSt; allowed: "
+            f"temperature_C {format_value(temperature_C)} gives {outside.flat[0]:.3g} cSt; allowed: "
             f"temperatures that give {LEAST:g} to {MOST:g} cSt, where ASTM D341 is a line"
         )
     return viscosity
@@ -96,10 +96,10 @@ def _checked_points(points):
     try:
         cold, hot = sorted((float(each), float(nu)) for each, nu in points.items())
     except (AttributeError, TypeError, ValueError):
-        raise ValueError(f"points is {shown(points)}; allowed: {allowed}") from None
+        raise ValueError(f"points is {format_value(points)}; allowed: {allowed}") from None
     fit = COLDEST <= cold[0] < hot[0] <= HOTTEST and LEAST <= hot[1] < cold[1] <= MOST
     if not fit:
-        raise ValueError(f"points is {shown(points)}; allowed: {allowed}")
+        raise ValueError(f"points is {format_value(points)}; allowed: {allowed}")
     return cold, hot
 
 
@@ -125,4 +125,4 @@ def _at_100(at_40, index):
         return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
     except ValueError:  # no root between the ends
         allowed = f"one that gives an oil of {at_40:g} cSt at 40 C 2 cSt or more at 100 C"
-        raise ValueError(f"viscosity_index is {shown(index)}; allowed: {allowed}") from None
+        raise ValueError(f"viscosity_index is {format_value(index)}; allowed: {allowed}") from None

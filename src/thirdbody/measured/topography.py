@@ -11,7 +11,7 @@ import numpy as np
 
 from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.extras import require
-from thirdbody.messages import shown_file
+from thirdbody.messages import format_path
 from thirdbody.model.parameters import Parameters
 from thirdbody.tabular import Tabular
 
@@ -100,7 +100,7 @@ def surface(
     for path, topography in zip(paths, topographies):
         found = _moments(topography, scale)
         if not (np.isfinite(found).all() and found.min() > 0.0):
-            message = f"{shown_file(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
+            message = f"{format_path(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
             raise ValueError(f"{message}; allowed: rough surfaces of more points than that")
         moments += found
     m_0, m_2, m_4 = moments.tolist()
@@ -119,7 +119,7 @@ def _read(path, curved, options):
     from SurfaceTopography import read_topography
 
     with open(path, "rb"):
-        name = shown_file(path)
+        name = format_path(path)
     try:
         topography = read_topography(str(path), **options)
         if topography.unit is None:
