@@ -33,22 +33,15 @@ class Unit:
     scale: float = 1.0
 
     def to_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m.
-
-        Examples
-        --------
-        >>> UNITS["roughness_nm"].to_si(300)
-        array(3.e-07)
-        """
+        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m."""
         if self.key == LOAD_IN_NEWTONS:
             return np.multiply(values, 1.0 / newtons_per_load)
         return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """Convert values in SI to this unit."""
-        if self.key == LOAD_IN_NEWTONS:
-            return np.divide(values, 1.0 / newtons_per_load)
-        return np.divide(values, self.scale)
+        """``values`` in SI converted to this unit."""
+        is_force = self.key == LOAD_IN_NEWTONS
+        return np.divide(values, 1.0 / newtons_per_load if is_force else self.scale)
 
 
 LOAD_IN_NEWTONS = "load_N"
@@ -77,6 +70,16 @@ SEARCHED = {
     "roughness": (20.0, 2000.0),
     "particle_density": (1e8, 1e14),
 }
+# the dimension of each condition as a quantity: a unit of pint, and words for messages
+FORCE = "N", "a force, e.g. in N"
+LENGTH = "m", "a length, e.g. in nm"
+WANTED = {
+    "load": ("dimensionless", f"a dimensionless number or {FORCE[1]}"),
+    "viscosity": ("m ** 2 / s", "a kinematic viscosity, e.g. in cSt"),
+    "particle_diameter": LENGTH,
+    "roughness": LENGTH,
+    "particle_density": ("m ** -2", "a number per area, e.g. in 1/mm**2"),
+}
 
 
 def unit_of(key: Any) -> Unit:
@@ -86,36 +89,19 @@ def unit_of(key: Any) -> Unit:
     return UNITS[key]
 
 
-# the dimension of each condition as a quantity: a unit of pint, and words for messages
-FORCE = "N", "a force, e.g. in N"
-WANTED = {
-    "load": ("dimensionless", f"a dimensionless number or {FORCE[1]}"),
-    "viscosity": ("m ** 2 / s", "a kinematic viscosity, e.g. in cSt"),
-    "particle_diameter": ("m", "a length, e.g. in nm"),
-    "roughness": ("m", "a length, e.g. in nm"),
-    "particle_density": ("m ** -2", "a number per area, e.g. in 1/mm**2"),
-}
-
-
 def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
-    """Convert a quantity, or a list or array of quantities, to plain numbers in SI; anything else
-    is returned unchanged.
+    """A quantity, or a list of some, as plain numbers in SI; anything else is returned unchanged.
 
-    ``unit`` belongs to the name of the argument; ``newtons_per_load`` converts a force to a load.
-    Raises ``ValueError`` for an unknown unit, a wrong dimension and uncertainties, and
-    ``ModuleNotFoundError`` if pint is not installed.
+    ``unit`` is that of the argument's name.  Raises ``ValueError`` for an unknown unit, a wrong
+    dimension and uncertainties, and ``ModuleNotFoundError`` if pint is not installed.
     """
     if is_labelled(given) and has_unit(given.data):
         given = given.data
-    given = getattr(given, "quantity", given)  # an array of pint-pandas
-    of_objects = isinstance(given, np.ndarray) and given.dtype == np.dtype("O")
-    if of_objects or isinstance(given, (list, tuple)):
-        parts = list(given.flat) if of_objects else given
-        kinds = set(map(type, parts))
+    if isinstance(given, list | tuple):
+        kinds = set(map(type, given))
         if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
             return given
-        found = [without_unit(unit, each, newtons_per_load) for each in parts]
-        return np.reshape(found, given.shape) if of_objects else found
+        return [without_unit(unit, each, newtons_per_load) for each in given]
     if not has_unit(given):
         return given
     quantity = given if is_quantity(given) else _of_pint(unit, given)
@@ -150,8 +136,7 @@ def is_labelled(given: Any) -> bool:
 def _unit_text(given: Any) -> str | None:
     """The unit of an array of xarray, or of a quantity of a package other than pint."""
     if is_labelled(given):
-        attributes = getattr(given, "attrs", None)
-        return attributes.get("units") if isinstance(attributes, dict) else None
+        return getattr(given, "attrs", {}).get("units")
     where = ("unit", "dimensionality", "units")  # of astropy, quantities and unyt
     return next((str(getattr(given, name)) for name in where if hasattr(given, name)), None)
 
@@ -159,14 +144,12 @@ def _unit_text(given: Any) -> str | None:
 def _of_pint(unit: Unit, given: Any) -> Any:
     """Convert a quantity of another package to pint."""
     text = _unit_text(given)
+    known = registry()
     try:
-        found = registry().Unit(text or "dimensionless")
-    except ModuleNotFoundError:
-        raise
+        return known.Quantity(np.asarray(given), known.Unit(text or "dimensionless"))
     except Exception:  # pint raises many types
         message = f"{unit.key} has the unknown unit {format_value(text)}"
         raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
-    return registry().Quantity(np.asarray(given), found)
 
 
 @cache

@@ -52,41 +52,31 @@ class Row:
         """The row of a quantity with the values ``of_members`` of the ensemble."""
         numbers = [each for each in of_members if isinstance(each, float)]
         low, high = spread(numbers) or (None, None)
-        same = (
-            numbers if isinstance(value, float) else [each for each in of_members if each == value]
-        )
-        return cls(name, quantity, value, unit, low, high, len(same), len(of_members))
+        agree = len(numbers) if isinstance(value, float) else list(of_members).count(value)
+        return cls(name, quantity, value, unit, low, high, agree, len(of_members))
 
     @property
     def range_text(self) -> str:
         """The range over the ensemble, formatted for a table."""
         parts = []
         if self.low is not None:
-            parts.append(f"{text_of(self.low)} to {text_of(self.high)}")
+            parts.append(f"{_text(self.low)} to {_text(self.high)}")
         if self.agree < self.members or (self.members and isinstance(self.value, str)):
             parts.append(f"{self.agree} of {self.members}" + (" have none" * (self.value is None)))
         return ", ".join(parts)
 
 
-def text_of(value: Value) -> str:
-    """A value, formatted for a table."""
+def _text(value: Value) -> str:
     if value is None:
         return "none"
     return value if isinstance(value, str) else f"{value:.{DIGITS}g}"
 
 
 def few_particles(per_m2: float, apparent_area: float, name: str = "particles") -> tuple[str, ...]:
-    """A note if there is less than one particle in the nominal area A_n [m2].
-
-    Examples
-    --------
-    >>> few_particles(2500.0, 2.4e-6)
-    ('0.006 particles in A_n = 2.4e-06 m2: most contacts have none',)
-    """
+    """A note if there is less than one particle in the nominal area A_n [m2]."""
     count = per_m2 * apparent_area
-    if not 0.0 < count < 1.0:
-        return ()
-    return (f"{count:.2g} {name} in A_n = {apparent_area:.3g} m2: most contacts have none",)
+    note = f"{count:.2g} {name} in A_n = {apparent_area:.3g} m2: most contacts have none"
+    return (note,) if 0.0 < count < 1.0 else ()
 
 
 @dataclass(frozen=True)
@@ -110,35 +100,32 @@ class Answer(Tabular):
         """The rows as a table, in the columns of ``Row``."""
         import pandas as pd
 
-        return pd.DataFrame([asdict(row) for row in self.rows])
+        return pd.DataFrame(self.as_dict()["rows"])
 
     def value(self, name: str) -> Value:
         """The value of the first row with a name; ``KeyError`` if there is none."""
         return {row.name: row.value for row in reversed(self.rows)}[name]
 
-    def as_text(self, width: int = WIDTH, on_terminal: bool = False) -> str:
+    def as_text(self, width: int = WIDTH) -> str:
         """The title, a table and the notes, at most ``width`` columns wide."""
         from rich.box import Box
         from rich.console import Console
         from rich.table import Table
 
+        headings = ["value", "90 % range"]
         compares = any(row.other is not None for row in self.rows)
-        headings = (
-            ["first", "second", "90 % of the change"] if compares else ["value", "90 % range"]
-        )
+        if compares:
+            headings = ["first", "second", "90 % of the change"]
         box = Box(RULED, ascii=True)
         table = Table("quantity", *headings, "unit", box=box, show_edge=False, pad_edge=False)
         for row in self.rows:
             values = [row.value, row.other] if compares else [row.value]
-            table.add_row(row.quantity, *map(text_of, values), row.range_text, row.unit)
+            table.add_row(row.quantity, *map(_text, values), row.range_text, row.unit)
         notes = ["", *(f"  {note}" for note in self.notes)] if self.notes else []
-        text = StringIO()
-        console = Console(
-            file=text, width=width, force_terminal=on_terminal, markup=False, highlight=False
-        )
+        console = Console(file=StringIO(), width=width, markup=False, highlight=False)
         for part in (self.title, "", table, *notes):
             console.print(part)
-        return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
+        return "\n".join(line.rstrip() for line in console.file.getvalue().splitlines())
 
     def __str__(self) -> str:
         return self.as_text()
@@ -181,9 +168,7 @@ class Curve(Tabular):
             if name in self.low:
                 table |= {f"{name}_low": self.low[name], f"{name}_high": self.high[name]}
         for name, flag in FLAGS.items():
-            table[name] = [
-                flag.meanings[index] if index >= 0 else None for index in self.values[name]
-            ]
+            table[name] = pd.Categorical.from_codes(self.values[name], flag.meanings)
         return pd.DataFrame(table)
 
     def as_dict(self) -> dict[str, list]:
@@ -194,3 +179,6 @@ class Curve(Tabular):
     def as_csv(self) -> str:
         """The table as CSV, with ten significant digits."""
         return self.to_dataframe().to_csv(index=False, float_format="%.10g", lineterminator="\n")
+
+    def __str__(self) -> str:
+        return self.as_csv().rstrip("\n")

@@ -11,25 +11,23 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.conditions.checks import check_number, checked_parameters
-from thirdbody.conditions.usual import warn_outside
+from thirdbody.conditions.checks import check_number, check_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS
 
-USUAL = {  # usual range and unit of the numbers of ``bearing``
-    "ball_radius_mm": ((0.1, 1000.0), "mm"),
-    "speed_m_per_s": ((1e-6, 200.0), "m s-1"),
-    "oil_density_kg_per_m3": ((500.0, 3000.0), "kg m-3"),
-    "dynamic_viscosity_mPa_s": ((0.1, 1e5), "mPa s"),
-    "viscosity_cSt": ((0.3, 1e4), "cSt"),
-    "pressure_viscosity_per_GPa": ((1.0, 100.0), "GPa-1"),
-    "apparent_area_mm2": ((1e-4, 1e6), "mm2"),
-    "modulus": ((1e8, 2e12), "Pa"),
-    "hardness": ((1e7, 2e11), "Pa"),
+USUAL = {  # least and most usual value of the numbers of ``bearing``, and their unit
+    "ball_radius_mm": (0.1, 1000.0, "mm"),
+    "speed_m_per_s": (1e-6, 200.0, "m s-1"),
+    "oil_density_kg_per_m3": (500.0, 3000.0, "kg m-3"),
+    "dynamic_viscosity_mPa_s": (0.1, 1e5, "mPa s"),
+    "viscosity_cSt": (0.3, 1e4, "cSt"),
+    "pressure_viscosity_per_GPa": (1.0, 100.0, "GPa-1"),
+    "apparent_area_mm2": (1e-4, 1e6, "mm2"),
 }
+USUAL_MATERIAL = {"modulus": (1e8, 2e12, "Pa"), "hardness": (1e7, 2e11, "Pa")}
 BODIES = "ball", "flat", "particle"
 
 
@@ -42,14 +40,10 @@ class Material:
     hardness: float
 
     def __post_init__(self):
-        check_number("modulus", self.modulus)
-        check_number("hardness", self.hardness)
+        check_numbers({"modulus": self.modulus, "hardness": self.hardness}, USUAL_MATERIAL)
         check_number("poisson_ratio", self.poisson_ratio, positive=False)
         if self.poisson_ratio > 0.5:
             raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
-        warn_outside(
-            {name: (getattr(self, name), *USUAL[name]) for name in ("modulus", "hardness")}
-        )
 
     @property
     def compliance(self) -> float:
@@ -67,14 +61,7 @@ MATERIALS = {
 }
 
 
-def hertz_modulus(one: Material, other: Material) -> float:
-    """Equivalent modulus E [Pa] of two bodies in contact, 1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2.
-
-    Examples
-    --------
-    >>> round(hertz_modulus(MATERIALS["steel"], MATERIALS["steel"]) / 1e9)
-    112
-    """
+def _hertz_modulus(one: Material, other: Material) -> float:
     return 1.0 / (one.compliance + other.compliance)
 
 
@@ -103,10 +90,9 @@ def bearing(
         Inputs to start from, by default the published ones.
     ball_radius_mm, speed_m_per_s : float, optional
         R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls; and the rolling speed u [m/s].
-    oil_density_kg_per_m3 : float, optional
-        Density rho of the oil [kg m-3]; the speed needs it, or both viscosities.
-    dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
-        mu_0 [mPa s] and nu [cSt] of the oil, which give rho = mu_0/nu.
+    oil_density_kg_per_m3, dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
+        For the speed: the density rho of the oil [kg m-3], or mu_0 [mPa s] and nu [cSt] of
+        rho = mu_0/nu.
     pressure_viscosity_per_GPa : float, optional
         alpha [GPa-1].
     ball, flat, particle : Material, optional
@@ -114,22 +100,12 @@ def bearing(
     apparent_area_mm2 : float, optional
         A_n [mm2], the reference area of loads: at most the cross-section of the ball.
 
-    Returns
-    -------
-    Parameters
-        The derived inputs.
-
     Raises
     ------
     ValueError
         For a number that is not positive, a speed without a density or the reverse, a body that is
         not a ``Material``, a particle softer than a surface, an A_n larger than the ball, and
-        inputs that are not ``Parameters`` or out of bounds.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        For numbers outside their usual ranges.
+        inputs out of bounds.  Unusual numbers cause an ``OutOfRangeWarning``.
 
     Examples
     --------
@@ -141,13 +117,11 @@ def bearing(
     >>> round(inputs.elastic_modulus_surfaces / 1e9, 1)
     134.1
     """
-    arguments = locals()
+    arguments = {name: value for name, value in locals().items() if value is not None}
     parameters = checked_parameters(parameters)
-    given = {name: arguments[name] for name in USUAL if arguments.get(name) is not None}
-    for name, value in given.items():
-        check_number(name, value)
-    warn_outside({name: (value, *USUAL[name]) for name, value in given.items()})
-    bodies = {name: arguments[name] for name in BODIES if arguments[name] is not None}
+    numbers = {name: arguments[name] for name in USUAL if name in arguments}
+    check_numbers(numbers, USUAL)
+    bodies = {name: arguments[name] for name in BODIES if name in arguments}
     for name, body in bodies.items():
         if not isinstance(body, Material):
             allowed = f"a Material, such as MATERIALS of {', '.join(MATERIALS)}"
@@ -161,11 +135,11 @@ def bearing(
                 f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least "
                 f"{1e-9 * harder:g} GPa, the harder surface, as particles keep their shape"
             )
-        modulus = hertz_modulus(ball, flat)
+        modulus = _hertz_modulus(ball, flat)
         surface = max(ball, flat, key=lambda body: body.compliance)
         changes = {
             "elastic_modulus_surfaces": modulus,
-            "elastic_modulus_particle": hertz_modulus(particle, surface),
+            "elastic_modulus_particle": _hertz_modulus(particle, surface),
             "hardness_surface_1": ball.hardness,
             "hardness_surface_2": flat.hardness,
             "hardness_parameter": softer / modulus,
@@ -193,11 +167,11 @@ def bearing(
         changes["apparent_area"] = 1e-6 * apparent_area_mm2
     try:
         found = replace(parameters, **changes)
-        if {"ball_radius_mm", "apparent_area_mm2"} & given.keys():
+        if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
             check_ball(found.as_dict(), "bearing")
         return found
     except ValueError as error:
-        raise ValueError(f"derived from {', '.join([*given, *bodies])}: {error}") from None
+        raise ValueError(f"derived from {', '.join([*numbers, *bodies])}: {error}") from None
 
 
 # unit of each derived input, and its formula

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-@dataclass(frozen=True)
-class Border:
+class Border(NamedTuple):
     """A limit between two states of a flag, ``lubrication_regime`` or ``contact_mode``."""
 
     flag: str
@@ -57,7 +56,7 @@ class Transition:
 
 
 class Transitions(Tabular, list):
-    """A list of ``Transition``."""
+    """A list of ``Transition``, sorted by query, then by value."""
 
     def to_dataframe(self) -> pd.DataFrame:
         """One row per change."""
@@ -78,20 +77,7 @@ def transitions(
 ) -> Transitions:
     """Find where lubrication regime and contact mode change along one of the five axes.
 
-    Parameters
-    ----------
-    along, parameters, between, count, rtol, **conditions
-        As in ``thirdbody.find``, with the same search and the same names of axes and units.
-
-    Returns
-    -------
-    Transitions
-        A list of ``Transition``, sorted by query, then by value.
-
-    Raises
-    ------
-    ValueError
-        As ``thirdbody.find``.
+    Arguments, units, search and errors are those of ``thirdbody.find``.
 
     Examples
     --------
@@ -105,17 +91,10 @@ def transitions(
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition)
     limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
-    found = crossings(limits, unit, swept, others, parameters, rtol)
-    changes = [
-        Transition(
-            query,
-            border,
-            *((border.below, border.above) if rises else (border.above, border.below)),
-            value,
-            error,
-            SOLUTION_STATUSES[status],
-        )
-        for border, fields in zip(BORDERS, found, strict=True)
-        for query, value, error, rises, status in zip(*(each.tolist() for each in fields))
-    ]
+    changes = []
+    for border, found in zip(BORDERS, crossings(limits, unit, swept, others, parameters, rtol)):
+        for query, value, error, rises, status in zip(*(each.tolist() for each in found)):
+            states = (border.below, border.above) if rises else (border.above, border.below)
+            status = SOLUTION_STATUSES[status]
+            changes.append(Transition(query, border, *states, value, error, status))
     return Transitions(sorted(changes, key=lambda change: (change.query, change.value)))

@@ -14,6 +14,8 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.model.parameters import Parameters
 
+NO_ENSEMBLE = "no ensemble: these inputs leave nothing in which the calibrated sets differ"
+
 
 def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     """The sets of inputs in the calibrated file of ``config/config.yaml``, each with the changes of
@@ -23,16 +25,6 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     directory = config_directory()
     path = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
     content = read_calibrated(path)
-    changed = {
-        name: value
-        for name, value in parameters.as_dict().items()
-        if content["inputs"].get(name) != value
-    }
+    best, given = content["inputs"], parameters.as_dict()
+    changed = {name: value for name, value in given.items() if best.get(name) != value}
     return tuple(replace(parameters, **member) for member in ensemble_of(content, changed))
-
-
-def ensemble_notes(members: tuple[Parameters, ...]) -> tuple[str, ...]:
-    """A note if there is no ensemble, and so no range."""
-    if members:
-        return ()
-    return ("no ensemble: these inputs leave nothing in which the calibrated sets differ",)

@@ -103,19 +103,14 @@ def find(
     level : array_like
         Its value; ``thirdbody.model.regimes`` has the limits between regimes and modes.
     along : str
-        The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ``viscosity``
-        [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
-        ``roughness`` [m] or ``roughness_nm``, ``particle_density`` or ``particle_density_per_m2``.
+        The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float, optional
         Ends of the search, positive, in the unit of ``along``.  By default 0.01 to 1000 N, 1 to
         1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, from 2 to a million.
-    parameters, rtol, progress
-        As in ``thirdbody.solve``.
-    **conditions : array_like
-        The other four axes, by any of the names above, as numbers or quantities; they and ``level``
-        broadcast.
+    parameters, rtol, progress, **conditions
+        As in ``thirdbody.solve``, without the axis; the conditions and ``level`` broadcast.
 
     Returns
     -------
@@ -125,14 +120,8 @@ def find(
     Raises
     ------
     ValueError
-        For an unknown variable or axis, an impossible level, an axis that is missing or given
-        twice, ends that are not positive and increasing, a ``count`` that is not an integer or out
-        of range, and the errors of ``solve``.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        As in ``solve``, in the given units.
+        For an unknown variable or axis, an impossible level, ends that are not positive and
+        increasing, a ``count`` out of range, and the errors of ``solve``, which also warns.
 
     Notes
     -----
@@ -153,7 +142,7 @@ def find(
     (array([1, 1]), True)
     """
     parameters = checked_parameters(parameters)
-    level = checked_levels(variable, level)
+    level = _checked_levels(variable, level)
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition, level=level)
@@ -162,8 +151,8 @@ def find(
     return Crossings(along, shape, *found)
 
 
-def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
-    """The levels of a variable; ``ValueError`` for an unknown variable and for impossible levels."""
+def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
+    """The levels; ``ValueError`` for an unknown variable and for levels that it cannot have."""
     if not isinstance(variable, str) or variable not in QUANTITIES:
         raise ValueError(f"variable is {format_value(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
@@ -178,8 +167,8 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
 def queries(
     conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str, **more: NDArray
 ) -> tuple[tuple[int, ...], dict[str, NDArray]]:
-    """The broadcast shape of the conditions and ``more`` columns, and all of them flat, in SI; the
-    condition ``along`` is not given."""
+    """The broadcast shape of the conditions, except ``along``, and of ``more`` columns, and all of
+    them flat, in SI."""
     for key, values in conditions.items():
         if is_labelled(values):
             raise ValueError(f"{key} has named dimensions; allowed: its .values")
@@ -217,13 +206,16 @@ def crossings(
     """
     check_rtol(rtol)
     names, levels = [name for name, _ in limits], np.stack([level for _, level in limits])
+    variables = {*names, "error_bound", "solution_status"}
+
+    def solved(query, values, progress=False):
+        given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
+        return solve_arrays(given, parameters, rtol, variables, progress)
 
     def enclosed(query, values, wanted, depth=DEPTH, progress=False):
-        """Crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries):
-        limit, query, direction, and ln of both neighbours."""
-        given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
-        variables = {names[index] for index in wanted}
-        found = solve_arrays(given, parameters, rtol, variables, progress)
+        """Crossings of the limits ``wanted`` between neighbouring ``values`` of the axis, shape
+        (values, 1 or queries): limit, query, direction, and ln of both neighbours."""
+        found = solved(query, values, progress)
         log_values = np.broadcast_to(np.log(values), (len(values), query.size))
         pieces = []
         for index in wanted:
@@ -242,62 +234,37 @@ def crossings(
 
     every = np.arange(levels.shape[1])
     limit, query, rises, *ends = enclosed(
-        every, swept[:, None], range(len(limits)), progress=progress
+        every, swept[:, None], range(len(limits)), DEPTH, progress
     )
-    level = levels[limit, query]
 
-    def excess_at(some, log_value, also=()):
-        """Variables minus their levels, nan without solution, at ln of the condition for ``some``
-        of the crossings; and the solution, with the variables ``also``."""
-        given = {name: column[query[some]] for name, column in others.items()}
-        given[unit.condition] = np.exp(log_value)
-        found = solve_arrays(given, parameters, rtol, {*names, *also})
-        values = np.choose(limit[some], [getattr(found, name) for name in names])
-        return values - level[some], found
+    def excess(log_value):
+        """Variables minus their levels at ln of the axis, nan without solution; and the solution."""
+        found = solved(query, np.exp(log_value))
+        values = np.choose(limit, [getattr(found, name) for name in names])
+        return values - levels[limit, query], found
 
-    log_value, width = _roots(excess_at, ends, 0.1 * rtol)
-    log_error, status = _certain_error(excess_at, level, log_value, 2.0 * (width + rtol))
-    value = np.exp(log_value)
-    error = value * np.expm1(log_error)
+    def certain_sign(log_value):
+        """Sign of the excess, 0 where its error may be larger; and the status there."""
+        value, found = excess(log_value)
+        margin = found.error_bound * np.abs(value + levels[limit, query])
+        return np.where(np.abs(value) > margin, np.sign(value), 0.0), found.solution_status
+
+    root, width = bracketed_roots(lambda log_value: excess(log_value)[0], *ends, 0.1 * rtol)
+    error = 2.0 * (width + rtol)
+    for _ in range(ATTEMPTS):
+        sign_above, _ = certain_sign(root + error)
+        sign_below, status = certain_sign(root - error)
+        certain = sign_above * sign_below < 0.0
+        if certain.all():
+            break
+        error = np.where(certain, error, WIDER * error)
+    value = np.exp(root)
+    error = np.where(certain, value * np.expm1(error), np.inf)
     place, error = (unit.from_si(each, parameters.newtons_per_load) for each in (value, error))
     fields = query, place, error, rises, status
     order = np.lexsort((value, query, limit))
     chosen = (order[limit[order] == index] for index in range(len(limits)))
     return [tuple(field[places] for field in fields) for places in chosen]
-
-
-def _roots(excess_at, ends, tolerance):
-    """ln of the condition where each variable crosses its level between two ``ends``, and the width
-    of the bracket."""
-    place, value = np.full((2, ends[0].size), np.nan)
-
-    def excess(log_value):
-        moved = np.flatnonzero(log_value != place)  # a root that has converged stays the same
-        place[moved] = log_value[moved]
-        value[moved], _ = excess_at(moved, log_value[moved])
-        return value.copy()
-
-    return bracketed_roots(excess, *ends, tolerance)
-
-
-def _certain_error(excess_at, level, root, error):
-    """Distance from ln ``root``, at least ``error``, at which a variable is certainly above the
-    level on one side and below it on the other; and the status at that distance below."""
-    left, status = np.arange(root.size), np.zeros(root.size, np.int8)
-    for _ in range(ATTEMPTS if root.size else 0):
-        sides = []
-        for sign in (1.0, -1.0):
-            there = root[left] + sign * error[left]
-            excess, found = excess_at(left, there, ["error_bound", "solution_status"])
-            margin = found.error_bound * np.abs(excess + level[left])
-            sides.append(np.where(np.abs(excess) > margin, np.sign(excess), 0.0))
-        status[left] = found.solution_status
-        left = left[~(sides[0] * sides[1] < 0.0)]
-        if left.size == 0:
-            return error, status
-        error[left] *= WIDER
-    error[left] = np.inf
-    return error, status
 
 
 def _may_touch(excess):

@@ -32,16 +32,13 @@ def turning_point(
 
     Parameters
     ----------
-    parameters, rtol
-        As in ``thirdbody.solve``.
     between_N : pair of float
         First and last load of the curve [N], by default those of the paper (Table 2).  The maximum
         must exceed the least values on both sides of it between them.
     count : int
         Number of loads between which maxima are sought; two within one step are missed.
-    **conditions : array_like
-        Viscosity, particle diameter, roughness and particle density, in SI (``viscosity``, ...) or
-        engineering units (``viscosity_cSt``, ...); they broadcast.
+    parameters, rtol, **conditions
+        As in ``thirdbody.solve``, without the load; the conditions broadcast.
 
     Returns
     -------
@@ -52,8 +49,7 @@ def turning_point(
     Raises
     ------
     ValueError
-        For a condition that is missing, given twice or not positive, loads that do not increase, a
-        ``count`` that is not an integer or out of range, and the errors of ``solve``.
+        For loads that do not increase, a ``count`` out of range, and the errors of ``solve``.
 
     Examples
     --------
@@ -65,7 +61,7 @@ def turning_point(
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_count("count", count)
-    loads = np.geomspace(*load_range(between_N, parameters), count)
+    loads = np.geomspace(*_load_range(between_N, parameters), count)
     shape, curves = queries(conditions, parameters, "load")
     points = {"load": loads[:, None]} | curves
     solved = solve_arrays(points, parameters, rtol, ["separation"])
@@ -79,25 +75,10 @@ def turning_window(
     between_N: tuple[float, float] = LOADS,
     **conditions: float,
 ) -> Window:
-    """Find the range of diameter over roughness in which dry contact has a turning point.
+    """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
 
-    Parameters
-    ----------
-    parameters, between_N
-        As in ``turning_point``.
-    **conditions : float
-        Roughness and particle density: ``roughness`` [m] or ``roughness_nm``, and
-        ``particle_density_per_m2``.
-
-    Returns
-    -------
-    Window
-        The longest such range of x_a/sigma between 0.2 and 3; nan if there is none.
-
-    Raises
-    ------
-    ValueError
-        As in ``turning_point``, for any other condition, and for more than one surface.
+    Arguments and errors are those of ``turning_point``; the conditions are one roughness and one
+    particle density.  The ends are nan if there is no such range.
 
     Examples
     --------
@@ -115,14 +96,14 @@ def turning_window(
     if shape:
         names = " and ".join(conditions)
         raise ValueError(f"{names} have shape {shape}; allowed: one number each")
-    loads = load_range(between_N, parameters)
+    loads = _load_range(between_N, parameters)
     search = WindowSearch(RATIOS, tolerance=TOLERANCE)
     (density,) = given["particle_density"].tolist()
     (found,) = turning_point_windows(search, given["roughness"], density, loads, parameters)
     return found
 
 
-def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
+def _load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, converted from newtons."""
     check_ends("between_N", between_N)
     return tuple(UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist())

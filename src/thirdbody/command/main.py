@@ -71,14 +71,10 @@ def _plain(message: str) -> str:
 
 def _text(answer: Any, as_json: bool) -> str:
     """The printed form of an ``Answer``, a ``Curve`` or a line; tables fit the width of a terminal."""
-    if isinstance(answer, str):
-        return answer
     if as_json:
         return json.dumps(answer.as_dict())
-    if hasattr(answer, "as_csv"):
-        return answer.as_csv().rstrip("\n")
-    if sys.stdout.isatty():
-        return answer.as_text(get_terminal_size().columns, on_terminal=True)
+    if sys.stdout.isatty() and hasattr(answer, "as_text"):
+        return answer.as_text(get_terminal_size().columns)
     return str(answer)
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from inspect import Parameter, Signature, signature
 from typing import Annotated, Any
 
 import typer
 
-from thirdbody.conditions.usual import BOUNDARY_FRICTION, FILM_FRICTION, RESISTIVITY_OHM_M
 from thirdbody.units import ENGINEERING, SEARCHED
 
 REGIME, MODE = "lubrication_regime", "contact_mode"
@@ -77,6 +76,13 @@ BEARING = _optional(
     }
 )
 SPEED = _optional({"speed_m_per_s": "speed of the inputs [m/s], if the data have speeds"})
+ESTIMATES = _optional(
+    {
+        "boundary_friction": "friction of solids [1], by default 0.12",
+        "film_friction": "friction of the film [1], by default 0.03",
+        "resistivity_ohm_m": "of both bodies [ohm m], by default 2.2e-7",
+    }
+)
 First = _option("from", "first value, in the unit of its option")
 Last = _option("to", "last value, in the unit of its option")
 File = Annotated[str | None, typer.Option(metavar="FILE")]
@@ -187,8 +193,8 @@ MATERIALS = "steel, silicon-nitride, alumina, or GPa,1,GPa: modulus, Poisson's r
 def _material(text: str) -> Any:
     """A material: a name, or modulus [GPa], Poisson's ratio and hardness [GPa]."""
     from thirdbody.answers.bearing import MATERIALS as KNOWN
-    from thirdbody.answers.bearing import USUAL, Material
-    from thirdbody.conditions.usual import warn_outside, without_warnings
+    from thirdbody.answers.bearing import USUAL_MATERIAL, Material
+    from thirdbody.conditions.checks import warn_outside, without_warnings
 
     try:
         if text.replace("-", " ") in KNOWN:
@@ -198,9 +204,10 @@ def _material(text: str) -> Any:
             material = Material(1e9 * modulus, ratio, 1e9 * hardness)
     except ValueError:
         raise typer.BadParameter(f"is {text!r}; allowed: {MATERIALS}, e.g. 205,0.29,5") from None
-    typed = {"modulus": modulus, "hardness": hardness}
-    ends = {name: [1e-9 * end for end in USUAL[name][0]] for name in typed}
-    warn_outside({name: (value, ends[name], "GPa") for name, value in typed.items()})
+    usual = {
+        name: (1e-9 * low, 1e-9 * high, "GPa") for name, (low, high, _) in USUAL_MATERIAL.items()
+    }
+    warn_outside({"modulus": modulus, "hardness": hardness}, usual)
     return material
 
 
@@ -248,10 +255,9 @@ def _curve(
     if csv is not None:
         _write(csv, found.as_csv())
     if plot is not None:
-        from thirdbody.figures.drawing import save_figure
         from thirdbody.figures.plot import plot_curve
 
-        save_figure(plot_curve(found), plot)
+        _save(plot_curve(found), plot)
     written = " and ".join(filter(None, [csv, plot]))
     return f"{written} written" if written and not json else found
 
@@ -260,7 +266,7 @@ def _curve(
 def _compare(other_inputs: Inputs = None, **given):
     """Compare two interfaces; the second differs by --other-..."""
     one = _interface(given)
-    changes = {key: given[f"other_{key}"] for key in SOME if given[f"other_{key}"] is not None}
+    changes = {key.removeprefix("other_"): value for key, value in _known(given, OTHER).items()}
     if other_inputs is not None:
         changes["parameters"] = _inputs(other_inputs, "--other-inputs")
     return one.compare(one.changed(**changes))
@@ -269,14 +275,11 @@ def _compare(other_inputs: Inputs = None, **given):
 MEASURED = f"thirdbody compare-data measured.csv --viscosity-cSt 90 {PARTICLES} --plot compared.svg"
 
 
-@_question("compare-data", SOME | SPEED | COMMON, MEASURED)
+@_question("compare-data", SOME | SPEED | ESTIMATES | COMMON, MEASURED)
 def _compare_data(
     file: Annotated[
         str, typer.Argument(metavar="FILE", help="CSV with units in its headings, e.g. load [N]")
     ],
-    boundary_friction: _option("boundary-friction", "friction of solids [1]") = BOUNDARY_FRICTION,
-    film_friction: _option("film-friction", "friction of the film [1]") = FILM_FRICTION,
-    resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies [ohm m]") = RESISTIVITY_OHM_M,
     csv: File = None,
     plot: File = None,
     **given,
@@ -288,16 +291,19 @@ def _compare_data(
     found = compare(
         file,
         parameters=_inputs(given["inputs"], "--inputs"),
-        assumed=Assumed(boundary_friction, film_friction, resistivity_ohm_m),
-        **{key: given[key] for key in SOME | SPEED if given[key] is not None},
+        assumed=Assumed(**_known(given, ESTIMATES)),
+        **_known(given, SOME | SPEED),
     )
     if csv is not None:
         _write(csv, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
     if plot is not None:
-        from thirdbody.figures.drawing import save_figure
-
-        save_figure(found.plot(), plot)
+        _save(found.plot(), plot)
     return found.answer
+
+
+def _known(given: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
+    """The arguments with these names that are given."""
+    return {name: given[name] for name in names if given.get(name) is not None}
 
 
 def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float]:
@@ -311,10 +317,8 @@ def _interface(given: Mapping[str, Any]) -> Any:
     """The interface from the arguments of a sub-command; an absent condition is not used."""
     from thirdbody.answers.interface import Interface
 
-    conditions = {
-        key: SEARCHED[name][0] if given.get(key) is None else given[key]
-        for name, key in ENGINEERING.items()
-    }
+    unused = {key: SEARCHED[name][0] for name, key in ENGINEERING.items()}
+    conditions = unused | _known(given, ENGINEERING.values())
     return Interface(**conditions, parameters=_inputs(given["inputs"], "--inputs"))
 
 
@@ -332,3 +336,9 @@ def _write(path: str, text: str) -> None:
 
     with atomic_write(path) as part:
         part.write_text(text, encoding="utf-8")
+
+
+def _save(figure: Any, path: str) -> None:
+    from thirdbody.figures.drawing import save_figure
+
+    save_figure(figure, path)

@@ -1,8 +1,10 @@
-"""Checks of the arguments of public functions: one line per error."""
+"""Checks of the arguments of public functions, one line per error, and of usual ranges."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+import sys
+import warnings
+from collections.abc import Collection, Mapping
 from functools import lru_cache
 from itertools import zip_longest
 from math import prod
@@ -10,7 +12,7 @@ from numbers import Integral, Real
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
@@ -18,6 +20,23 @@ from thirdbody.units import has_unit, is_labelled
 
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
+Usual = Mapping[
+    str, tuple[float, float, str]
+]  # least and most usual value of numbers, and their unit
+
+
+class OutOfRangeWarning(UserWarning):
+    """Numbers are outside their usual range, probably because they are in another unit.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> import thirdbody as tb
+    >>> with warnings.catch_warnings(record=True) as caught:
+    ...     inputs = tb.bearing(ball_radius_mm=6350)
+    >>> print(caught[0].message)
+    ball_radius_mm is 6350 mm; usual: 0.1 to 1000 mm
+    """
 
 
 def checked_parameters(parameters: Any) -> Parameters:
@@ -65,23 +84,9 @@ def check_points(arrays: Mapping[str, NDArray]) -> None:
     if any(len(each) > 1 for each in lengths):
         message = ", ".join(f"{name} has {shape}" for name, shape in shapes.items())
         raise ValueError(f"shapes do not broadcast: {message}; allowed: shapes that do")
-    _check_number(shapes, (each.pop() for each in lengths))
-
-
-def check_named_points(labelled: Mapping[str, Any]) -> None:
-    """Raise ``ValueError`` if arrays, by condition, broadcast by dimension name to more than
-    ``MOST_POINTS``."""
-    sizes: dict = {}
-    for array in labelled.values():
-        sizes |= zip(array.dims, array.shape, strict=True)
-    _check_number(labelled, sizes.values())
-
-
-def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
-    """Raise ``ValueError`` if dimensions of these lengths have more than ``MOST_POINTS``."""
-    points = prod(lengths)
+    points = prod(each.pop() for each in lengths)
     if points > MOST_POINTS:
-        message = f"{', '.join(names)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
+        message = f"{', '.join(shapes)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
         raise ValueError(f"{message} in one call; thirdbody.stream writes any number to a file")
 
 
@@ -114,6 +119,13 @@ def check_number(name: str, value: Any, positive: bool = True) -> None:
         raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
 
 
+def check_numbers(numbers: Mapping[str, Any], usual: Usual) -> None:
+    """Raise ``ValueError`` unless all ``numbers`` are positive; warn of unusual ones."""
+    for name, value in numbers.items():
+        check_number(name, value)
+    warn_outside(numbers, usual)
+
+
 def check_ends(name: str, ends: Any) -> None:
     """Raise ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
     allowed = "two numbers, positive and increasing"
@@ -128,3 +140,32 @@ def check_count(name: str, count: Any) -> None:
     if not whole or not 2 <= count <= MOST_VALUES:
         allowed = f"whole numbers from 2 to {MOST_VALUES}"
         raise ValueError(f"{name} is {format_value(count)}; allowed: {allowed}")
+
+
+def warn_outside(given: Mapping[str, ArrayLike], usual: Usual) -> None:
+    """Issue one ``OutOfRangeWarning`` for all values outside their usual range; 0 means none."""
+    found = []
+    for name, values in given.items():
+        least, most, unit = usual[name]
+        values = np.ravel(values)
+        outside = values[((values < least) & (values != 0.0)) | (values > most)]
+        if outside.size:
+            suffix = "" if unit == "1" else f" {unit}"
+            ends = " to ".join(f"{float(f'{end:.2g}'):g}" for end in (least, most))
+            found.append(f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}")
+    if found:
+        warnings.warn(", and ".join(found), OutOfRangeWarning, stacklevel=_outside_of_package())
+
+
+def without_warnings() -> warnings.catch_warnings:
+    """A context without warnings of conditions that have been checked."""
+    return warnings.catch_warnings(action="ignore", category=OutOfRangeWarning)
+
+
+def _outside_of_package() -> int:
+    """The ``stacklevel`` of the nearest caller outside this package."""
+    frame, level = sys._getframe(1), 1
+    package = __name__.partition(".")[0]
+    while frame and frame.f_globals.get("__name__", "").partition(".")[0] == package:
+        frame, level = frame.f_back, level + 1
+    return level

@@ -37,6 +37,7 @@ from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
+from thirdbody.units import unit_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -207,7 +208,11 @@ def _checked_grid(parameters, rtol, variables, progress, conditions):
     check_progress(progress)
     check_names("variables", variables, VARIABLES)
     names = [name for name in VARIABLES if name in variables or name == STATUS]
-    return parameters, names, in_si(conditions, parameters, check=_checked_increasing)
+    axes = in_si(conditions, parameters)
+    for key in conditions:
+        name = unit_of(key).condition
+        axes[name] = _checked_increasing(key, axes[name])
+    return parameters, names, axes
 
 
 def _checked_increasing(key: str, values: NDArray) -> NDArray:
@@ -252,7 +257,7 @@ def scene_dataset(
 ) -> PlainDataset:
     """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT``
     over the five axes, and ``separation_count`` if a point has several separations.  Combinations
-    not format_value in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
+    not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {

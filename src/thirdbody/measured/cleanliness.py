@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 
 from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.conditions.checks import check_number, checked_parameters
-from thirdbody.conditions.usual import warn_outside
+from thirdbody.conditions.checks import check_number, check_numbers, checked_parameters
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 
@@ -14,7 +13,8 @@ SIZES = 4, 6, 14  # um(c), the sizes counted in a code
 # ISO 4406:2021, Table 1: most particles per mL for scale numbers 0 to 9, times 1000 for each 10 more
 MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
 LARGEST = 28
-USUAL_GAP = (1.0, 1e5)  # nm
+CODE = re.compile(r"(?:ISO)? *" + "/".join([r" *(\d\d?|[-*]) *"] * len(SIZES)))
+USUAL = {"gap_nm": (1.0, 1e5, "nm")}
 
 
 def cleanliness(
@@ -50,9 +50,8 @@ def cleanliness(
     0.0089 particles above 4 um in A_n = 3.57e-06 m2: most contacts have none
     """
     parameters = checked_parameters(parameters)
-    check_number("gap_nm", gap_nm)
     check_number("enrichment", enrichment)
-    warn_outside({"gap_nm": (gap_nm, USUAL_GAP, "nm")})
+    check_numbers({"gap_nm": gap_nm}, USUAL)
     rows, notes = [], []
     for size, number in zip(SIZES, _scale_numbers(code), strict=True):
         if number is None:
@@ -69,15 +68,15 @@ def cleanliness(
 
 def _scale_numbers(code):
     """The three numbers of a code, None for sizes not counted."""
-    parts = code.replace(" ", "").removeprefix("ISO").split("/") if isinstance(code, str) else []
-    if len(parts) != len(SIZES) or not all(re.fullmatch(r"\d\d?|[-*]", part) for part in parts):
-        allowed = "three numbers, as 18/16/13, or - for one"
-        raise ValueError(f"code is {format_value(code)}; allowed: {allowed}")
-    numbers = [int(part) if part.isdecimal() else None for part in parts]
+    found = CODE.fullmatch(code) if isinstance(code, str) else None
+    texts = found.groups() if found else ()
+    numbers = [int(text) if text.isdecimal() else None for text in texts]
     known = [number for number in numbers if number is not None]
-    if known != sorted(known, reverse=True) or max(known, default=0) > LARGEST:
-        allowed = f"numbers up to {LARGEST}, none above that of smaller particles"
-        raise ValueError(f"code is {format_value(code)}; allowed: {allowed}")
+    if not found or known != sorted(known, reverse=True) or max(known, default=0) > LARGEST:
+        allowed = (
+            f"three numbers up to {LARGEST}, none above that of smaller particles, as 18/16/13"
+        )
+        raise ValueError(f"code is {format_value(code)}; allowed: {allowed}, or - for one")
     return numbers
 
 

@@ -13,13 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.conditions.checks import check_number
-from thirdbody.conditions.usual import (
-    BOUNDARY_FRICTION,
-    FILM_FRICTION,
-    RESISTIVITY_OHM_M,
-    warn_outside,
-)
+from thirdbody.conditions.checks import check_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
@@ -40,29 +34,27 @@ FORMULAS = {
     "contact_resistance_ohm": "one round spot of A_t* A_n between bodies of {resistivity_ohm_m:g} ohm m (Holm)",
 }
 USUAL = {  # usual range and unit of the assumptions
-    "boundary_friction": ((0.01, 1.0), "1"),
-    "film_friction": ((1e-4, 0.2), "1"),
-    "resistivity_ohm_m": ((1e-8, 1e-4), "ohm m"),
+    "boundary_friction": (0.01, 1.0, "1"),
+    "film_friction": (1e-4, 0.2, "1"),
+    "resistivity_ohm_m": (1e-8, 1e-4, "ohm m"),
 }
 
 
 @dataclass(frozen=True)
 class Assumed:
-    """Assumptions of the estimates.
+    """Assumptions of the estimates, by default for steel in oil.
 
     ``boundary_friction`` is the friction coefficient [1] of the solids, 0.08 to 0.15 for steel in oil;
     ``film_friction`` that of the film, 0.01 to 0.07, depending on oil and sliding; ``resistivity_ohm_m``
-    the mean electrical resistivity [ohm m] of both bodies, by default that of bearing steel.
+    the mean electrical resistivity [ohm m] of both bodies.
     """
 
-    boundary_friction: float = BOUNDARY_FRICTION
-    film_friction: float = FILM_FRICTION
-    resistivity_ohm_m: float = RESISTIVITY_OHM_M
+    boundary_friction: float = 0.12
+    film_friction: float = 0.03
+    resistivity_ohm_m: float = 2.2e-7
 
     def __post_init__(self):
-        for name, value in vars(self).items():
-            check_number(name, value)
-        warn_outside({name: (value, *USUAL[name]) for name, value in vars(self).items()})
+        check_numbers(vars(self), USUAL)
 
 
 @np.errstate(divide="ignore")  # without contact the resistance is infinite
