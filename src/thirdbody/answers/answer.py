@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import StringIO
 from typing import TYPE_CHECKING
@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.quantities import ENDS, FLAGS, QUANTITIES, spread
-from thirdbody.solver.solution import Solution
+from thirdbody.data.quantities import spread
 from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
@@ -133,52 +132,33 @@ class Answer(Tabular):
 
 @dataclass(frozen=True)
 class Curve(Tabular):
-    """The result of ``Interface.curve``: arrays of shape (n,) over an axis.
+    """The result of ``Interface.curve``: a table ``values`` with a row per point.
 
-    ``along`` is the axis, by its name with a unit, and ``points`` its values in that unit.
-    ``values`` are the variables by name, SI, nan without solution; ``low`` and ``high`` the 5 % and
-    95 % quantiles of numbers over the ensemble, empty without an ensemble.
+    Its columns are the axis, by its name ``along`` with a unit; the variables, SI, nan without
+    solution, each with ``_low`` and ``_high``, the ends of its ensemble range, if there is an
+    ensemble; and regime, mode and status by name.
     """
 
     along: str
-    points: NDArray
-    values: Mapping[str, NDArray]
-    low: Mapping[str, NDArray]
-    high: Mapping[str, NDArray]
+    values: pd.DataFrame
 
-    @classmethod
-    def of(cls, along: str, points: NDArray, mine: Solution, members: list[Solution]) -> Curve:
-        """The curve from the solution with the inputs of the interface and those of the ensemble."""
-        import pandas as pd
-
-        values = {name: getattr(mine, name) for name in (*QUANTITIES, *FLAGS)}
-        low, high = {}, {}
-        for name in QUANTITIES if members else ():
-            of_members = pd.DataFrame([getattr(member, name) for member in members])
-            low[name], high[name] = of_members.quantile(ENDS).to_numpy()  # ignores nan
-        return cls(along, points, values, low, high)
+    @property
+    def points(self) -> NDArray:
+        """The values of the axis."""
+        return self.values[self.along].to_numpy()
 
     def to_dataframe(self) -> pd.DataFrame:
-        """One row per point: the axis in its unit, numbers in SI with their ranges, flags as words."""
-        import pandas as pd
-
-        table = {self.along: self.points}
-        for name in QUANTITIES:
-            table[name] = self.values[name]
-            if name in self.low:
-                table |= {f"{name}_low": self.low[name], f"{name}_high": self.high[name]}
-        for name, flag in FLAGS.items():
-            table[name] = pd.Categorical.from_codes(self.values[name], flag.meanings)
-        return pd.DataFrame(table)
+        """``values``."""
+        return self.values
 
     def as_dict(self) -> dict[str, list]:
         """Columns of the table for JSON: None where there is no solution."""
-        table = self.to_dataframe().astype(object)
+        table = self.values.astype(object)
         return table.where(table.notna() & ~table.isin([np.inf]), None).to_dict("list")
 
     def as_csv(self) -> str:
         """The table as CSV, with ten significant digits."""
-        return self.to_dataframe().to_csv(index=False, float_format="%.10g", lineterminator="\n")
+        return self.values.to_csv(index=False, float_format="%.10g", lineterminator="\n")
 
     def __str__(self) -> str:
         return self.as_csv().rstrip("\n")

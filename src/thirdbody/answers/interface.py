@@ -22,7 +22,7 @@ from thirdbody.conditions.checks import (
 from thirdbody.conditions.in_si import in_si
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
-from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
+from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
 from thirdbody.data.sizes import sizes_note
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
@@ -239,12 +239,19 @@ class Interface:
         >>> bool((np.diff(curve.values["solid_load_fraction"]) < 0.0).all())
         True
         """
+        import pandas as pd
+
         key = _key_of(along)
         check_ends("low to high", (low, high))
         check_count("count", count)
-        points = np.geomspace(low, high, count)
-        mine, *of_members = self._solved(**{key: points})
-        return Curve.of(key, points, mine, of_members)
+        table = pd.DataFrame({key: np.geomspace(low, high, count)})
+        mine, *of_members = self._solved(**{key: table[key].to_numpy()})
+        for name in QUANTITIES:
+            table[name] = getattr(mine, name)
+            table = table.assign(**ranges(name, [getattr(each, name) for each in of_members]))
+        for name, flag in FLAGS.items():
+            table[name] = pd.Categorical.from_codes(getattr(mine, name), flag.meanings)
+        return Curve(key, table)
 
     def _solved(self, **changes) -> list[Solution]:
         """Solutions with ``changes`` of the conditions, for the inputs and for each member."""

@@ -17,7 +17,7 @@ from thirdbody.answers.answer import Answer, Row
 from thirdbody.answers.ensemble import NO_ENSEMBLE, calibrated_ensemble
 from thirdbody.conditions.checks import check_number, checked_parameters, without_warnings
 from thirdbody.conditions.in_si import in_si
-from thirdbody.data.quantities import ENDS
+from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters
@@ -274,11 +274,7 @@ def _with_model(table, columns, inputs, speed_m_per_s, assumed):
             measurable(solve(**conditions, parameters=each, progress=False), each, assumed)
             for each in inputs
         ]
-    table = table.copy()
     for column in columns:
         mine, *members = (each[column] for each in found)
-        table[f"{column}_model"] = mine
-        if members:
-            ends = pd.DataFrame(members).quantile(ENDS).to_numpy()
-            table[f"{column}_low"], table[f"{column}_high"] = ends
+        table = table.assign(**{f"{column}_model": mine}, **ranges(column, members))
     return table
