@@ -38,7 +38,7 @@ _MODULES = {
     "solve": "solver.solve",
     "stream": "data.dataset",
     "surface": "measured.topography",
-    "transitions": "answers.changes",
+    "transitions": "answers.find",
     "turning_point": "answers.turning",
     "turning_window": "answers.turning",
 }

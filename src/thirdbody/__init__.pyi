@@ -1,6 +1,6 @@
 from thirdbody.answers.bearing import bearing as bearing
-from thirdbody.answers.changes import transitions as transitions
 from thirdbody.answers.find import find as find
+from thirdbody.answers.find import transitions as transitions
 from thirdbody.answers.interface import Interface as Interface
 from thirdbody.answers.turning import turning_point as turning_point
 from thirdbody.answers.turning import turning_window as turning_window

@@ -7,7 +7,7 @@ def run() -> int:
     """Run the command in any encoding; Ctrl-C ends it quietly, even while modules are imported."""
     sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        from thirdbody.command.main import main
+        from thirdbody.command import main
 
         return main()
     except KeyboardInterrupt:

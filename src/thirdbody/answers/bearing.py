@@ -82,7 +82,10 @@ def bearing(
     """Derive the inputs of the model for another ball, speed, oil or material.
 
     Inputs that are not given are kept from ``parameters``, including the product of density and
-    speed and the pressure-viscosity coefficient implied by U and G.
+    speed and the pressure-viscosity coefficient implied by U and G.  Raises ``ValueError`` for a
+    number that is not positive, a speed without a density or the reverse, a body that is not a
+    ``Material``, a particle softer than a surface, an A_n larger than the ball, and inputs out of
+    bounds.  Unusual numbers cause an ``OutOfRangeWarning``.
 
     Parameters
     ----------
@@ -91,21 +94,13 @@ def bearing(
     ball_radius_mm, speed_m_per_s : float, optional
         R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls; and the rolling speed u [m/s].
     oil_density_kg_per_m3, dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
-        For the speed: the density rho of the oil [kg m-3], or mu_0 [mPa s] and nu [cSt] of
-        rho = mu_0/nu.
+        For the speed: rho of the oil [kg m-3], or mu_0 [mPa s] and nu [cSt], with rho = mu_0/nu.
     pressure_viscosity_per_GPa : float, optional
         alpha [GPa-1].
     ball, flat, particle : Material, optional
         Materials of both bodies and of the particles; if one is given, the others are steel.
     apparent_area_mm2 : float, optional
         A_n [mm2], the reference area of loads: at most the cross-section of the ball.
-
-    Raises
-    ------
-    ValueError
-        For a number that is not positive, a speed without a density or the reverse, a body that is
-        not a ``Material``, a particle softer than a surface, an A_n larger than the ball, and
-        inputs out of bounds.  Unusual numbers cause an ``OutOfRangeWarning``.
 
     Examples
     --------

@@ -1,4 +1,5 @@
-"""``find``: where a variable crosses a level along any of the five axes.
+"""``find``: where a variable crosses a level along any of the five axes; and ``transitions``: where
+it crosses the limits between regimes or modes.
 
 The axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of the level
 bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near the
@@ -9,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +25,7 @@ from thirdbody.conditions.checks import (
 )
 from thirdbody.conditions.in_si import in_si
 from thirdbody.curves.bracketing import bracketed_roots
+from thirdbody.curves.transitions import LIMITS
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
@@ -82,6 +84,52 @@ class Crossings(Tabular):
         return pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
 
 
+class Border(NamedTuple):
+    """A limit between two states of a flag, ``lubrication_regime`` or ``contact_mode``."""
+
+    flag: str
+    below: str
+    above: str
+
+
+BORDERS = (  # at each of ``LIMITS``
+    Border("lubrication_regime", "mixed", "boundary"),
+    Border("lubrication_regime", "full_film", "mixed"),
+    Border("contact_mode", "hybrid", "particle_surface"),
+    Border("contact_mode", "surface_surface", "hybrid"),
+)
+
+
+@dataclass(frozen=True)
+class Transition:
+    """A change of regime or mode along an axis.
+
+    ``query`` is the flat index into the broadcast shape of the other axes; ``before`` and ``after``
+    are the regime or mode at smaller and larger values; ``value`` is the place of the change in the
+    unit of the axis, and ``error`` bounds its error; ``solution_status``, one of
+    ``thirdbody.model.regimes.SOLUTION_STATUSES``, is whether the equations are valid there.
+    """
+
+    query: int
+    border: Border
+    before: str
+    after: str
+    value: float
+    error: float
+    solution_status: str
+
+
+class Transitions(Tabular, list):
+    """A list of ``Transition``, sorted by query, then by value."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """One row per change."""
+        import pandas as pd
+
+        table = pd.DataFrame([vars(each) for each in self], columns=[*Transition.__annotations__])
+        return table.assign(border=[each.border.flag for each in self])
+
+
 def find(
     variable: str,
     level: ArrayLike,
@@ -96,6 +144,10 @@ def find(
 ) -> Crossings:
     """Find all crossings of a level by a variable along one of the five axes.
 
+    Without any crossing, ``count`` of the result is 0 and ``first`` nan.  Raises ``ValueError`` for an
+    unknown variable or axis, an impossible level, ends that are not positive and increasing, a
+    ``count`` out of range, and where ``solve`` does.
+
     Parameters
     ----------
     variable : str
@@ -105,23 +157,12 @@ def find(
     along : str
         The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float, optional
-        Ends of the search, positive, in the unit of ``along``.  By default 0.01 to 1000 N, 1 to
-        1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
+        Ends of the search in the unit of ``along``.  By default 0.01 to 1000 N, 1 to 1000 cSt, 10 to
+        10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, from 2 to a million.
     parameters, rtol, progress, **conditions
         As in ``thirdbody.solve``, without the axis; the conditions and ``level`` broadcast.
-
-    Returns
-    -------
-    Crossings
-        All crossings of every query; without any, its ``count`` is 0 and its ``first`` nan.
-
-    Raises
-    ------
-    ValueError
-        For an unknown variable or axis, an impossible level, ends that are not positive and
-        increasing, a ``count`` out of range, and the errors of ``solve``, which also warns.
 
     Notes
     -----
@@ -149,6 +190,40 @@ def find(
     limits = [(variable, others.pop("level"))]
     (found,) = crossings(limits, unit, swept, others, parameters, rtol, progress)
     return Crossings(along, shape, *found)
+
+
+def transitions(
+    along: str = "load",
+    *,
+    parameters: Parameters | None = None,
+    between: tuple[float, float] | None = None,
+    count: int = SWEEP,
+    rtol: float = DEFAULT_RTOL,
+    **conditions: ArrayLike,
+) -> Transitions:
+    """Find where lubrication regime and contact mode change along one of the five axes.
+
+    Arguments, units, search and errors are those of ``thirdbody.find``.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+    >>> found = tb.transitions("viscosity_cSt", load_N=10, **layer)
+    >>> [(each.before, each.after) for each in found if each.border.flag == "lubrication_regime"]
+    [('boundary', 'mixed'), ('mixed', 'full_film')]
+    """
+    parameters = checked_parameters(parameters)
+    unit, swept = sweep_values(along, between, count, parameters)
+    shape, others = queries(conditions, parameters, unit.condition)
+    limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
+    changes = []
+    for border, found in zip(BORDERS, crossings(limits, unit, swept, others, parameters, rtol)):
+        for query, value, error, rises, status in zip(*(each.tolist() for each in found)):
+            states = (border.below, border.above) if rises else (border.above, border.below)
+            status = SOLUTION_STATUSES[status]
+            changes.append(Transition(query, border, *states, value, error, status))
+    return Transitions(sorted(changes, key=lambda change: (change.query, change.value)))
 
 
 def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
@@ -268,8 +343,7 @@ def crossings(
 
 
 def _may_touch(excess):
-    """Whether a curve may touch its level between three neighbouring values, by the index of the
-    first: the middle one is nearest to the level, and within the larger of the steps beside it."""
+    """Whether a curve may touch its level between three neighbouring values, by the index of the first."""
     distance, sign = np.abs(excess), np.sign(excess)
     first, middle, last = distance[:-2], distance[1:-1], distance[2:]
     same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])

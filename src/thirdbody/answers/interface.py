@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
-from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.ensemble import NO_ENSEMBLE, calibrated_ensemble
+from thirdbody.answers.find import BORDERS, Transition, transitions
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
 from thirdbody.conditions.checks import (
     check_count,

@@ -30,6 +30,10 @@ def turning_point(
 ) -> TurningPoints:
     """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
 
+    The result has arrays of the broadcast shape; ``exists`` marks the curves with a turning point.
+    ``load`` is F_t* [1]; multiply by ``parameters.newtons_per_load`` for newtons.  Raises ``ValueError``
+    for loads that do not increase, a ``count`` out of range, and where ``solve`` does.
+
     Parameters
     ----------
     between_N : pair of float
@@ -39,17 +43,6 @@ def turning_point(
         Number of loads between which maxima are sought; two within one step are missed.
     parameters, rtol, **conditions
         As in ``thirdbody.solve``, without the load; the conditions broadcast.
-
-    Returns
-    -------
-    TurningPoints
-        Arrays of the broadcast shape; ``exists`` marks the curves with a turning point.  ``load``
-        is F_t* [1]; multiply by ``parameters.newtons_per_load`` for newtons.
-
-    Raises
-    ------
-    ValueError
-        For loads that do not increase, a ``count`` out of range, and the errors of ``solve``.
 
     Examples
     --------

@@ -25,7 +25,8 @@ def cleanliness(
     The answer has for each size the least and the most particles per m2 of the code's class.  The
     code counts particles of more than 4, 6 and 14 um(c) in one millilitre.  Smaller ones, such as
     those of the paper (20 to 1000 nm), are not counted; there are more of them.  Entrainment of
-    particles into the contact, exclusion of large ones, and wear debris are not considered.
+    particles into the contact, exclusion of large ones, and wear debris are not considered.  Raises
+    ``ValueError`` for an invalid code, and numbers that are not positive.
 
     Parameters
     ----------
@@ -37,11 +38,6 @@ def cleanliness(
         Inputs of the model, of which A_n is used, by default the published ones.
     enrichment : float
         Ratio of the particle concentration in the contact to that in the sample.
-
-    Raises
-    ------
-    ValueError
-        For an invalid code, and numbers that are not positive.
 
     Examples
     --------

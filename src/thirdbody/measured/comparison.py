@@ -93,6 +93,10 @@ def compare(
 ) -> Comparison:
     """Compare measurements with the model and with the range of its calibrated ensemble.
 
+    Raises ``ValueError`` for an unknown heading or unit, a cell that is not a number, a file without
+    measurements, and a condition that is missing, given twice or refused by ``solve``; ``OSError`` if
+    the file cannot be read.
+
     Parameters
     ----------
     measured : path or pandas.DataFrame
@@ -102,22 +106,12 @@ def compare(
         quantities: ``friction coefficient``, ``contact resistance [ohm]``, ``film thickness [nm]``,
         ``separation [nm]``, ``real contact area [mm^2]``, ``real contact area fraction [%]``,
         ``solid load fraction`` or ``fluid load fraction``.  A cell without a measurement is empty.
-    parameters : Parameters, optional
-        Inputs of the model, by default the published ones; ``thirdbody.bearing`` derives others.
     speed_m_per_s : float, optional
         The rolling speed of ``parameters`` [m/s]; required if and only if there is a column of speeds.
     assumed : Assumed, optional
         Assumptions of the estimates of friction and contact resistance (``estimates.Assumed``).
-    **conditions : array_like
-        Conditions that are not columns, by any of the names of ``thirdbody.solve``.
-
-    Raises
-    ------
-    ValueError
-        For an unknown heading or unit, a cell that is not a number, a file without measurements,
-        and a condition that is missing, given twice or refused by ``solve``.
-    OSError
-        If the file cannot be read.
+    parameters, **conditions
+        As in ``thirdbody.solve``: inputs, and conditions that are not columns.
 
     Examples
     --------

@@ -34,7 +34,9 @@ def oil_viscosity(
     """Kinematic viscosity [cSt] of an oil at a temperature, from the Walther line through two points.
 
     log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is valid at
-    ambient pressure, without shear thinning, ageing or fuel dilution.
+    ambient pressure, without shear thinning, ageing or fuel dilution.  Raises ``ValueError`` for an
+    unknown grade or impossible index, a number of points other than two, and viscosities below 2 or
+    above 2e7 cSt, where the line is not valid.
 
     Parameters
     ----------
@@ -46,12 +48,6 @@ def oil_viscosity(
         Required with the grade; gives the second point, at 100 C (ASTM D2270, ISO 2909).
     points : mapping, optional
         Instead of these, two temperatures [C] with measured viscosities [cSt].
-
-    Raises
-    ------
-    ValueError
-        For an unknown grade or impossible index, a number of points other than two, and viscosities
-        below 2 or above 2e7 cSt, where the line is not valid.
 
     Examples
     --------

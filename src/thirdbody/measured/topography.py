@@ -54,7 +54,9 @@ def surface(
     SurfaceTopography reads the files and computes slopes and curvatures as finite differences over
     one distance in both directions.  From the moments m_0 (heights), m_2 (slopes) and m_4
     (curvatures) of profiles, McCool (1987, J. Tribol. 109:264) has eta_s = m_4/(6 sqrt(3) pi m_2)
-    and R = 3 sqrt(pi)/(8 sqrt(m_4)), for isotropic surfaces with Gaussian heights.
+    and R = 3 sqrt(pi)/(8 sqrt(m_4)), for isotropic surfaces with Gaussian heights.  Raises
+    ``ValueError`` for a file that cannot be read, has no unit or is flat, and for a scale below the
+    point spacing; ``OSError`` if there is no such file.
 
     Parameters
     ----------
@@ -69,21 +71,11 @@ def surface(
         Information missing in a file, as arguments of ``SurfaceTopography.read_topography``:
         ``unit="um"``, ``physical_sizes``, ``height_scale_factor``.
 
-    Raises
-    ------
-    ValueError
-        For a file that cannot be read, has no unit or is flat, and for a scale below the point spacing.
-    OSError
-        If there is no such file.
-    ModuleNotFoundError
-        If SurfaceTopography is not installed: the extra ``topography`` installs it.
-
     Examples
     --------
     ::
 
-        ball, flat = "ball.xyz", "flat.xyz"
-        pair = tb.surface(ball, flat, scale_nm=1000, unit="um")
+        pair = tb.surface("ball.xyz", "flat.xyz", scale_nm=1000, unit="um")
         tb.solve(..., roughness=pair.roughness, parameters=pair.parameters())
     """
     require("topography", "SurfaceTopography")
