@@ -188,7 +188,7 @@ def find(
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition, level=level)
     limits = [(variable, others.pop("level"))]
-    (found,) = crossings(limits, unit, swept, others, parameters, rtol, progress)
+    _, *found = crossings(limits, unit, swept, others, parameters, rtol, progress)
     return Crossings(along, shape, *found)
 
 
@@ -217,13 +217,14 @@ def transitions(
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition)
     limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
-    changes = []
-    for border, found in zip(BORDERS, crossings(limits, unit, swept, others, parameters, rtol)):
-        for query, value, error, rises, status in zip(*(each.tolist() for each in found)):
-            states = (border.below, border.above) if rises else (border.above, border.below)
-            status = SOLUTION_STATUSES[status]
-            changes.append(Transition(query, border, *states, value, error, status))
-    return Transitions(sorted(changes, key=lambda change: (change.query, change.value)))
+    found = crossings(limits, unit, swept, others, parameters, rtol)
+    changes = Transitions()
+    for limit, query, value, error, rises, status in zip(*(each.tolist() for each in found)):
+        border = BORDERS[limit]
+        states = (border.below, border.above) if rises else (border.above, border.below)
+        status = SOLUTION_STATUSES[status]
+        changes.append(Transition(query, border, *states, value, error, status))
+    return changes
 
 
 def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
@@ -273,11 +274,12 @@ def crossings(
     parameters: Parameters,
     rtol: float,
     progress: bool = True,
-) -> list[tuple]:
-    """Find the crossings of several variables, solved together.
+) -> tuple[NDArray, ...]:
+    """Find the crossings of several variables, solved together, in the order of query and value.
 
     ``limits`` are pairs of a variable and its level for each query; ``swept``, the sampled values of the
-    axis, and ``others`` are in SI.  Returns for each limit the fields of ``Crossings`` from ``query`` on.
+    axis, and ``others`` are in SI.  Returns indices into ``limits``, and the fields of ``Crossings`` from
+    ``query`` on.
     """
     check_rtol(rtol)
     names, levels = [name for name, _ in limits], np.stack([level for _, level in limits])
@@ -287,32 +289,7 @@ def crossings(
         given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
         return solve_arrays(given, parameters, rtol, variables, progress)
 
-    def enclosed(query, values, wanted, depth=DEPTH, progress=False):
-        """Crossings of the limits ``wanted`` between neighbouring ``values`` of the axis, shape
-        (values, 1 or queries): limit, query, direction, and ln of both neighbours."""
-        found = solved(query, values, progress)
-        log_values = np.broadcast_to(np.log(values), (len(values), query.size))
-        pieces = []
-        for index in wanted:
-            excess = getattr(found, names[index]) - levels[index, query]
-            above, known = excess > 0.0, np.isfinite(excess)
-            step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
-            ends = log_values[step, place], log_values[step + 1, place]
-            limit = np.full(step.size, index)
-            pieces.append((limit, query[place], above[step + 1, place], *ends))
-            step, place = np.nonzero(_may_touch(excess))
-            if depth and place.size:
-                ends = log_values[step, place], log_values[step + 2, place]
-                finer = np.exp(np.linspace(*ends, 2 * FINER + 1))
-                pieces.append(enclosed(query[place], finer, [index], depth - 1))
-        return tuple(map(np.concatenate, zip(*pieces)))
-
-    every = np.arange(levels.shape[1])
-    limit, query, rises, *ends = enclosed(
-        every, swept[:, None], range(len(limits)), DEPTH, progress
-    )
-
-    def excess(log_value):
+    def excess_at(log_value):
         """Variables minus their levels at ln of the axis, nan without solution; and the solution."""
         found = solved(query, np.exp(log_value))
         values = np.choose(limit, [getattr(found, name) for name in names])
@@ -320,11 +297,31 @@ def crossings(
 
     def certain_sign(log_value):
         """Sign of the excess, 0 where its error may be larger; and the status there."""
-        value, found = excess(log_value)
-        margin = found.error_bound * np.abs(value + levels[limit, query])
-        return np.where(np.abs(value) > margin, np.sign(value), 0.0), found.solution_status
+        excess, found = excess_at(log_value)
+        margin = found.error_bound * np.abs(excess + levels[limit, query])
+        return np.where(np.abs(excess) > margin, np.sign(excess), 0.0), found.solution_status
 
-    root, width = bracketed_roots(lambda log_value: excess(log_value)[0], *ends, 0.1 * rtol)
+    # columns of excess: each limit for each query, later those that may touch between three values
+    limit, query = (each.ravel() for each in np.indices(levels.shape))
+    found = solved(np.arange(levels.shape[1]), swept[:, None], progress)
+    excess = np.concatenate([getattr(found, name) for name in names], axis=1) - levels.ravel()
+    log_values = np.broadcast_to(np.log(swept)[:, None], excess.shape)
+    brackets = []
+    for depth in range(DEPTH + 1):
+        above, known = excess > 0.0, np.isfinite(excess)
+        step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
+        ends = log_values[step, place], log_values[step + 1, place]
+        brackets.append((limit[place], query[place], above[step + 1, place], *ends))
+        step, place = np.nonzero(_may_touch(excess))
+        if depth == DEPTH or not place.size:
+            break
+        ends = log_values[step, place], log_values[step + 2, place]
+        log_values = np.linspace(*ends, 2 * FINER + 1)
+        limit, query = limit[place], query[place]
+        excess, _ = excess_at(log_values)
+    limit, query, rises, *ends = map(np.concatenate, zip(*brackets))
+
+    root, width = bracketed_roots(lambda log_value: excess_at(log_value)[0], *ends, 0.1 * rtol)
     error = 2.0 * (width + rtol)
     for _ in range(ATTEMPTS):
         sign_above, _ = certain_sign(root + error)
@@ -336,10 +333,8 @@ def crossings(
     value = np.exp(root)
     error = np.where(certain, value * np.expm1(error), np.inf)
     place, error = (unit.from_si(each, parameters.newtons_per_load) for each in (value, error))
-    fields = query, place, error, rises, status
-    order = np.lexsort((value, query, limit))
-    chosen = (order[limit[order] == index] for index in range(len(limits)))
-    return [tuple(field[places] for field in fields) for places in chosen]
+    order = np.lexsort((value, query))
+    return tuple(each[order] for each in (limit, query, place, error, rises, status))
 
 
 def _may_touch(excess):
