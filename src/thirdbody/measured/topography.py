@@ -81,21 +81,16 @@ def surface(
     require("topography", "SurfaceTopography")
     if not paths:
         raise ValueError("paths is empty; allowed: one file or more")
-    if scale_nm is not None:
-        check_number("scale_nm", scale_nm)
     topographies = [_read(path, curved, options) for path in paths]
     spacing = max(max(each.pixel_size) for each in topographies)
-    scale = spacing if scale_nm is None else 1e-9 * scale_nm
+    scale = spacing
+    if scale_nm is not None:
+        check_number("scale_nm", scale_nm)
+        scale = 1e-9 * scale_nm
     if scale < spacing * (1.0 - 1e-9):
         raise ValueError(f"scale_nm is {scale_nm:g}; allowed: {1e9 * spacing:.6g} or more")
-    moments = np.zeros(3)
-    for path, topography in zip(paths, topographies):
-        found = _moments(topography, scale)
-        if not (np.isfinite(found).all() and found.min() > 0.0):
-            message = f"{format_path(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
-            raise ValueError(f"{message}; allowed: rough surfaces of more points than that")
-        moments += found
-    m_0, m_2, m_4 = moments.tolist()
+    found = [_moments(path, each, scale) for path, each in zip(paths, topographies)]
+    m_0, m_2, m_4 = np.sum(found, axis=0).tolist()
     return MeasuredSurface(
         roughness=math.sqrt(m_0),
         summit_density=m_4 / (6.0 * math.sqrt(3.0) * math.pi * m_2),
@@ -110,8 +105,8 @@ def _read(path, curved, options):
     """A topography in metres, without tilt; missing points are interpolated."""
     from SurfaceTopography import read_topography
 
-    with open(path, "rb"):
-        name = format_path(path)
+    with open(path, "rb"):  # raises OSError
+        pass
     try:
         topography = read_topography(str(path), **options)
         if topography.unit is None:
@@ -124,16 +119,20 @@ def _read(path, curved, options):
         return topography.detrend("curvature" if curved else "height")
     except Exception as error:  # about thirty readers raise different types
         message = " ".join(str(error).split())[:200] or type(error).__name__
-        raise ValueError(f"{name} cannot be used as a topography: {message}") from None
+        raise ValueError(f"{format_path(path)} cannot be used as a topography: {message}") from None
 
 
-def _moments(topography, scale):
+def _moments(path, topography, scale):
     """Mean squares of heights, slopes and curvatures of profiles, in all directions of the points."""
     taken = topography.scale_dependent_statistical_property
     slope, curvature = (
         float(taken(_mean_square, n=order, distance=order * scale)[1]) for order in (1, 2)
     )
-    return np.array([np.var(topography.heights()), slope, curvature])
+    found = np.array([np.var(topography.heights()), slope, curvature])
+    if not (np.isfinite(found).all() and found.min() > 0.0):
+        message = f"{format_path(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
+        raise ValueError(f"{message}; allowed: rough surfaces of more points than that")
+    return found
 
 
 def _mean_square(*derivatives):
