@@ -23,7 +23,7 @@ extra that they need.
 # the module of each public name; __init__.pyi repeats them for editors and type checkers
 _MODULES = {
     "Interface": "answers.interface",
-    "OutOfRangeWarning": "conditions.checks",
+    "OutOfRangeWarning": "conditions",
     "Parameters": "model.parameters",
     "Solution": "solver.solution",
     "bearing": "answers.bearing",

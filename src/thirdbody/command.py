@@ -54,7 +54,7 @@ def _material(text: str) -> Any:
     """A material: a name, or modulus [GPa], Poisson's ratio and hardness [GPa]."""
     from thirdbody.answers.bearing import MATERIALS as KNOWN
     from thirdbody.answers.bearing import USUAL_MATERIAL, Material
-    from thirdbody.conditions.checks import warn_outside, without_warnings
+    from thirdbody.conditions import warn_outside, without_warnings
 
     try:
         if text.replace("-", " ") in KNOWN:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.conditions.checks import check_number, check_numbers, checked_parameters
+from thirdbody.conditions import check_number, check_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import format_value

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from thirdbody.conditions.checks import checked_parameters
+from thirdbody.conditions import checked_parameters
 from thirdbody.configuration.inputs import ensemble_of, read_calibrated
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory

@@ -15,15 +15,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import (
+from thirdbody.conditions import (
     check_count,
     check_ends,
     check_points,
     check_rtol,
     checked_array,
     checked_parameters,
+    in_si,
 )
-from thirdbody.conditions.in_si import in_si
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.data.quantities import QUANTITIES

@@ -12,14 +12,14 @@ from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.ensemble import NO_ENSEMBLE, calibrated_ensemble
 from thirdbody.answers.find import BORDERS, Transition, transitions
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.conditions.checks import (
+from thirdbody.conditions import (
     check_count,
     check_ends,
     check_names,
     checked_parameters,
+    in_si,
     without_warnings,
 )
-from thirdbody.conditions.in_si import in_si
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges

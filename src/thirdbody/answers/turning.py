@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.find import queries
-from thirdbody.conditions.checks import check_count, check_ends, check_rtol, checked_parameters
+from thirdbody.conditions import check_count, check_ends, check_rtol, checked_parameters
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS

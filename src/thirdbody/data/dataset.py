@@ -14,8 +14,7 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_names, check_rtol, checked_parameters
-from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions import check_names, check_rtol, checked_parameters, in_si
 from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 from thirdbody.data.files import atomic_write

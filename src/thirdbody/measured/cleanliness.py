@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.conditions.checks import check_number, check_numbers, checked_parameters
+from thirdbody.conditions import check_number, check_numbers, checked_parameters
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 

@@ -15,8 +15,7 @@ from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import Answer, Row
 from thirdbody.answers.ensemble import NO_ENSEMBLE, calibrated_ensemble
-from thirdbody.conditions.checks import check_number, checked_parameters, without_warnings
-from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions import check_number, checked_parameters, in_si, without_warnings
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.messages import format_path, format_value

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.conditions.checks import check_numbers
+from thirdbody.conditions import check_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from thirdbody.conditions.checks import check_number, checked_array
+from thirdbody.conditions import check_number, checked_array
 from thirdbody.messages import format_value
 
 # ISO 3448: kinematic viscosity at 40 C [cSt] of each grade, +-10 %

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions.checks import check_number, checked_parameters
+from thirdbody.conditions import check_number, checked_parameters
 from thirdbody.extras import require
 from thirdbody.messages import format_path
 from thirdbody.model.parameters import Parameters

@@ -8,8 +8,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_names, check_points, check_rtol, checked_parameters
-from thirdbody.conditions.in_si import CONDITIONS, broadcast_by_name, in_si, with_names
+from thirdbody.conditions import (
+    CONDITIONS,
+    broadcast_by_name,
+    check_names,
+    check_points,
+    check_rtol,
+    checked_parameters,
+    in_si,
+)
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import has_film
 from thirdbody.model.parameters import Parameters
@@ -117,8 +124,8 @@ def solve(
     arrays = in_si(conditions, parameters)  # copies, which the caller cannot change later
     if not any(map(is_labelled, conditions.values())):
         return solve_arrays(arrays, parameters, rtol, variables, progress)
-    named = with_names({unit_of(key).condition: each for key, each in conditions.items()}, arrays)
-    arrays, pattern = broadcast_by_name(named)
+    given = {unit_of(key).condition: each for key, each in conditions.items()}
+    named, arrays, pattern = broadcast_by_name(given, arrays)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
     known = {
         name: pattern.copy(data=values).rename(name) for name, values in solution.known.items()
