@@ -27,7 +27,7 @@ _MODULES = {
     "Parameters": "model.parameters",
     "Solution": "solver.solution",
     "bearing": "answers.bearing",
-    "cleanliness": "measured.cleanliness",
+    "cleanliness": "measured.oil",
     "compare": "measured.comparison",
     "find": "answers.find",
     "grid": "data.dataset",

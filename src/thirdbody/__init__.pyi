@@ -10,8 +10,8 @@ from thirdbody.configuration.inputs import load_parameters as load_parameters
 from thirdbody.data.dataset import grid as grid
 from thirdbody.data.dataset import stream as stream
 from thirdbody.figures.plot import plot as plot
-from thirdbody.measured.cleanliness import cleanliness as cleanliness
 from thirdbody.measured.comparison import compare as compare
+from thirdbody.measured.oil import cleanliness as cleanliness
 from thirdbody.measured.oil import oil_viscosity as oil_viscosity
 from thirdbody.measured.topography import surface as surface
 from thirdbody.model.parameters import Parameters as Parameters
