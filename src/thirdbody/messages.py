@@ -9,24 +9,12 @@ LONGEST = 60  # letters
 
 
 def format_value(value: Any) -> str:
-    """The ``repr`` of a value on one line, cut if it is long.
-
-    Examples
-    --------
-    >>> format_value("load"), format_value(10**100)
-    ("'load'", '100000000000000000000000000000000000000000000000000000000...')
-    """
+    """The ``repr`` of a value on one line, cut if it is long."""
     text = " ".join(repr(value).split())
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
 def format_path(path: str | PathLike) -> str:
-    """The name of a file, quoted if it is empty or not printable.
-
-    Examples
-    --------
-    >>> format_path("mine.yaml"), format_path("")
-    ('mine.yaml', "''")
-    """
+    """The name of a file, quoted if it is empty or not printable."""
     name = str(path)
     return name if name.isprintable() and name else format_value(name)

@@ -102,8 +102,8 @@ class Answer(Tabular):
         return pd.DataFrame(self.as_dict()["rows"])
 
     def value(self, name: str) -> Value:
-        """The value of the first row with a name; ``KeyError`` if there is none."""
-        return {row.name: row.value for row in reversed(self.rows)}[name]
+        """The value of the row with a name; ``KeyError`` if there is none."""
+        return {row.name: row.value for row in self.rows}[name]
 
     def as_text(self, width: int = WIDTH) -> str:
         """The title, a table and the notes, at most ``width`` columns wide."""

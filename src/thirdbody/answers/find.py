@@ -91,6 +91,11 @@ class Border(NamedTuple):
     below: str
     above: str
 
+    @property
+    def name(self) -> str:
+        """Both states."""
+        return f"{self.below}_and_{self.above}"
+
 
 BORDERS = (  # at each of ``LIMITS``
     Border("lubrication_regime", "mixed", "boundary"),

@@ -29,7 +29,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, has_unit
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, has_unit, unit_of
 
 LENGTH = UNITS["roughness_nm"]  # unit of sizes and of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
@@ -158,7 +158,8 @@ class Interface:
         not crossed; ``found`` is whether there is a change.  Changes where the equations are not
         valid are left out.
         """
-        key = _key_of(along)
+        along = unit_of(along).condition
+        key = ENGINEERING[along]
         check_names("flags", flags, FLAGS_WITH_BORDERS)
         between = SEARCHED[along] if between is None else between
         given = {name: value for name, value in self.conditions.items() if name != key}
@@ -167,41 +168,28 @@ class Interface:
                 transitions(key, parameters=each, between=between, **given)
                 for each in (self.parameters, *self.members)
             ]
-        every = [[each for each in changes if each.border.flag in flags] for changes in every]
-        left_out = [each for each in every[0] if each.solution_status in MEANINGLESS]
-        mine, *of_members = (
-            [each for each in changes if each.solution_status not in MEANINGLESS]
-            for changes in every
-        )
+        mine, *of_members = (_by_name(each, flags) for each in every)
         unit = UNITS[key].text
-        rows = []
-        for place, value in _by_states(mine).items():
-            before, after, _ = place
-            same = [_by_states(member).get(place) for member in of_members]
-            change = f"{_words(before)} to {_words(after)}"
-            rows.append(Row.of(f"{before}_to_{after}", change, value, unit, same))
-        for border in BORDERS:
-            if border.flag in flags and border not in [each.border for each in mine]:
-                first = [
-                    next((each.value for each in member if each.border == border), None)
-                    for member in of_members
-                ]
-                change = f"between {_words(border.below)} and {_words(border.above)}"
-                name = f"{border.below}_and_{border.above}"
-                rows.append(Row.of(name, change, None, unit, first))
-        sizes = [each.value for each in mine] if along == "particle_diameter" else []
+        passed = {name: (_words(name), unit) for name in mine if "_to_" in name}
+        missed = {
+            border.name: (f"between {_words(border.name)}", unit)
+            for border in BORDERS
+            if border.flag in flags and border.name not in mine
+        }
+        sizes = [mine[name] for name in passed] if along == "particle_diameter" else []
         notes = (
             f"searched: {_words(along)} {between[0]:g} to {between[1]:g} {unit}",
             *(f"at {end:g} {unit}: {self._words_at(key, end)}" for end in between),
             *(
                 f"left out at {each.value:.4g} {unit}, {each.solution_status}: "
                 f"{STATUS_MEANINGS[each.solution_status]}"
-                for each in left_out
+                for each in every[0]
+                if each.border.flag in flags and each.solution_status in MEANINGLESS
             ),
             *self._ensemble_notes(*sizes),
         )
         title = f"Changes along the {_words(along)} at {self.described(without=along)}"
-        return Answer(title, tuple(rows), notes, bool(mine))
+        return Answer(title, _rows(passed | missed, mine, of_members), notes, bool(mine))
 
     def turning_point(self, between_N: tuple[float, float] = LOADS) -> Answer:
         """Question 7: the load at which the particle fraction of the contact area turns, and the sizes.
@@ -229,19 +217,10 @@ class Interface:
 
         ``along`` is as in ``transitions``.  The ``count`` points, 2 to a million, are
         logarithmically spaced from ``low`` to ``high``, positive, in the unit of the interface.
-
-        Examples
-        --------
-        >>> import thirdbody as tb
-        >>> curve = tb.Interface(10, 90, 500, 300, 1e11).curve("viscosity", 90, 150, count=3)
-        >>> curve.points.round(1)
-        array([ 90. , 116.2, 150. ])
-        >>> bool((np.diff(curve.values["solid_load_fraction"]) < 0.0).all())
-        True
         """
         import pandas as pd
 
-        key = _key_of(along)
+        key = ENGINEERING[unit_of(along).condition]
         check_ends("low to high", (low, high))
         check_count("count", count)
         table = pd.DataFrame({key: np.geomspace(low, high, count)})
@@ -301,7 +280,7 @@ class Interface:
 def _rows(described: Mapping, mine: State, of_members: Sequence[State]) -> tuple[Row, ...]:
     """A row for each quantity, with the words and the unit with which it is ``described``."""
     return tuple(
-        Row.of(name, text, mine[name], unit, [each[name] for each in of_members])
+        Row.of(name, text, mine.get(name), unit, [each.get(name) for each in of_members])
         for name, (text, unit) in described.items()
     )
 
@@ -327,18 +306,16 @@ def _change(name: str, of_member: tuple[Value, Value], mine: tuple[Value, Value]
     return None if None in of_member else of_member[1] - of_member[0]
 
 
-def _by_states(changes: list[Transition]) -> dict[tuple[str, str, int], float]:
-    """Values by the states before and after, and how often these changed in this way before."""
-    states = [(each.before, each.after) for each in changes]
-    counts = [states[:place].count(each) for place, each in enumerate(states)]
-    return {(*each, count): change.value for each, count, change in zip(states, counts, changes)}
-
-
-def _key_of(along: str) -> str:
-    """The name of an axis in engineering units."""
-    if not isinstance(along, str) or along not in ENGINEERING:
-        raise ValueError(f"along is {format_value(along)}; allowed: {', '.join(ENGINEERING)}")
-    return ENGINEERING[along]
+def _by_name(changes: list[Transition], flags: Collection[str]) -> dict[str, float]:
+    """Values of valid changes of ``flags``, numbered if they occur again; and of the first at each border."""
+    found = {}
+    for each in changes:
+        if each.border.flag in flags and each.solution_status not in MEANINGLESS:
+            name = f"{each.before}_to_{each.after}"
+            times = 1 + sum(other.startswith(name) for other in found)
+            found[name if times == 1 else f"{name}_{times}"] = each.value
+            found.setdefault(each.border.name, each.value)
+    return found
 
 
 def _words(name: str) -> str:
