@@ -39,8 +39,8 @@ _MODULES = {
     "stream": "data.dataset",
     "surface": "measured.topography",
     "transitions": "answers.find",
-    "turning_point": "answers.turning",
-    "turning_window": "answers.turning",
+    "turning_point": "answers.find",
+    "turning_window": "answers.find",
 }
 __all__ = ["__version__", *_MODULES]
 

@@ -1,9 +1,9 @@
 from thirdbody.answers.bearing import bearing as bearing
 from thirdbody.answers.find import find as find
 from thirdbody.answers.find import transitions as transitions
+from thirdbody.answers.find import turning_point as turning_point
+from thirdbody.answers.find import turning_window as turning_window
 from thirdbody.answers.interface import Interface as Interface
-from thirdbody.answers.turning import turning_point as turning_point
-from thirdbody.answers.turning import turning_window as turning_window
 from thirdbody.atlas.catalogue import open_atlas as open_atlas
 from thirdbody.conditions import OutOfRangeWarning as OutOfRangeWarning
 from thirdbody.configuration.inputs import load_parameters as load_parameters

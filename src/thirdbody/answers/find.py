@@ -1,9 +1,9 @@
-"""``find``: where a variable crosses a level along any of the five axes; and ``transitions``: where
-it crosses the limits between regimes or modes.
+"""Searches along an axis: ``find`` and ``transitions`` for crossings of levels, and of the limits
+between regimes and modes; ``turning_point`` and ``turning_window`` for maxima of A_sa,t*.
 
-The axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of the level
-bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near the
-level, the sampling is refined ``DEPTH`` times by ``FINER``.
+For crossings, the axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of
+the level bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near
+the level, the sampling is refined ``DEPTH`` times by ``FINER``.
 """
 
 from __future__ import annotations
@@ -26,6 +26,9 @@ from thirdbody.conditions import (
 )
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.transitions import LIMITS
+from thirdbody.curves.turning_point import TurningPoints, turning_points
+from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
+from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
@@ -33,7 +36,15 @@ from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, is_labelled, unit_of
+from thirdbody.units import (
+    ENGINEERING,
+    LOAD_IN_NEWTONS,
+    SEARCHED,
+    UNITS,
+    Unit,
+    is_labelled,
+    unit_of,
+)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -41,6 +52,10 @@ if TYPE_CHECKING:
 SWEEP = 32  # values along the axis
 FINER, DEPTH = 8, 2  # where a curve has an extremum near the level
 WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
+LOADS_SWEPT = 60  # between which maxima are sought
+RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
+TOLERANCE = 1e-6  # of its ends
+DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # for a window; any diameter
 
 
 @dataclass(frozen=True)
@@ -232,6 +247,82 @@ def transitions(
     return changes
 
 
+def turning_point(
+    *,
+    parameters: Parameters | None = None,
+    between_N: tuple[float, float] = LOADS,
+    count: int = LOADS_SWEPT,
+    rtol: float = DEFAULT_RTOL,
+    **conditions: ArrayLike,
+) -> TurningPoints:
+    """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
+
+    The result has arrays of the broadcast shape; ``exists`` marks the curves with a turning point.
+    ``load`` is F_t* [1]; multiply by ``parameters.newtons_per_load`` for newtons.  Raises ``ValueError``
+    for loads that do not increase, a ``count`` out of range, and where ``solve`` does.
+
+    Parameters
+    ----------
+    between_N : pair of float
+        First and last load of the curve [N], by default those of the paper (Table 2).  The maximum
+        must exceed the least values on both sides of it between them.
+    count : int
+        Number of loads between which maxima are sought; two within one step are missed.
+    parameters, rtol, **conditions
+        As in ``thirdbody.solve``, without the load; the conditions broadcast.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> layer = dict(particle_diameter_nm=[20, 300], particle_density_per_m2=1e11, roughness_nm=300)
+    >>> tb.turning_point(viscosity_cSt=0, **layer).exists
+    array([False,  True])
+    """
+    parameters = checked_parameters(parameters)
+    check_rtol(rtol)
+    check_count("count", count)
+    loads = np.geomspace(*_load_range(between_N, parameters), count)
+    shape, curves = queries(conditions, parameters, "load")
+    points = {"load": loads[:, None]} | curves
+    solved = solve_arrays(points, parameters, rtol, ["separation"])
+    found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
+    return TurningPoints(*(column.reshape(shape) for column in vars(found).values()))
+
+
+def turning_window(
+    *,
+    parameters: Parameters | None = None,
+    between_N: tuple[float, float] = LOADS,
+    **conditions: float,
+) -> Window:
+    """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
+
+    Arguments and errors are those of ``turning_point``; the conditions are one roughness and one
+    particle density.  The ends are nan if there is no such range.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> window = tb.turning_window(roughness_nm=300, particle_density_per_m2=1e11)
+    >>> bool(window.low < 1.0 < window.high)
+    True
+    """
+    for key in conditions:
+        if unit_of(key).condition in ("load", *DRY):
+            message = "allowed: roughness and particle density"
+            raise ValueError(f"{key} is not a condition of a window in dry contact; {message}")
+    parameters = checked_parameters(parameters)
+    shape, given = queries(DRY | conditions, parameters, "load")
+    if shape:
+        names = " and ".join(conditions)
+        raise ValueError(f"{names} have shape {shape}; allowed: one number each")
+    loads = _load_range(between_N, parameters)
+    search = WindowSearch(RATIOS, tolerance=TOLERANCE)
+    (density,) = given["particle_density"].tolist()
+    (found,) = turning_point_windows(search, given["roughness"], density, loads, parameters)
+    return found
+
+
 def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
     """The levels; ``ValueError`` for an unknown variable and for levels that it cannot have."""
     if not isinstance(variable, str) or variable not in QUANTITIES:
@@ -349,3 +440,9 @@ def _may_touch(excess):
     same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])
     nearest = (middle < first) & (middle < last)
     return same & nearest & (middle <= np.maximum(first, last) - middle)
+
+
+def _load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
+    """First and last load F_t* [1] of a curve, converted from newtons."""
+    check_ends("between_N", between_N)
+    return tuple(UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist())

@@ -10,8 +10,14 @@ import numpy as np
 
 from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.ensemble import NO_ENSEMBLE, calibrated_ensemble
-from thirdbody.answers.find import BORDERS, Transition, transitions
-from thirdbody.answers.turning import RATIOS, turning_point, turning_window
+from thirdbody.answers.find import (
+    BORDERS,
+    RATIOS,
+    Transition,
+    transitions,
+    turning_point,
+    turning_window,
+)
 from thirdbody.conditions import (
     check_count,
     check_ends,
