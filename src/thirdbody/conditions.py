@@ -113,8 +113,7 @@ def broadcast_by_name(
     """Broadcast the ``arrays`` of conditions [SI] by the names of the dimensions of the ``given`` ones.
 
     Returns them with these names and coordinates; views of one shape; and an array with the
-    dimensions and coordinates of that shape.  Raises ``ValueError`` for an array without named
-    dimensions, and if coordinates differ.
+    dimensions and coordinates of that shape.
     """
     import xarray as xr
 

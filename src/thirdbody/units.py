@@ -93,7 +93,7 @@ def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
     """A quantity, or a list of some, as plain numbers in SI; anything else is returned unchanged.
 
     ``unit`` is that of the argument's name.  Raises ``ValueError`` for an unknown unit, a wrong
-    dimension and uncertainties, and ``ModuleNotFoundError`` if pint is not installed.
+    dimension and uncertainties.
     """
     if is_labelled(given) and has_unit(given.data):
         given = given.data

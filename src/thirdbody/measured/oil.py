@@ -140,24 +140,14 @@ def cleanliness(
     """Particles per area in a film of oil with an ISO 4406 code: the count in the volume of the film.
 
     The answer has for each size the least and the most particles per m2 of the code's class.  The
-    code counts particles of more than 4, 6 and 14 um(c) in one millilitre.  Smaller ones, such as
-    those of the paper (20 to 1000 nm), are not counted; there are more of them.  Entrainment of
-    particles into the contact, exclusion of large ones, and wear debris are not considered.  Raises
-    ``ValueError`` for an invalid code, and numbers that are not positive.
+    ``code``, such as "18/16/13", counts particles of more than 4, 6 and 14 um(c) in one millilitre; "-"
+    or "*" means not counted.  Smaller ones, such as those of the paper (20 to 1000 nm), are never
+    counted; there are more of them.  ``gap_nm`` is the thickness of the film, or the separation of the
+    surfaces [nm]; ``enrichment`` the ratio of the concentration in the contact to that in the sample
+    [1]; of ``parameters``, by default the published ones, A_n is used.  Entrainment into the contact,
+    exclusion of large particles, and wear debris are not considered.  Raises ``ValueError`` for an
+    invalid code, and numbers that are not positive.
 
-    Parameters
-    ----------
-    code : str
-        ISO 4406 code, such as "18/16/13"; "-" or "*" means not counted.
-    gap_nm : float
-        Thickness of the film, or separation of the surfaces [nm].
-    parameters : Parameters, optional
-        Inputs of the model, of which A_n is used, by default the published ones.
-    enrichment : float
-        Ratio of the particle concentration in the contact to that in the sample.
-
-    Examples
-    --------
     >>> import thirdbody as tb
     >>> print(tb.cleanliness("18/16/13", gap_nm=1000).notes[0])
     0.0089 particles above 4 um in A_n = 3.57e-06 m2: most contacts have none
