@@ -90,18 +90,21 @@ def unit_of(key: Any) -> Unit:
 
 
 def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
-    """A quantity, or a list of some, as plain numbers in SI; anything else is returned unchanged.
+    """A quantity, or a list or array of some, as plain numbers in SI; anything else is returned unchanged.
 
     ``unit`` is that of the argument's name.  Raises ``ValueError`` for an unknown unit, a wrong
     dimension and uncertainties.
     """
     if is_labelled(given) and has_unit(given.data):
         given = given.data
-    if isinstance(given, list | tuple):
-        kinds = set(map(type, given))
+    of_objects = isinstance(given, np.ndarray) and given.dtype == np.dtype("O")
+    if of_objects or isinstance(given, list | tuple):
+        parts = list(given.flat) if of_objects else given
+        kinds = set(map(type, parts))
         if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
             return given
-        return [without_unit(unit, each, newtons_per_load) for each in given]
+        found = [without_unit(unit, each, newtons_per_load) for each in parts]
+        return np.reshape(found, given.shape) if of_objects else found
     if not has_unit(given):
         return given
     quantity = given if is_quantity(given) else _of_pint(unit, given)

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.answers.answer import Row
 from thirdbody.answers.bearing import MATERIALS, Material, derived
-from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.interpretations import INTERPRETATIONS
 from thirdbody.model.regimes import LUBRICATION_REGIMES

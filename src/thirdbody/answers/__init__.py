@@ -1,8 +1,7 @@
 """Answers to engineering questions about an interface, in engineering units.
 
 ``find`` has the searches along an axis, ``bearing`` derives inputs from ball, speed, oil and
-materials, ``ensemble`` gives the calibrated ensemble behind each range.  Start with
-``interface.Interface``.  Imports ``thirdbody.data`` and the packages below.
+materials.  Start with ``interface.Interface``.  Imports ``thirdbody.data`` and the packages below.
 """
 
 from thirdbody.extras import require

@@ -20,6 +20,7 @@ Value = float | str | None  # a number, the name of a regime or mode, or None: d
 DIGITS = 4
 # a rule below the headings, in ASCII
 RULED = "    \n    \n -- \n    \n    \n    \n    \n    \n"
+NO_ENSEMBLE = "no ensemble: these inputs leave nothing in which the calibrated sets differ"
 WIDTH = 200  # columns of text that is not printed on a terminal
 
 

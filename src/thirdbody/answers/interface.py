@@ -8,8 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
-from thirdbody.answers.ensemble import NO_ENSEMBLE, calibrated_ensemble
+from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.find import (
     BORDERS,
     RATIOS,
@@ -26,6 +25,7 @@ from thirdbody.conditions import (
     in_si,
     without_warnings,
 )
+from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges

@@ -13,9 +13,9 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.answer import Answer, Row
-from thirdbody.answers.ensemble import NO_ENSEMBLE, calibrated_ensemble
+from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
 from thirdbody.conditions import check_number, checked_parameters, in_si, without_warnings
+from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.messages import format_path, format_value
