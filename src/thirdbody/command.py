@@ -1,6 +1,7 @@
 """The command ``thirdbody``: each engineering question is a sub-command.
 
-The rest of the library is imported only to answer a question, so that ``thirdbody --help`` is quick.
+``command.toml`` has their texts.  The rest of the library is imported only to answer a question, so
+that ``thirdbody --help`` is quick.
 """
 
 from __future__ import annotations
@@ -9,9 +10,12 @@ import json
 import os
 import re
 import sys
+import tomllib
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from inspect import Parameter, Signature, signature
+from pathlib import Path
 from shutil import get_terminal_size
 from typing import Annotated, Any
 
@@ -20,25 +24,12 @@ import typer
 from thirdbody.units import ENGINEERING, SEARCHED
 
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
-REGIME, MODE = "lubrication_regime", "contact_mode"
-SURFACE, LAYER = "--roughness-nm 300", "--particle-density-per-m2 1e11"
-PARTICLES = f"--particle-diameter-nm 500 {SURFACE} {LAYER}"
-_EXAMPLES = {
-    "state": f"--load-N 10 --viscosity-cSt 90 {PARTICLES}",
-    "viscosity": f"--load-N 10 {PARTICLES}",
-    "size": f"--load-N 10 --viscosity-cSt 90 {SURFACE} {LAYER}",
-    "roughness": f"--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 {LAYER}",
-    "density": f"--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 {SURFACE}",
-    "transitions": f"--viscosity-cSt 90 {PARTICLES}",
-    "turning-point": f"--viscosity-cSt 0 --particle-diameter-nm 300 {SURFACE} {LAYER}",
-    "bearing": "--ball silicon-nitride --ball-radius-mm 5 --speed-m-per-s 2 "
-    "--oil-density-kg-per-m3 850 --pressure-viscosity-per-GPa 20 --write bearing.yaml",
-    "curve": f"--load-N 10 {PARTICLES} --along viscosity --from 10 --to 150 "
-    "--csv curve.csv --plot curve.svg",
-    "compare": f"--load-N 10 --viscosity-cSt 90 {PARTICLES} --other-viscosity-cSt 120",
-}
-EXAMPLES = {name: f"thirdbody {name} {options}" for name, options in _EXAMPLES.items()}
-MEASURED = f"thirdbody compare-data measured.csv --viscosity-cSt 90 {PARTICLES} --plot compared.svg"
+TEXTS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+QUESTIONS = TEXTS["questions"]
+COMMANDS = {name: f"thirdbody {name} {each['example']}" for name, each in QUESTIONS.items()}
+EXAMPLES = {
+    name: each for name, each in COMMANDS.items() if name != "compare-data"
+}  # ten questions
 MATERIALS = "steel, silicon-nitride, alumina, or GPa,1,GPa: modulus, Poisson's ratio and hardness"
 
 
@@ -71,60 +62,34 @@ def _material(text: str) -> Any:
     return material
 
 
-def _options(texts: Mapping[str, str], default: Any = None, **more: Any) -> dict[str, tuple]:
+def _options(
+    texts: Mapping[str, str],
+    default: Any = None,
+    metavar: str = "NUMBER",
+    parser: Callable = _number,
+) -> dict[str, tuple]:
     """Types and defaults of options with these help texts, by the names of their arguments."""
-    more = {"parser": _number, "metavar": "NUMBER"} | more
-    names = {key: NAMES.get(key, key).replace("_", "-") for key in texts}
-    return {
-        key: (Annotated[str | None, typer.Option(f"--{names[key]}", help=text, **more)], default)
-        for key, text in texts.items()
-    }
+    options = {}
+    for key, text in texts.items():
+        name = "--" + NAMES.get(key, key).replace("_", "-")
+        option = typer.Option(name, help=text, metavar=metavar, parser=parser)
+        options[key] = Annotated[str | None, option], default
+    return options
 
 
-def _ends(first: Any = Parameter.empty, last: Any = Parameter.empty) -> dict[str, tuple]:
-    text = "value, in the unit of its option"
-    return _options({"first": f"first {text}"}, first) | _options({"last": f"last {text}"}, last)
+def _other(key: str, *more: Any) -> dict[str, tuple]:
+    return _options({key: TEXTS["others"][key]}, *more)
 
 
 NAMES = {"first": "from", "last": "to", "first_N": "from-N", "last_N": "to-N"}  # of options
-FILE = {"parser": str, "metavar": "FILE"}
-CONDITIONS = {
-    "load_N": "normal load [N]",
-    "viscosity_cSt": "kinematic viscosity of the lubricant, 0 if dry [cSt]",
-    "particle_diameter_nm": "mean particle diameter x_a as in the paper, 0 if none [nm]",
-    "roughness_nm": "equivalent root mean square roughness [nm]",
-    "particle_density_per_m2": "particles per area, 0 if none [m-2]",
-}
+FILE = None, "FILE", str  # no default
+CONDITIONS, BEARING, ESTIMATES = (TEXTS[name] for name in ("conditions", "bearing", "estimates"))
 EACH, SOME = _options(CONDITIONS, Parameter.empty), _options(CONDITIONS)
 OTHER = _options({f"other_{key}": f"second interface: {text}" for key, text in CONDITIONS.items()})
-OTHER_INPUTS = _options({"other_inputs": "inputs of the second interface"}, **FILE)
-BEARING = _options(
-    {
-        "ball_radius_mm": "radius R_x [mm]",
-        "speed_m_per_s": "rolling speed u [m/s]",
-        "oil_density_kg_per_m3": "density rho [kg m-3]; required with the speed",
-        "dynamic_viscosity_mPa_s": "mu_0 [mPa s]; with nu instead of the density",
-        "viscosity_cSt": "nu [cSt]; U is printed for it",
-        "pressure_viscosity_per_GPa": "alpha [GPa-1]",
-        "apparent_area_mm2": "A_n [mm2], reference area of loads",
-    }
-)
-BODIES = _options(
-    dict.fromkeys(("ball", "flat", "particle"), f"{MATERIALS}, e.g. 205,0.29,5"),
-    parser=_material,
-    metavar="MATERIAL",
-)
-SPEED = _options({"speed_m_per_s": "speed of the inputs [m/s], if the data have speeds"})
-ESTIMATES = _options(
-    {
-        "boundary_friction": "friction of solids [1], by default 0.12",
-        "film_friction": "friction of the film [1], by default 0.03",
-        "resistivity_ohm_m": "of both bodies [ohm m], by default 2.2e-7",
-    }
-)
+BODIES = dict.fromkeys(("ball", "flat", "particle"), f"{MATERIALS}, e.g. 205,0.29,5")
 JSON = {"json": (Annotated[bool, typer.Option("--json", help="print the answer as JSON")], False)}
-COMMON = _options({"inputs": "inputs from bearing --write; default: calibrated"}, **FILE) | JSON
-PRODUCTS = _options({"csv": "table to write", "plot": "figure to write"}, **FILE)
+COMMON = _other("inputs", *FILE) | JSON
+PRODUCTS = _other("csv", *FILE) | _other("plot", *FILE)
 DATA = typer.Argument(metavar="FILE", help="CSV with units in its headings, e.g. load [N]")
 
 questions = typer.Typer(
@@ -154,69 +119,53 @@ def _thirdbody(
     """Contact of rough surfaces with hard particles and an oil film between them."""
 
 
-def _question(name: str, options: dict[str, tuple], example: str | None = None) -> Callable:
+def _question(name: str, options: dict[str, tuple]) -> Callable:
     """Add a function of the given arguments as a sub-command with ``options``."""
 
     def add(answer: Callable) -> None:
         def asked(**given: Any) -> tuple[Any, bool]:
             return answer(given), given["json"]
 
-        asked.__doc__ = answer.__doc__
         asked.__signature__ = Signature(
             Parameter(key, Parameter.KEYWORD_ONLY, annotation=kind, default=default)
             for key, (kind, default) in options.items()
         )
-        epilog = f"\b\nExample:\n  {example or EXAMPLES[name]}"  # \b: no wrapping
-        questions.command(name, epilog=epilog)(asked)
+        epilog = f"\b\nExample:\n  {COMMANDS[name]}"  # \b: no wrapping
+        questions.command(name, help=QUESTIONS[name]["text"], epilog=epilog)(asked)
 
     return add
 
 
 @_question("state", EACH | COMMON)
 def _state(given):
-    """Load sharing, contact area, regime and mode."""
     return _interface(given).state()
-
-
-# name: the condition to search, the flags that change, the question in words
-CHANGES = {
-    "viscosity": ("viscosity", [REGIME], "Which viscosity leaves boundary lubrication."),
-    "size": ("particle_diameter", [MODE], "Which particle size a filter has to keep out."),
-    "roughness": ("roughness", [REGIME, MODE], "At which roughness the regime or mode changes."),
-    "density": ("particle_density", [MODE], "Which density of debris is too much."),
-    "transitions": ("load", [REGIME, MODE], "At which load the regime or mode changes."),
-}
 
 
 def _without(along: str) -> dict[str, tuple]:
     return {key: option for key, option in EACH.items() if key != ENGINEERING[along]} | COMMON
 
 
-def _add_changes(name: str, along: str, flags: list[str], text: str) -> None:
-    """Add the question at which value of a condition the flags change."""
-
-    def changes(given):
-        return _interface(given).transitions(along, flags, _increasing(given, "first", "last"))
-
-    changes.__doc__ = text
-    _question(name, _ends(*SEARCHED[along]) | _without(along))(changes)
+def _changes(along, flags, given):
+    return _interface(given).transitions(along, flags, _increasing(given, "first", "last"))
 
 
-for name, question in CHANGES.items():
-    _add_changes(name, *question)
+for name, each in QUESTIONS.items():
+    if "along" in each:
+        along, (first, last) = each["along"], SEARCHED[each["along"]]
+        options = _other("first", first) | _other("last", last) | _without(along)
+        _question(name, options)(partial(_changes, along, each["flags"]))
 
-LOADS = _options({"first_N": "first load [N]"}, 0.04) | _options({"last_N": "last load [N]"}, 80.0)
 
-
-@_question("turning-point", LOADS | _without("load"))
+@_question("turning-point", _other("first_N", 0.04) | _other("last_N", 80.0) | _without("load"))
 def _turning_point(given):
-    """At which load the contact area turns (TPCA), and for which sizes."""
     return _interface(given).turning_point(_increasing(given, "first_N", "last_N"))
 
 
-@_question("bearing", BEARING | BODIES | _options({"write": "file of inputs"}, **FILE) | JSON)
+OF_BODIES = _options(BODIES, None, "MATERIAL", _material) | _other("write", *FILE) | JSON
+
+
+@_question("bearing", _options(BEARING) | OF_BODIES)
 def _bearing(given):
-    """Which inputs follow from another ball, speed, oil or material."""
     from thirdbody.answers.bearing import bearing, derived
     from thirdbody.configuration.inputs import load_parameters
 
@@ -228,14 +177,12 @@ def _bearing(given):
     return derived(inputs, given["viscosity_cSt"])
 
 
-AXIS = _options(
-    {"along": ", ".join(ENGINEERING)}, Parameter.empty, parser=str, metavar="AXIS"
-) | _options({"count": "points"}, 60)
+AXIS = _other("along", Parameter.empty, "AXIS", str) | _other("count", 60)
+AXIS |= _other("first", Parameter.empty) | _other("last", Parameter.empty)
 
 
-@_question("curve", SOME | AXIS | _ends() | PRODUCTS | COMMON)
+@_question("curve", SOME | AXIS | PRODUCTS | COMMON)
 def _curve(given):
-    """All variables along one axis, as CSV and as a plot."""
     along = given["along"]
     if along not in ENGINEERING:
         raise ValueError(f"--along is {along!r}; allowed: {', '.join(ENGINEERING)}")
@@ -249,9 +196,8 @@ def _curve(given):
     return f"{written} written" if written and not given["json"] else found
 
 
-@_question("compare", EACH | OTHER | OTHER_INPUTS | COMMON)
+@_question("compare", EACH | OTHER | _other("other_inputs", *FILE) | COMMON)
 def _compare(given):
-    """Compare two interfaces; the second differs by --other-..."""
     one = _interface(given)
     changes = {key.removeprefix("other_"): value for key, value in _known(given, OTHER).items()}
     if given["other_inputs"] is not None:
@@ -262,17 +208,16 @@ def _compare(given):
 DATA_FILE = {"file": (Annotated[str, DATA], Parameter.empty)}
 
 
-@_question("compare-data", DATA_FILE | SOME | SPEED | ESTIMATES | PRODUCTS | COMMON, MEASURED)
+@_question("compare-data", DATA_FILE | SOME | _options(ESTIMATES) | PRODUCTS | COMMON)
 def _compare_data(given):
-    """Compare your measurements with the model: residuals, ensemble ranges, a figure."""
     from thirdbody.measured.comparison import compare
     from thirdbody.measured.estimates import Assumed
 
     found = compare(
         given["file"],
         parameters=_inputs(given, "inputs"),
-        assumed=Assumed(**_known(given, ESTIMATES)),
-        **_known(given, SOME | SPEED),
+        assumed=Assumed(**_known(given, vars(Assumed()))),
+        **_known(given, [*CONDITIONS, "speed_m_per_s"]),
     )
     _write_products(given, found)
     return found.answer
@@ -329,7 +274,6 @@ def _write_products(given: Mapping[str, Any], found: Any) -> None:
         save_figure(draw(found), given["plot"])
 
 
-QUESTIONS = {command.name: signature(command.callback) for command in questions.registered_commands}
 # messages of typer, and their form in the library: the option, its value, what is allowed
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
@@ -373,7 +317,8 @@ def _plain(message: str) -> str:
     """A message on one line, with arguments of the library replaced by their options."""
     for pattern, replacement in MESSAGES.items():
         message = re.sub(pattern, replacement, message)
-    arguments = {name for each in QUESTIONS.values() for name in each.parameters if "_" in name}
+    functions = (command.callback for command in questions.registered_commands)
+    arguments = {name for each in functions for name in signature(each).parameters if "_" in name}
     names = "|".join(sorted(arguments, key=len, reverse=True))
     message = re.sub(rf"\b({names})\b", lambda found: "--" + found[1].replace("_", "-"), message)
     return " ".join(message.split())
