@@ -21,21 +21,20 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
-from thirdbody.units import ENGINEERING, Unit, has_unit, is_labelled, unit_of, without_unit
+from thirdbody.units import (
+    CONDITIONS,
+    ENGINEERING,
+    Unit,
+    has_unit,
+    is_labelled,
+    unit_of,
+    without_unit,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
 
-CONDITIONS = tuple(ENGINEERING)
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
-# usual range, SI, far wider than those of the paper: a load in newtons or a size in nm is outside
-USUAL = {
-    "load": (1e-13, 2e-2),
-    "viscosity": (3e-7, 1e-2),
-    "particle_diameter": (1e-9, 1e-3),
-    "roughness": (1e-10, 1e-3),
-    "particle_density": (1e6, 1e16),
-}
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 Usual = Mapping[
@@ -80,7 +79,7 @@ def in_si(
             found[name] = _numbers(unit, given[unit.key], parameters.newtons_per_load)
             typed[unit.key], ends = (
                 unit.from_si(each, parameters.newtons_per_load)
-                for each in (found[name], USUAL[name])
+                for each in (found[name], CONDITIONS[name]["usual"])
             )
             usual[unit.key] = *ends, unit.text
         elif name != without:

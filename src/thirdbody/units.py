@@ -2,14 +2,16 @@
 
 ``viscosity`` is in SI, ``viscosity_cSt`` in centistokes.  ``load`` is F_t* [1], ``load_N`` the
 normal load F_t [N].  Quantities of pint, astropy, unyt and quantities, and arrays of xarray with
-the attribute ``units``, carry their own unit.
+the attribute ``units``, carry their own unit.  ``units.toml`` is the table of the conditions.
 """
 
 from __future__ import annotations
 
 import re
+import tomllib
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -45,41 +47,15 @@ class Unit:
 
 
 LOAD_IN_NEWTONS = "load_N"
-UNITS = {
-    unit.key: unit
-    for unit in (
-        Unit("load", "load", "1"),
-        Unit("viscosity", "viscosity", "m2 s-1"),
-        Unit("particle_diameter", "particle_diameter", "m"),
-        Unit("roughness", "roughness", "m"),
-        Unit("particle_density", "particle_density", "m-2"),
-        Unit(LOAD_IN_NEWTONS, "load", "N"),
-        Unit("viscosity_cSt", "viscosity", "cSt", 1e-6),
-        Unit("particle_diameter_nm", "particle_diameter", "nm", 1e-9),
-        Unit("roughness_nm", "roughness", "nm", 1e-9),
-        Unit("particle_density_per_m2", "particle_density", "m-2"),
-    )
+FORCE = "N", "a force, e.g. in N"  # another dimension of the load
+CONDITIONS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+ENGINEERING = {name: each["engineering"] for name, each in CONDITIONS.items()}
+UNITS = {name: Unit(name, name, each["unit"]) for name, each in CONDITIONS.items()}
+UNITS |= {
+    each["engineering"]: Unit(each["engineering"], name, each["engineering_unit"], each["scale"])
+    for name, each in CONDITIONS.items()
 }
-# name of each condition in engineering units
-ENGINEERING = {unit.condition: key for key, unit in UNITS.items() if key != unit.condition}
-# default search ranges in engineering units: those of the paper (Table 2) and a decade beyond
-SEARCHED = {
-    "load": (0.01, 1000.0),
-    "viscosity": (1.0, 1000.0),
-    "particle_diameter": (10.0, 10_000.0),
-    "roughness": (20.0, 2000.0),
-    "particle_density": (1e8, 1e14),
-}
-# the dimension of each condition as a quantity: a unit of pint, and words for messages
-FORCE = "N", "a force, e.g. in N"
-LENGTH = "m", "a length, e.g. in nm"
-WANTED = {
-    "load": ("dimensionless", f"a dimensionless number or {FORCE[1]}"),
-    "viscosity": ("m ** 2 / s", "a kinematic viscosity, e.g. in cSt"),
-    "particle_diameter": LENGTH,
-    "roughness": LENGTH,
-    "particle_density": ("m ** -2", "a number per area, e.g. in 1/mm**2"),
-}
+SEARCHED = {name: tuple(each["searched"]) for name, each in CONDITIONS.items()}
 
 
 def unit_of(key: Any) -> Unit:
@@ -109,7 +85,7 @@ def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
         return given
     quantity = given if is_quantity(given) else _of_pint(unit, given)
     is_force = unit.condition == "load" and quantity.is_compatible_with(FORCE[0])
-    wanted, words = FORCE if is_force else WANTED[unit.condition]
+    wanted, words = FORCE if is_force else CONDITIONS[unit.condition]["dimension"]
     if not quantity.is_compatible_with(wanted):
         found = f"{quantity.units:~}" or "no unit"
         raise ValueError(f"{unit.key} is in {found}; allowed: {words}")
@@ -152,7 +128,9 @@ def _of_pint(unit: Unit, given: Any) -> Any:
         return known.Quantity(np.asarray(given), known.Unit(text or "dimensionless"))
     except Exception:  # pint raises many types
         message = f"{unit.key} has the unknown unit {format_value(text)}"
-        raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
+        raise ValueError(
+            f"{message}; allowed: {CONDITIONS[unit.condition]['dimension'][1]}"
+        ) from None
 
 
 @cache
