@@ -8,7 +8,9 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 
 from __future__ import annotations
 
+import tomllib
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from thirdbody.answers.answer import Answer, Row
 from thirdbody.conditions import check_number, check_numbers, checked_parameters
@@ -18,16 +20,8 @@ from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS
 
-USUAL = {  # least and most usual value of the numbers of ``bearing``, and their unit
-    "ball_radius_mm": (0.1, 1000.0, "mm"),
-    "speed_m_per_s": (1e-6, 200.0, "m s-1"),
-    "oil_density_kg_per_m3": (500.0, 3000.0, "kg m-3"),
-    "dynamic_viscosity_mPa_s": (0.1, 1e5, "mPa s"),
-    "viscosity_cSt": (0.3, 1e4, "cSt"),
-    "pressure_viscosity_per_GPa": (1.0, 100.0, "GPa-1"),
-    "apparent_area_mm2": (1e-4, 1e6, "mm2"),
-}
-USUAL_MATERIAL = {"modulus": (1e8, 2e12, "Pa"), "hardness": (1e7, 2e11, "Pa")}
+TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+USUAL, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
 BODIES = "ball", "flat", "particle"
 
 
@@ -169,19 +163,6 @@ def bearing(
         raise ValueError(f"derived from {', '.join([*numbers, *bodies])}: {error}") from None
 
 
-# unit of each derived input, and its formula
-FORMULAS = {
-    "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
-    "elastic_modulus_particle": ("Pa", "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body"),
-    "hardness_surface_1": ("Pa", "H_s1, hardness of the ball"),
-    "hardness_surface_2": ("Pa", "H_s2, hardness of the flat"),
-    "ball_radius": ("m", "R_x, radius of the ball"),
-    "material_parameter": ("1", "G = alpha E_ss (below Eq. 8)"),
-    "hardness_parameter": ("1", "V = v_h/E_ss, softer body (below Eq. 8)"),
-    "speed_per_viscosity": ("s m-2", "U/nu = rho u/(E_ss R_x) (below Eq. 8)"),
-}
-
-
 def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answer:
     """Answer to question 8: the inputs derived by ``bearing``, each with its formula, and U for an
     oil of ``viscosity_cSt`` if given.
@@ -189,7 +170,7 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
     parameters = checked_parameters(parameters)
     rows = [
         Row(name, formula, getattr(parameters, name), unit)
-        for name, (unit, formula) in FORMULAS.items()
+        for name, (unit, formula) in TABLES["formulas"].items()
     ]
     if viscosity_cSt is not None:
         check_number("viscosity_cSt", viscosity_cSt, positive=False)

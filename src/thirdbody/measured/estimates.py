@@ -8,7 +8,9 @@ Contacts"): n equal distant spots have 1/sqrt(n) of it, layers of oxide or oil a
 
 from __future__ import annotations
 
+import tomllib
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,27 +19,8 @@ from thirdbody.conditions import check_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
-# by heading: the column of tables, and its unit for pint
-MEASURED = {
-    "friction coefficient": ("friction_coefficient", "dimensionless"),
-    "contact resistance": ("contact_resistance_ohm", "ohm"),
-    "film thickness": ("film_thickness_nm", "nm"),
-    "separation": ("separation_nm", "nm"),
-    "real contact area": ("real_contact_area_mm2", "mm**2"),
-    "real contact area fraction": ("real_contact_area_fraction", "dimensionless"),
-    "solid load fraction": ("solid_load_fraction", "dimensionless"),
-    "fluid load fraction": ("fluid_load_fraction", "dimensionless"),
-}
-# assumptions of the columns that are estimates
-FORMULAS = {
-    "friction_coefficient": "{boundary_friction:g} L_s + {film_friction:g} L_f",
-    "contact_resistance_ohm": "one round spot of A_t* A_n between bodies of {resistivity_ohm_m:g} ohm m (Holm)",
-}
-USUAL = {  # usual range and unit of the assumptions
-    "boundary_friction": (0.01, 1.0, "1"),
-    "film_friction": (1e-4, 0.2, "1"),
-    "resistivity_ohm_m": (1e-8, 1e-4, "ohm m"),
-}
+TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+MEASURED, FORMULAS, USUAL = TABLES["measured"], TABLES["formulas"], TABLES["usual"]
 
 
 @dataclass(frozen=True)
