@@ -4,8 +4,6 @@
 that ``thirdbody --help`` is quick.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import re

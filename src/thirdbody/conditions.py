@@ -4,8 +4,6 @@ Conditions are numbers, quantities with units or arrays with named dimensions, u
 names.  An error is one line; unusual numbers cause an ``OutOfRangeWarning``.
 """
 
-from __future__ import annotations
-
 import sys
 import warnings
 from collections.abc import Collection, Mapping
@@ -108,7 +106,7 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> NDArray:
 
 def broadcast_by_name(
     given: Mapping[str, Any], arrays: Mapping[str, NDArray]
-) -> tuple[dict[str, Any], dict[str, NDArray], xr.DataArray]:
+) -> tuple[dict[str, Any], dict[str, NDArray], "xr.DataArray"]:
     """Broadcast the ``arrays`` of conditions [SI] by the names of the dimensions of the ``given`` ones.
 
     Returns them with these names and coordinates; views of one shape; and an array with the

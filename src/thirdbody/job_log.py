@@ -1,7 +1,5 @@
 """The log file of a job of the workflow."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Values and file names in one-line messages; long ones are cut."""
 
-from __future__ import annotations
-
 from os import PathLike
 from typing import Any
 

@@ -4,8 +4,6 @@ Both go to standard error.  A short call writes nothing.  ``tqdm`` is not used: 
 sixth as long as all other imports, and its bar fills a log with one long line.
 """
 
-from __future__ import annotations
-
 import sys
 from contextlib import suppress
 from time import monotonic

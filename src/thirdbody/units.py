@@ -5,8 +5,6 @@ normal load F_t [N].  Quantities of pint, astropy, unyt and quantities, and arra
 the attribute ``units``, carry their own unit.  ``units.toml`` is the table of the conditions.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from dataclasses import dataclass

@@ -1,11 +1,9 @@
 """Answers to questions: ``Answer``, rows of quantities with ensemble ranges, and ``Curve``."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import StringIO
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,7 +46,7 @@ class Row:
     @classmethod
     def of(
         cls, name: str, quantity: str, value: Value, unit: str, of_members: Sequence[Value]
-    ) -> Row:
+    ) -> Self:
         """The row of a quantity with the values ``of_members`` of the ensemble."""
         numbers = [each for each in of_members if isinstance(each, float)]
         low, high = spread(numbers) or (None, None)
@@ -96,7 +94,7 @@ class Answer(Tabular):
         """Plain data for JSON."""
         return asdict(self)
 
-    def to_dataframe(self) -> pd.DataFrame:
+    def to_dataframe(self) -> "pd.DataFrame":
         """The rows as a table, in the columns of ``Row``."""
         import pandas as pd
 
@@ -141,14 +139,14 @@ class Curve(Tabular):
     """
 
     along: str
-    values: pd.DataFrame
+    values: "pd.DataFrame"
 
     @property
     def points(self) -> NDArray:
         """The values of the axis."""
         return self.values[self.along].to_numpy()
 
-    def to_dataframe(self) -> pd.DataFrame:
+    def to_dataframe(self) -> "pd.DataFrame":
         """``values``."""
         return self.values
 

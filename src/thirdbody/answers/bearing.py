@@ -6,8 +6,6 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which gives Table 1 for two steel bodies.
 """
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass, replace
 from pathlib import Path

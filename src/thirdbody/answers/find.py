@@ -6,8 +6,6 @@ the level bracket a crossing, which is refined to the requested error.  Where a 
 the level, the sampling is refined ``DEPTH`` times by ``FINER``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -90,7 +88,7 @@ class Crossings(Tabular):
         first.ravel()[self.query[::-1]] = self.value[::-1]  # the last assignment wins
         return first
 
-    def to_dataframe(self) -> pd.DataFrame:
+    def to_dataframe(self) -> "pd.DataFrame":
         """One row per crossing: query, value in the unit of ``along``, its error, direction and status."""
         import pandas as pd
 
@@ -142,7 +140,7 @@ class Transition:
 class Transitions(Tabular, list):
     """A list of ``Transition``, sorted by query, then by value."""
 
-    def to_dataframe(self) -> pd.DataFrame:
+    def to_dataframe(self) -> "pd.DataFrame":
         """One row per change."""
         import pandas as pd
 

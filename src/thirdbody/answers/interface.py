@@ -1,10 +1,9 @@
 """``Interface``: two rough surfaces with particles and oil under a load, in engineering units."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 
@@ -104,7 +103,7 @@ class Interface:
         """The sets of inputs of the ensemble (see ``calibrated_ensemble``)."""
         return calibrated_ensemble(self.parameters)
 
-    def changed(self, **conditions: float | Parameters) -> Interface:
+    def changed(self, **conditions: float | Parameters) -> Self:
         """The same interface with other conditions, or other ``parameters``."""
         return replace(self, **conditions)
 
@@ -127,7 +126,7 @@ class Interface:
         rows = _rows(STATE, mine, of_members)
         return Answer(f"State at {self.described()}", rows, self._notes(mine), found)
 
-    def compare(self, other: Interface) -> Answer:
+    def compare(self, other: "Interface") -> Answer:
         """Question 10: compare this interface with an ``other``, which may have other inputs.
 
         The answer has a row for each variable: ``value`` here, ``other`` there, and the ensemble

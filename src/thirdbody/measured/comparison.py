@@ -1,7 +1,5 @@
 """``compare``: measurements compared with the model, with ensemble ranges and residuals."""
 
-from __future__ import annotations
-
 import csv
 import re
 from dataclasses import asdict, dataclass

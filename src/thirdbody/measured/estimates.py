@@ -6,8 +6,6 @@ solids and film, each with a constant coefficient (load sharing: Johnson, Greenw
 Contacts"): n equal distant spots have 1/sqrt(n) of it, layers of oxide or oil add to it.
 """
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path

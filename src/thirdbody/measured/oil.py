@@ -1,8 +1,6 @@
 """Numbers from data sheets of oils: ``oil_viscosity`` at a temperature, and ``cleanliness``, the
 particles per area of a film, from the ISO 4406 code."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Mapping

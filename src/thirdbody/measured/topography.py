@@ -1,7 +1,5 @@
 """``surface``: roughness, and density and radius of the summits, of measured topographies."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from os import PathLike
