@@ -302,7 +302,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if isinstance(asked, int):  # of --help, --version and Ctrl-C
         return asked
     answer, as_json = asked
-    written = _print(name, _text(answer, as_json))
+    text = str(answer)
+    if as_json:
+        text = json.dumps(answer.as_dict())
+    elif sys.stdout.isatty() and hasattr(answer, "as_text"):
+        text = answer.as_text(get_terminal_size().columns)  # tables fit the width
+    written = _print(name, text)
     return written or (ANSWERED if getattr(answer, "found", True) else NONE_FOUND)
 
 
@@ -320,15 +325,6 @@ def _plain(message: str) -> str:
     names = "|".join(sorted(arguments, key=len, reverse=True))
     message = re.sub(rf"\b({names})\b", lambda found: "--" + found[1].replace("_", "-"), message)
     return " ".join(message.split())
-
-
-def _text(answer: Any, as_json: bool) -> str:
-    """The printed form of an ``Answer``, a ``Curve`` or a line; tables fit the width of a terminal."""
-    if as_json:
-        return json.dumps(answer.as_dict())
-    if sys.stdout.isatty() and hasattr(answer, "as_text"):
-        return answer.as_text(get_terminal_size().columns)
-    return str(answer)
 
 
 def _print(name: str, text: str) -> int:

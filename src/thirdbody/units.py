@@ -113,7 +113,8 @@ def is_labelled(given: Any) -> bool:
 def _unit_text(given: Any) -> str | None:
     """The unit of an array of xarray, or of a quantity of a package other than pint."""
     if is_labelled(given):
-        return getattr(given, "attrs", {}).get("units")
+        attributes = getattr(given, "attrs", None)
+        return attributes.get("units") if isinstance(attributes, dict) else None
     where = ("unit", "dimensionality", "units")  # of astropy, quantities and unyt
     return next((str(getattr(given, name)) for name in where if hasattr(given, name)), None)
 

@@ -122,16 +122,16 @@ def _read(path, curved, options):
 
 def _moments(path, topography, scale):
     """Mean squares of heights, slopes and curvatures of profiles, in all directions of the points."""
+
+    def mean_square(*derivatives):
+        return np.mean([np.mean(each**2) for each in derivatives if each is not None])
+
     taken = topography.scale_dependent_statistical_property
     slope, curvature = (
-        float(taken(_mean_square, n=order, distance=order * scale)[1]) for order in (1, 2)
+        float(taken(mean_square, n=order, distance=order * scale)[1]) for order in (1, 2)
     )
     found = np.array([np.var(topography.heights()), slope, curvature])
     if not (np.isfinite(found).all() and found.min() > 0.0):
         message = f"{format_path(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
         raise ValueError(f"{message}; allowed: rough surfaces of more points than that")
     return found
-
-
-def _mean_square(*derivatives):
-    return np.mean([np.mean(each**2) for each in derivatives if each is not None])
