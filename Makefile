@@ -1,6 +1,6 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
-# make docs        the documentation as a site, docs/_build/index.html
+# make docs        the documentation as a site, docs/_build/html/index.html
 # make verify      whether all products are as they were made, and the release, if there is one, holds them
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
 # make accuracy    errors and times of the solver, measured on this machine (some 18 minutes)
@@ -37,8 +37,8 @@ test: $(VENV)/test.done $(VENV)/slurm.done
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile --no-loadscope-reorder
 
 docs: $(VENV)/test.done
-	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build
-	@echo docs/_build/index.html
+	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html
+	@echo docs/_build/html/index.html
 
 test-survival: $(VENV)/test.done $(VENV)/slurm.done
 	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival tests/workflow/cluster

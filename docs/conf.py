@@ -39,7 +39,10 @@ def _inline(self, node):
 
 
 def _block(self, node):
-    self.body.append(f"<p>{convert(node.astext(), display='block')}</p>")
+    formula = convert(node.astext(), display="block")
+    self.body.append(
+        f'<p style="overflow-x: auto; padding: 0.4em 0">{formula}</p>'
+    )  # where the window is narrow
     raise SkipNode
 
 

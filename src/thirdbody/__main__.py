@@ -1,10 +1,12 @@
 """The command ``thirdbody``, also ``python -m thirdbody``."""
 
+import os
 import sys
 
 
 def run() -> int:
     """Run the command in any encoding; Ctrl-C ends it quietly, even while modules are imported."""
+    sys.stdout = sys.stdout or open(os.devnull, "w")  # noqa: SIM115
     sys.stdout.reconfigure(errors="backslashreplace")
     try:
         from thirdbody.command import main

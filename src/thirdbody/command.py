@@ -4,6 +4,7 @@
 that ``thirdbody --help`` is quick.
 """
 
+import io
 import json
 import os
 import re
@@ -11,6 +12,7 @@ import sys
 import tomllib
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import redirect_stdout, suppress
 from functools import partial
 from inspect import Parameter, Signature, signature
 from pathlib import Path
@@ -144,7 +146,9 @@ def _without(along: str) -> dict[str, tuple]:
 
 
 def _changes(along, flags, given):
-    return _interface(given).transitions(along, flags, _increasing(given, "first", "last"))
+    between = _increasing(given, "first", "last")
+    between = None if between == SEARCHED[along] else between
+    return _interface(given).transitions(along, flags, between)
 
 
 for name, each in QUESTIONS.items():
@@ -200,7 +204,10 @@ def _compare(given):
     changes = {key.removeprefix("other_"): value for key, value in _known(given, OTHER).items()}
     if given["other_inputs"] is not None:
         changes["parameters"] = _inputs(given, "other_inputs")
-    return one.compare(one.changed(**changes))
+    try:
+        return one.compare(one.changed(**changes))
+    except ValueError as error:
+        raise ValueError(f"other_{error}") from None
 
 
 DATA_FILE = {"file": (Annotated[str, DATA], Parameter.empty)}
@@ -276,9 +283,11 @@ def _write_products(given: Mapping[str, Any], found: Any) -> None:
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
     r"Missing (?:option|argument) '(\S+)'.": r"\1 is missing",
+    r"Option '(\S+)' requires an argument\.": r"\1 has no value",
     r"Missing command.": f"QUESTION is missing; allowed: {', '.join(QUESTIONS)}",
-    r"No such command '(.*)'\.": rf"QUESTION is '\1'; allowed: {', '.join(QUESTIONS)}",
+    r"No such command '(.*?)'\..*": rf"QUESTION is '\1'; allowed: {', '.join(QUESTIONS)}",
     r"No such option: (\S+)": r"there is no option \1",
+    r"\b(?:between|low to high|between_N) is": "--from or --to is",
 }
 
 
@@ -286,7 +295,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Answer the question of a command line, by default ``sys.argv``; returns the exit code."""
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in QUESTIONS)])
-    with warnings.catch_warnings(record=True) as caught:
+    printed = io.StringIO()  # of --help and --version
+    with warnings.catch_warnings(record=True) as caught, redirect_stdout(printed):
         warnings.simplefilter("ignore")
         warnings.simplefilter("default", UserWarning)  # other warnings are for developers
         try:
@@ -296,23 +306,28 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except (ValueError, OSError, ModuleNotFoundError) as error:
             return _refuse(name, str(error))
     for message in dict.fromkeys(str(each.message) for each in caught):
-        print(f"{name}: warning: {_plain(message)}", file=sys.stderr)
+        _tell(name, f"warning: {_plain(message)}")
     if asked == STOPPED:
-        print(f"{name}: stopped; run the same command again to start over", file=sys.stderr)
-    if isinstance(asked, int):  # of --help, --version and Ctrl-C
-        return asked
+        _tell(name, "stopped; run the same command again to start over")
+    if isinstance(asked, int):
+        return _print(name, printed.getvalue()) or asked
     answer, as_json = asked
     text = str(answer)
     if as_json:
         text = json.dumps(answer.as_dict())
     elif sys.stdout.isatty() and hasattr(answer, "as_text"):
         text = answer.as_text(get_terminal_size().columns)  # tables fit the width
-    written = _print(name, text)
+    written = _print(name, text + "\n")
     return written or (ANSWERED if getattr(answer, "found", True) else NONE_FOUND)
 
 
+def _tell(name: str, message: str) -> None:
+    with suppress(OSError):
+        print(f"{name}: {message}", file=sys.stderr)
+
+
 def _refuse(name: str, message: str) -> int:
-    print(f"{name}: {_plain(message)}", file=sys.stderr)
+    _tell(name, _plain(message))
     return BAD_INPUT
 
 
@@ -330,11 +345,11 @@ def _plain(message: str) -> str:
 def _print(name: str, text: str) -> int:
     """Print a text; a closed pipe is not an error."""
     try:
-        print(text, flush=True)
+        print(text, end="", flush=True)
     except OSError as error:
         # The rest of the buffer would be written again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if not isinstance(error, BrokenPipeError):
-            print(f"{name}: the answer cannot be written ({error.strerror})", file=sys.stderr)
+            _tell(name, f"the answer cannot be written ({error.strerror})")
             return NOT_WRITTEN
     return ANSWERED

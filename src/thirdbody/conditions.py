@@ -7,6 +7,7 @@ names.  An error is one line; unusual numbers cause an ``OutOfRangeWarning``.
 import sys
 import warnings
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from functools import lru_cache
 from itertools import zip_longest
 from math import prod
@@ -24,9 +25,9 @@ from thirdbody.units import (
     ENGINEERING,
     Unit,
     has_unit,
+    in_own_unit,
     is_labelled,
     unit_of,
-    without_unit,
 )
 
 if TYPE_CHECKING:
@@ -48,9 +49,9 @@ class OutOfRangeWarning(UserWarning):
     >>> import warnings
     >>> import thirdbody as tb
     >>> with warnings.catch_warnings(record=True) as caught:
-    ...     inputs = tb.bearing(ball_radius_mm=6350)
+    ...     inputs = tb.bearing(pressure_viscosity_per_GPa=0.02)
     >>> print(caught[0].message)
-    ball_radius_mm is 6350 mm; usual: 0.1 to 1000 mm
+    pressure_viscosity_per_GPa is 0.02 GPa-1; usual: 1 to 100 GPa-1
     """
 
 
@@ -70,38 +71,48 @@ def in_si(
             reason = "is searched along" if name == without else "is given twice"
             raise ValueError(f"{key}: {name} {reason}; allowed: each axis once")
         units[name] = unit_of(key)
+    newtons = parameters.newtons_per_load
     found, typed, usual = {}, {}, {}
     for name in CONDITIONS:
         if name in units:
-            unit = units[name]
-            found[name] = _numbers(unit, given[unit.key], parameters.newtons_per_load)
-            typed[unit.key], ends = (
-                unit.from_si(each, parameters.newtons_per_load)
-                for each in (found[name], CONDITIONS[name]["usual"])
-            )
-            usual[unit.key] = *ends, unit.text
+            key = units[name].key
+            unit, found[name] = _numbers(units[name], given[key], newtons)
+            typed[key] = unit.from_si(found[name], newtons)
+            usual[key] = *unit.from_si(CONDITIONS[name]["usual"], newtons), unit.text
         elif name != without:
             raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
     warn_outside(typed, usual)
     return found
 
 
-def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> NDArray:
-    """A float64 copy in SI of numbers in ``unit``, or of quantities in their own unit; for an array
-    with named dimensions, its values."""
+def ends_in_si(name: str, ends: Any, unit: Unit, parameters: Parameters) -> NDArray:
+    """The ends of a range, two numbers in ``unit`` or quantities, in SI; ``ValueError`` unless they
+    are positive and increase, and a warning like ``in_si``."""
+    newtons = parameters.newtons_per_load
+    own, numbers = in_own_unit(replace(unit, key=name), ends, newtons)
+    allowed = "two numbers, positive and increasing"
+    array = checked_array(name, numbers, allowed)
+    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
+        raise ValueError(f"{name} is {format_value(ends)}; allowed: {allowed}")
+    usual = own.from_si(CONDITIONS[unit.condition]["usual"], newtons)
+    warn_outside({name: array}, {name: (*usual, own.text)})
+    return own.to_si(array, newtons)
+
+
+def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDArray]:
+    """The unit of numbers or quantities, and a float64 copy in SI; for an array with named
+    dimensions, of its values."""
     key = unit.key
     if hasattr(given, "iloc"):
-        instead = ".pint.quantity" if hasattr(given, "pint") else ".to_numpy() or .to_xarray()"
-        raise ValueError(f"{key} is a {type(given).__name__} of pandas; allowed: its {instead}")
-    if key != unit.condition and isinstance(given, list | tuple) and any(map(has_unit, given)):
-        raise ValueError(f"{key} is a list of quantities; allowed: numbers, or one quantity")
-    bare = without_unit(unit, given, newtons_per_load)
+        message = f"{key} is a {type(given).__name__} of pandas"
+        raise ValueError(f"{message}; allowed: its .to_numpy() or .to_xarray()")
+    own, bare = in_own_unit(unit, given, newtons_per_load)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
     wrong = array[~((array >= least) & np.isfinite(array))]
     if wrong.size:
         raise ValueError(f"{key} is {wrong[0]:g}; allowed: {sign} finite numbers")
-    return np.array(array if has_unit(given) else unit.to_si(array, newtons_per_load))
+    return own, np.array(own.to_si(array, newtons_per_load))
 
 
 def broadcast_by_name(
@@ -188,6 +199,10 @@ def check_points(arrays: Mapping[str, NDArray]) -> None:
 def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     """Real numbers as a float64 array, which may contain inf or nan; quantities are refused."""
     several = given if isinstance(given, list | tuple) else [given]
+    if any(isinstance(each, bool | np.bool_) for each in several):
+        raise ValueError(
+            f"{name} is {format_value(given)}; allowed: {allowed}"
+        )  # numpy takes True as 1
     if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
         raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}")
     if np.ma.is_masked(given):
@@ -219,14 +234,6 @@ def check_numbers(numbers: Mapping[str, Any], usual: Usual) -> None:
     for name, value in numbers.items():
         check_number(name, value)
     warn_outside(numbers, usual)
-
-
-def check_ends(name: str, ends: Any) -> None:
-    """Raise ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
-    allowed = "two numbers, positive and increasing"
-    array = checked_array(name, ends, allowed)
-    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
-        raise ValueError(f"{name} is {format_value(ends)}; allowed: {allowed}")
 
 
 def check_count(name: str, count: Any) -> None:

@@ -7,7 +7,7 @@ the attribute ``units``, carry their own unit.  ``units.toml`` is the table of t
 
 import re
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -24,35 +24,33 @@ class Unit:
     """A name for a condition, such as ``viscosity_cSt``, and its unit.
 
     ``condition`` is the corresponding argument of ``solve``, ``text`` the unit in UDUNITS spelling
-    and ``scale`` its value in SI (1 for ``load_N``, whose conversion also needs F_t/F_t*).
+    and ``scale`` its value in SI, for the load in newtons if it ``is_force``.
     """
 
     key: str
     condition: str
     text: str
     scale: float = 1.0
+    is_force: bool = False
 
     def to_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
         """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m."""
-        if self.key == LOAD_IN_NEWTONS:
-            return np.multiply(values, 1.0 / newtons_per_load)
-        return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
+        numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
+        return np.multiply(numbers, 1.0 / newtons_per_load) if self.is_force else numbers
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
         """``values`` in SI converted to this unit."""
-        is_force = self.key == LOAD_IN_NEWTONS
-        return np.divide(values, 1.0 / newtons_per_load if is_force else self.scale)
+        numbers = np.divide(values, 1.0 / newtons_per_load) if self.is_force else values
+        return np.divide(numbers, self.scale)
 
 
-LOAD_IN_NEWTONS = "load_N"
 FORCE = "N", "a force, e.g. in N"  # another dimension of the load
 CONDITIONS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
 ENGINEERING = {name: each["engineering"] for name, each in CONDITIONS.items()}
 UNITS = {name: Unit(name, name, each["unit"]) for name, each in CONDITIONS.items()}
-UNITS |= {
-    each["engineering"]: Unit(each["engineering"], name, each["engineering_unit"], each["scale"])
-    for name, each in CONDITIONS.items()
-}
+for name, each in CONDITIONS.items():
+    key, is_force = each["engineering"], name == "load"
+    UNITS[key] = Unit(key, name, each["engineering_unit"], each["scale"], is_force)
 SEARCHED = {name: tuple(each["searched"]) for name, each in CONDITIONS.items()}
 
 
@@ -63,24 +61,31 @@ def unit_of(key: Any) -> Unit:
     return UNITS[key]
 
 
-def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
-    """A quantity, or a list or array of some, as plain numbers in SI; anything else is returned unchanged.
-
-    ``unit`` is that of the argument's name.  Raises ``ValueError`` for an unknown unit, a wrong
-    dimension and uncertainties.
-    """
+def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, Any]:
+    """The unit of ``given`` and plain numbers in it: of a quantity its own unit, of several SI, and
+    of anything else ``unit``, that of the name of the argument; ``ValueError`` for an unknown unit,
+    a wrong dimension, uncertainties, and quantities mixed with numbers."""
     if is_labelled(given) and has_unit(given.data):
         given = given.data
+    given = getattr(given, "quantity", given)  # an array of pint-pandas
     of_objects = isinstance(given, np.ndarray) and given.dtype == np.dtype("O")
     if of_objects or isinstance(given, list | tuple):
         parts = list(given.flat) if of_objects else given
         kinds = set(map(type, parts))
         if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
-            return given
-        found = [without_unit(unit, each, newtons_per_load) for each in parts]
-        return np.reshape(found, given.shape) if of_objects else found
+            return unit, given
+        found = [in_own_unit(unit, each, newtons_per_load) for each in parts]
+        plain = {own is unit for own, _ in found}
+        if plain == {True}:
+            return unit, given
+        if True in plain:
+            message = f"{unit.key} has quantities and plain numbers"
+            raise ValueError(f"{message}; allowed: either of them")
+        numbers = [own.to_si(number, newtons_per_load) for own, number in found]
+        in_si = replace(UNITS[unit.condition], key=unit.key)
+        return in_si, np.reshape(numbers, given.shape) if of_objects else numbers
     if not has_unit(given):
-        return given
+        return unit, given
     quantity = given if is_quantity(given) else _of_pint(unit, given)
     is_force = unit.condition == "load" and quantity.is_compatible_with(FORCE[0])
     wanted, words = FORCE if is_force else CONDITIONS[unit.condition]["dimension"]
@@ -88,11 +93,13 @@ def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
         found = f"{quantity.units:~}" or "no unit"
         raise ValueError(f"{unit.key} is in {found}; allowed: {words}")
     try:
-        numbers = decimal(quantity.to(wanted).magnitude, digits=15)
+        numbers = np.asarray(quantity.magnitude, float)
     except (TypeError, ValueError):
         kind = type(quantity.magnitude).__name__
-        raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: plain numbers") from None
-    return numbers / newtons_per_load if is_force else numbers
+        allowed = "plain numbers, such as the nominal value"
+        raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: {allowed}") from None
+    scale = float((1.0 * quantity.units).to(wanted).magnitude)
+    return Unit(unit.key, unit.condition, f"{quantity.units:~}" or "1", scale, is_force), numbers
 
 
 def has_unit(given: Any) -> bool:

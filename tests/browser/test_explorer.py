@@ -121,6 +121,12 @@ def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
     assert (explorer.one("#point").text == before) == (shown is None)
 
 
+def test_what_no_interface_has_is_said(explorer):
+    explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
+    notes = explorer.one("#notes").text
+    assert "Particle size is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
+
+
 def test_another_interpretation_is_another_model(explorer):
     explorer.open("figure=fig04")
     before = explorer.curve("ν = 90 cSt")
@@ -301,6 +307,8 @@ def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer):
         ("load [lbf],solid load fraction\n1,2", "load [lbf]"),
         ("load,solid load fraction\n1,2", "N, mN, kN"),
         ("time,place\n1,2", "two columns"),
+        ("load [N];solid load fraction\n1.000;0,5", "decimal commas and decimal points"),
+        ("load [N],solid load fraction\n10,none", "“none” is no number"),
     ],
 )
 def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, text, named):

@@ -51,15 +51,16 @@ def unit():
 def test_quantities_in_arrays_and_lists_are_converted(solve, parameters, unit):
     expected = solve(roughness=[3e-7, 5e-7])
     quantities = np.array([300, 500]) * unit.nm
-    for given in (quantities, [300 * unit.nm, 5e-7], [300 * unit.nm, 0.5 * unit.um]):
+    for given in (quantities, [300 * unit.nm, 0.5 * unit.um]):
         assert_same(solve(roughness=given), expected)
     named = solve(roughness=xr.DataArray(quantities, dims="surface"))
     assert named.separation.dims == ("surface",)
     assert_same(named, expected)
     grid = tb.grid(**POINT | {"roughness": quantities}, parameters=parameters)
     assert grid.roughness.values.tolist() == [3e-7, 5e-7]  # the decimal numbers
-    with pytest.raises(ValueError, match="viscosity_cSt is a list of quantities; allowed: numbers"):
-        tb.grid(**ENGINEERING | {"viscosity_cSt": [90 * unit.cSt]}, parameters=parameters)
+    message = "load has quantities and plain numbers; allowed: either of them"
+    assert refusal(solve, load=[10 * unit.N, 20.0]) == message
+    assert refusal(solve, load=[True, 2]) == "load is [True, 2]; allowed: numbers"
 
 
 WRONG_UNITS = {
@@ -123,7 +124,7 @@ OUTSIDE = {
     "load": (10.0, "load is 10; usual: 1e-13 to 0.02"),
     "viscosity": (90.0, "viscosity is 90 m2 s-1; usual: 3e-07 to 0.01 m2 s-1"),
     "particle_diameter": (500e-18, "particle_diameter is 5e-16 m; usual: 1e-09 to 0.001 m"),
-    "roughness": (300e-18, "roughness is 3e-16 m; usual: 1e-10 to 0.001 m"),
+    "roughness": (300e-18, "roughness is 3e-16 m; usual: 1e-09 to 0.001 m"),
     "particle_density": (11.0, "particle_density is 11 m-2; usual: 1e+06 to 1e+16 m-2"),
 }
 
@@ -147,7 +148,7 @@ TYPED = {
     "load_N": (1e5, "load_N is 100000 N; usual: "),
     "viscosity_cSt": (0.08, "viscosity_cSt is 0.08 cSt; usual: 0.3 to 10000 cSt"),
     "particle_diameter_nm": (500e-9, "particle_diameter_nm is 5e-07 nm; usual: 1 to 1e+06 nm"),
-    "roughness_nm": (0.3e-6, "roughness_nm is 3e-07 nm; usual: 0.1 to 1e+06 nm"),
+    "roughness_nm": (0.3e-6, "roughness_nm is 3e-07 nm; usual: 1 to 1e+06 nm"),
     "particle_density_per_m2": (11, "particle_density_per_m2 is 11 m-2; usual: 1e+06 to 1e+16 m-2"),
 }
 
@@ -179,8 +180,8 @@ def test_all_that_is_outside_is_named_in_one_warning(solve):
 
 
 def test_so_is_a_bearing_in_another_unit(parameters):
-    expected = "ball_radius_mm is 6350 mm; usual: 0.1 to 1000 mm"
-    assert warning(tb.bearing, parameters, ball_radius_mm=6350) == expected
+    expected = "pressure_viscosity_per_GPa is 0.02 GPa-1; usual: 1 to 100 GPa-1"
+    assert warning(tb.bearing, parameters, pressure_viscosity_per_GPa=0.02) == expected
     light = {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 0.87}
     expected = "oil_density_kg_per_m3 is 0.87 kg m-3; usual: 500 to 3000 kg m-3"
     assert warning(tb.bearing, parameters, **light) == expected

@@ -30,6 +30,7 @@ REFUSED = {
     f"size {DRY} --from 100 --to 10": "--from is 100; allowed: positive numbers less than --to, 10",
     f"curve {DRY} --particle-diameter-nm 0 --along load --from 0 --to 2": "--from is 0; allowed: pos",
     f"{CURVE} --csv ''": "'' is not a file name",
+    f"compare {STATE.removeprefix('state ')} --other-roughness-nm 0": "--other-roughness-nm is 0",
     "compare-data": "FILE is missing",
     "compare-data ''": "'' cannot be read (Is a directory)",
     "compare-data absent.csv": "absent.csv cannot be read (No such file or directory)",
@@ -148,7 +149,7 @@ def test_a_curve_is_printed_as_it_is_written(capsys):
 def process(text, **more):
     """The command in a process of its own."""
     command = [sys.executable, "-m", "thirdbody", *shlex.split(text)]
-    return subprocess.Popen(command, stderr=subprocess.PIPE, **more)
+    return subprocess.Popen(command, **{"stderr": subprocess.PIPE} | more)
 
 
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii"])
@@ -159,16 +160,20 @@ def test_output_is_printed_in_any_encoding(encoding):
     assert err == b""
 
 
-def test_a_closed_pipe_is_silent():
-    running = process(BEARING, stdout=subprocess.PIPE)
+@pytest.mark.parametrize("arguments", [BEARING, "--help"], ids=["answer", "help"])
+def test_a_closed_pipe_is_silent(arguments):
+    running = process(arguments, stdout=subprocess.PIPE)
     running.stdout.close()
     assert running.stderr.read() == b""
     assert running.wait() == ANSWERED
+    assert process(arguments, preexec_fn=lambda: os.close(1)).wait() == ANSWERED
 
 
-def test_a_full_device_is_one_line():
+@pytest.mark.parametrize("arguments", [BEARING, "bearing --help"], ids=["answer", "help"])
+def test_a_full_device_is_one_line(arguments):
     with open("/dev/full", "w") as full:
-        running = process(BEARING, stdout=full)
+        running = process(arguments, stdout=full)
         _, err = running.communicate()
+        refused = process("bearing --ball wood", stderr=full).wait()
     message = b"thirdbody bearing: the answer cannot be written (No space left on device)\n"
-    assert (running.returncode, err) == (NOT_WRITTEN, message)
+    assert (running.returncode, err, refused) == (NOT_WRITTEN, message, BAD_INPUT)

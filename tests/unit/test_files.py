@@ -55,6 +55,8 @@ def test_want_of_room_names_the_product(tmp_path):
         ("no/a.csv", r"no/a.csv cannot be written \(No such file or directory\)"),
         ("file/a.csv", r"file/a.csv cannot be written \(Not a directory\)"),
         ("folder", r"folder cannot be written \(Is a directory\)"),
+        ("pipe", r"pipe cannot be written \(Not a regular file\)"),
+        ("link", r"pipe cannot be written \(Not a regular file\)"),
         ("x" * 300, r"x+ cannot be written \(File name too long\)"),
         ("", "'' is not a file name; allowed: the path of a file to write"),
         ("a\0b", r"'a\\x00b' is not a file name"),
@@ -67,6 +69,9 @@ def test_a_place_where_nothing_can_be_written_is_named_before_the_block_runs(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").touch()
     (tmp_path / "folder").mkdir()
+    os.mkfifo(tmp_path / "pipe")  # as /dev/full, which root would replace
+    (tmp_path / "link").symlink_to("pipe")
     with pytest.raises((OSError, ValueError), match=message), atomic_write(path):
         raise AssertionError("the block ran")
-    assert listing(tmp_path) == ["file", "folder"]
+    assert listing(tmp_path) == ["file", "folder", "link", "pipe"]
+    assert (tmp_path / "pipe").is_fifo() and (tmp_path / "link").is_symlink()

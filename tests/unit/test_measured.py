@@ -194,7 +194,10 @@ def test_a_curve_is_there_where_one_condition_varies(tmp_path):
     two = tb.compare(data(**{"viscosity [cSt]": [0, 50, 90]}), **WITHOUT_VISCOSITY)
     assert len(two.curve) == 0
     for found in (one, two):
-        found.plot().savefig(tmp_path / "a.png")
+        figure = found.plot()
+        figure.savefig(tmp_path / "a.png")  # in the resolution of its style
+        width = int.from_bytes((tmp_path / "a.png").read_bytes()[16:20])
+        assert width == round(180 * figure.get_figwidth())
 
 
 def test_spreadsheets_of_other_countries_are_read(tmp_path):
@@ -209,6 +212,9 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
     table = data(**{"viscosity [mm^2/s]": 0.09})
     with pytest.warns(tb.OutOfRangeWarning, match="viscosity_cSt is 0.09 cSt; usual: 0.3 to"):
         tb.compare(table, **WITHOUT_VISCOSITY)
+    table = data(**{"film thickness [nm]": 3e-7})
+    with pytest.warns(tb.OutOfRangeWarning, match="film_thickness_nm is 3e-07; usual: 0.1 to 1e"):
+        tb.compare(table, **REST)
     with pytest.warns(tb.OutOfRangeWarning, match="boundary_friction is 12; usual: 0.01 to 1"):
         Assumed(boundary_friction=12)
     with pytest.warns(tb.OutOfRangeWarning, match="gap_nm is 1e-06 nm; usual: 1 to 100000 nm"):
@@ -229,6 +235,8 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("load [N],separation [furlongs per]\n1,1\n", "not known; allowed: as 'separation .nm.'"),
         ("load [N],wear\n1,1\n", "measured has the column 'wear'; allowed: load, viscosity"),
         ("load [N],separation [nm]\nten,1\n", r"load \[N\] is 'ten' in row 1; allowed: numbers"),
+        ("load [N],separation [nm]\n1,inf\n", "separation .nm. is 'inf' in row 1; allowed: numb"),
+        ("load [N];separation [nm]\n1.000;0,1\n", "with a point; allowed: one decimal sign"),
         ("load [N],separation [nm]\n1,5,1\n", "a.csv has 3 cells in the row '1,5,1'; allowed: 2"),
         ("load [N],separation [nm]\n,1\n", "load_N is nan; allowed: positive finite numbers"),
         ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness_nm is given twice"),

@@ -55,11 +55,12 @@ def test_it_shows_the_values_of_the_dataset(grid):
     [
         ({"viscosity": 0.0}, PANELS[:2]),
         ({"viscosity": 9e-5}, PANELS),
+        ({"load": [1e-6, 1e-5]}, PANELS),
         ({"roughness": [1e-7, 3e-7]}, [name for name in PANELS for _ in range(2)]),
         ({"viscosity": 9e-5, "particle_density": np.linspace(1e10, 1e11, 30)}, PANELS),
         ({"variables": ["solid_load_fraction"]}, ["solid_load_fraction"]),
     ],
-    ids=["dry", "one curve", "two surfaces", "many curves", "one variable"],
+    ids=["dry", "one curve", "two loads", "two surfaces", "many curves", "one variable"],
 )
 def test_panels_are_those_of_what_the_dataset_holds(grid, given, expected):
     assert panels(tb.plot(grid(**given))) == expected

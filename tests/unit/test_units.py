@@ -1,6 +1,7 @@
 """Quantities of other packages and arrays that name their unit: converted, or refused in one line."""
 
 from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 import pint
@@ -9,7 +10,6 @@ import xarray as xr
 from methods import ENGINEERING, POINT
 
 import thirdbody as tb
-from thirdbody.units import UNITS
 
 UNIT = pint.UnitRegistry()
 
@@ -53,7 +53,8 @@ def test_an_unknown_unit_and_an_uncertainty_are_refused_by_name(solved):
     with pytest.raises(ValueError, match=message):
         solved(roughness=of_xarray(1.0, "furlong per fun"))
     uncertain = pytest.importorskip("uncertainties").ufloat(10, 1)
-    with pytest.raises(ValueError, match="^load is a quantity of .*; allowed: plain numbers$"):
+    message = "^load is a quantity of .*; allowed: plain numbers, such as the nominal value$"
+    with pytest.raises(ValueError, match=message):
         solved(load=UNIT.Quantity(uncertain, "N"))
 
 
@@ -62,6 +63,7 @@ def test_every_entry_takes_quantities(parameters):
     interface = tb.Interface(**ENGINEERING | given)
     assert interface == tb.Interface(**ENGINEERING)
     assert interface.described().startswith("load 10 N, viscosity 90 cSt")
+    assert tb.Interface(**POINT, parameters=parameters).changed(load_N=10).viscosity_cSt == 90.0
     grid = tb.grid(**ENGINEERING | given, parameters=parameters)
     xr.testing.assert_identical(grid, tb.grid(**ENGINEERING, parameters=parameters))
     search = dict(level=0.9, along="viscosity_cSt", parameters=parameters)
@@ -72,10 +74,31 @@ def test_every_entry_takes_quantities(parameters):
     assert one == pytest.approx(other, rel=1e-9)
 
 
-@pytest.mark.parametrize("key", UNITS)
-def test_a_unit_turns_into_si_and_back(key):
-    unit = UNITS[key]
-    assert unit.from_si(unit.to_si(325.0, 1e6), 1e6) == pytest.approx(325.0, rel=1e-12)
+def test_several_quantities_are_converted_once(parameters):
+    loads = [10.0 * UNIT.N, 0.02 * UNIT.kN]
+    array = np.array([10.0, 20.0]) * UNIT.N
+    of_pandas = SimpleNamespace(quantity=array)  # an array of pint-pandas
+    given = {key: value for key, value in ENGINEERING.items() if key != "load_N"}
+    expected = tb.solve(**given, load_N=[10.0, 20.0], parameters=parameters).solid_load_fraction
+    for each in (loads, [loads], np.array(loads, object), xr.DataArray(array, dims="x"), of_pandas):
+        for name in ("load", "load_N"):
+            found = tb.solve(**given, **{name: each}, parameters=parameters).solid_load_fraction
+            np.testing.assert_allclose(np.ravel(found), expected, rtol=1e-9)
+
+
+def test_ends_of_a_search_take_quantities_and_warn_in_the_unit_typed(parameters):
+    ends = 1e-6 * UNIT.m**2 / UNIT.s, 100 * UNIT.cSt
+    interface = tb.Interface(**ENGINEERING)
+    assert interface.transitions("viscosity", between=ends).notes[0].endswith("1 to 100 cSt")
+    assert interface.curve("load", 10 * UNIT.N, 20 * UNIT.N, count=2).points.tolist() == [10, 20]
+    search = {"variable": "separation", "along": "viscosity_cSt", **ENGINEERING}
+    del search["viscosity_cSt"]
+    with pytest.warns(tb.OutOfRangeWarning, match="^between is 1e-06 cSt; usual: 0.3 to 10000 cSt"):
+        tb.find(level=1e-6, between=(1e-6, 1e-4), parameters=parameters, **search)
+    with pytest.raises(ValueError, match="^level of separation is 900; allowed: 0 to 0.01 m$"):
+        tb.find(level=900, parameters=parameters, **search)
+    with pytest.warns(tb.OutOfRangeWarning, match="^load is 10 MN; usual: .* MN$"):
+        tb.solve(**POINT | {"load": 10.0 * UNIT.MN}, parameters=parameters)
 
 
 @pytest.mark.parametrize("package", PACKAGES)

@@ -89,7 +89,9 @@ def test_the_page_has_the_score_and_the_contradictions_apart():
     failed = page.split("## What fails, in the words of the paper")[1]
     assert "**taken**" in failed and "**other**" in failed and "**aside**" not in failed
     assert "It holds under none of the 0 interpretations." in failed
-    assert claims_html(results).count("<tr class") == len(CLAIMS)
+    html = claims_html(results)
+    assert html.count("<tr class") == len(CLAIMS)
+    assert "rowgroup" in html and html.count('type="radio"') == 5
 
 
 def test_headline_numbers_have_the_range_of_the_ensemble():

@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import (
     check_count,
-    check_ends,
     check_points,
     check_rtol,
     checked_array,
     checked_parameters,
+    ends_in_si,
     in_si,
 )
 from thirdbody.curves.bracketing import bracketed_roots
@@ -36,7 +36,6 @@ from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular
 from thirdbody.units import (
     ENGINEERING,
-    LOAD_IN_NEWTONS,
     SEARCHED,
     UNITS,
     Unit,
@@ -175,7 +174,7 @@ def find(
     along : str
         The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float, optional
-        Ends of the search in the unit of ``along``.  By default 0.01 to 1000 N, 1 to 1000 cSt, 10 to
+        Ends of the search in the unit of ``along``, or quantities.  By default 0.01 to 1000 N, 1 to 1000 cSt, 10 to
         10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, from 2 to a million.
@@ -327,10 +326,10 @@ def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
         raise ValueError(f"variable is {format_value(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
-    impossible = levels[~((levels >= 0.0) & (levels <= quantity.largest) & np.isfinite(levels))]
+    most, allowed = (0.01, "0 to 0.01 m") if quantity.units == "m" else (1.0, "0 to 1")
+    impossible = levels[~((levels >= 0.0) & (levels <= most))]
     if impossible.size:
-        most = f"0 to {quantity.largest:g}" if quantity.largest < np.inf else "zero or positive"
-        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {most}")
+        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {allowed}")
     return levels
 
 
@@ -352,12 +351,14 @@ def sweep_values(
     along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
 ) -> tuple[Unit, NDArray]:
     """The unit of an axis, and its sampled values [SI]; arguments as in ``find``."""
-    axis = unit = unit_of(along)
-    if between is None:
-        unit, between = UNITS[ENGINEERING[axis.condition]], SEARCHED[axis.condition]
-    check_ends("between", between)
+    unit = unit_of(along)
     check_count("count", count)
-    return axis, np.geomspace(*unit.to_si(between, parameters.newtons_per_load), count)
+    if between is None:
+        default = UNITS[ENGINEERING[unit.condition]]
+        ends = default.to_si(SEARCHED[unit.condition], parameters.newtons_per_load)
+    else:
+        ends = ends_in_si("between", between, unit, parameters)
+    return unit, np.geomspace(*ends, count)
 
 
 def crossings(
@@ -442,5 +443,4 @@ def _may_touch(excess):
 
 def _load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, converted from newtons."""
-    check_ends("between_N", between_N)
-    return tuple(UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist())
+    return tuple(ends_in_si("between_N", between_N, UNITS["load_N"], parameters).tolist())

@@ -3,7 +3,8 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Self
+from numbers import Real
+from typing import Any, Self
 
 import numpy as np
 
@@ -18,9 +19,9 @@ from thirdbody.answers.find import (
 )
 from thirdbody.conditions import (
     check_count,
-    check_ends,
     check_names,
     checked_parameters,
+    ends_in_si,
     in_si,
     without_warnings,
 )
@@ -34,7 +35,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, has_unit, unit_of
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, unit_of
 
 LENGTH = UNITS["roughness_nm"]  # unit of sizes and of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
@@ -55,14 +56,15 @@ TURNING = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Interface:
     """An interface, with a method for each question.
 
     The normal load F_t [N] and the equivalent root mean square roughness sigma [nm] are positive.
     The kinematic viscosity [cSt] is 0 without oil; the mean diameter x_a [nm] and the number eta_a
-    [m-2] are 0 without particles.  Each is a number or a quantity.  ``parameters`` describe
-    materials, ball and film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
+    [m-2] are 0 without particles.  Each is given by any of its names in ``thirdbody.solve``, as a
+    number or a quantity.  ``parameters`` describe materials, ball and film: by default the
+    calibrated ones; ``thirdbody.bearing`` derives others.
 
     Raises ``ValueError`` for a condition that is not a finite number or out of range, and for inputs that
     are not ``Parameters``; issues one ``OutOfRangeWarning`` for conditions outside their usual range.
@@ -81,17 +83,19 @@ class Interface:
     particle_diameter_nm: float
     roughness_nm: float
     particle_density_per_m2: float
-    parameters: Parameters | None = field(default=None, repr=False)
+    parameters: Parameters = field(repr=False)
 
-    def __post_init__(self):
-        object.__setattr__(self, "parameters", checked_parameters(self.parameters))
-        given = in_si(self.conditions, self.parameters)
-        for name, key in ENGINEERING.items():
-            if given[name].ndim:
-                raise ValueError(f"{key} has shape {given[name].shape}; allowed: one number")
-            if has_unit(getattr(self, key)):
-                number = UNITS[key].from_si(given[name], self.parameters.newtons_per_load)
-                object.__setattr__(self, key, float(decimal(number)))
+    def __init__(self, *, parameters: Parameters | None = None, **conditions: float):
+        parameters = checked_parameters(parameters)
+        object.__setattr__(self, "parameters", parameters)
+        for name, values in in_si(conditions, parameters).items():
+            key = ENGINEERING[name]
+            if values.ndim:
+                raise ValueError(f"{key} has shape {values.shape}; allowed: one number")
+            number = conditions.get(key)
+            if not isinstance(number, Real):
+                number = float(decimal(UNITS[key].from_si(values, parameters.newtons_per_load)))
+            object.__setattr__(self, key, number)
 
     @property
     def conditions(self) -> dict[str, float]:
@@ -105,7 +109,9 @@ class Interface:
 
     def changed(self, **conditions: float | Parameters) -> Self:
         """The same interface with other conditions, or other ``parameters``."""
-        return replace(self, **conditions)
+        others = {UNITS[key].condition for key in conditions.keys() & UNITS.keys()}
+        kept = {key: getattr(self, key) for name, key in ENGINEERING.items() if name not in others}
+        return Interface(**{"parameters": self.parameters} | kept | conditions)
 
     def described(self, without: str = "") -> str:
         """The conditions in words, except the one named ``without``."""
@@ -166,7 +172,7 @@ class Interface:
         along = unit_of(along).condition
         key = ENGINEERING[along]
         check_names("flags", flags, FLAGS_WITH_BORDERS)
-        between = SEARCHED[along] if between is None else between
+        between = SEARCHED[along] if between is None else self._ends("between", between, key)
         given = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
@@ -203,6 +209,7 @@ class Interface:
         the load, the area ratio and L_s at the turning point, then the least and largest diameter
         for which dry contact has one; ``found`` is whether this interface has one.
         """
+        between_N = self._ends("between_N", between_N, "load_N")
         with without_warnings():
             mine, *of_members = (
                 self._turning_with(each, between_N) for each in (self.parameters, *self.members)
@@ -226,7 +233,7 @@ class Interface:
         import pandas as pd
 
         key = ENGINEERING[unit_of(along).condition]
-        check_ends("low to high", (low, high))
+        low, high = self._ends("low to high", (low, high), key)
         check_count("count", count)
         table = pd.DataFrame({key: np.geomspace(low, high, count)})
         mine, *of_members = self._solved(**{key: table[key].to_numpy()})
@@ -236,6 +243,11 @@ class Interface:
         for name, flag in FLAGS.items():
             table[name] = pd.Categorical.from_codes(getattr(mine, name), flag.meanings)
         return Curve(key, table)
+
+    def _ends(self, name: str, ends: Any, key: str) -> tuple[float, float]:
+        """The ends of a range, numbers or quantities, in the unit of the condition ``key``."""
+        found = ends_in_si(name, ends, UNITS[key], self.parameters)
+        return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
 
     def _solved(self, **changes) -> list[Solution]:
         """Solutions with ``changes`` of the conditions, for the inputs and for each member."""

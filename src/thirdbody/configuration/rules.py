@@ -18,13 +18,7 @@ def fault(allowed: str, *path: str | int, problem: str = "") -> ValidationError:
 
 
 def axis_values(axis: Mapping) -> list[float]:
-    """The values [unit of the key] of an axis of ``config/atlas.yaml``, increasing, to twelve digits.
-
-    Examples
-    --------
-    >>> axis_values({"from": 1, "to": 100, "count": 3, "scale": "logarithmic", "also": [0, 50]})
-    [0.0, 1.0, 10.0, 50.0, 100.0]
-    """
+    """The values [unit of the key] of an axis of ``config/atlas.yaml``, increasing, to twelve digits."""
     space = np.geomspace if axis["scale"] == "logarithmic" else np.linspace
     spaced = space(axis["from"], axis["to"], axis["count"])
     return sorted({float(f"{value:.12g}") for value in (*spaced, *axis["also"])})

@@ -217,9 +217,8 @@ def _checked_grid(parameters, rtol, variables, progress, conditions):
 def _checked_increasing(key: str, values: NDArray) -> NDArray:
     axis = np.atleast_1d(values)
     if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
-        raise ValueError(
-            f"{key} is {format_value(axis.tolist())}; allowed: one increasing dimension"
-        )
+        message = f"{key} of shape {axis.shape} does not increase"  # `axis` is in SI
+        raise ValueError(f"{message}; allowed: one increasing dimension")
     return axis
 
 

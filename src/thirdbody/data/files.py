@@ -24,8 +24,9 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     ]
     try:
         for place, part in zip(places, parts, strict=True):
-            if place.is_dir():
-                raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), part)
+            if place.exists() and not place.is_file():  # a device must not be replaced
+                kind = "Is a directory" if place.is_dir() else "Not a regular file"
+                raise OSError(errno.EINVAL, kind, part)
             part.touch()
             part.unlink()
         yield parts[0] if len(parts) == 1 else tuple(parts)
@@ -53,10 +54,9 @@ def _place(path: str | Path) -> Path:
     except TypeError:
         place = Path()
     if not place.name or "\0" in place.name:
-        raise ValueError(
-            f"{format_value(path)} is not a file name; allowed: the path of a file to write"
-        )
-    return place
+        message = f"{format_value(path)} is not a file name"
+        raise ValueError(f"{message}; allowed: the path of a file to write")
+    return Path(os.path.realpath(place)) if os.path.islink(place) else place
 
 
 def unreadable(path: str | os.PathLike, reason: object) -> OSError:

@@ -1,6 +1,5 @@
 """The variables of the datasets: name, symbol, unit, equation and meaning, in ``quantities.toml``."""
 
-import math
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
@@ -25,15 +24,13 @@ ENDS = (0.05, 0.95)  # quantiles at the ends of the range over an ensemble
 
 class Quantity(NamedTuple):
     """One variable of datasets and of ``thirdbody.Solution``: ``symbol`` of the paper in ASCII,
-    ``equation`` or section that defines it, ``units`` SI in UDUNITS spelling.  Values are between 0
-    and ``largest``."""
+    ``equation`` or section that defines it, ``units`` SI in UDUNITS spelling."""
 
     name: str
     long_name: str
     symbol: str = "none"
     equation: str = "none"
     units: str = "1"
-    largest: float = math.inf
     comment: str = ""
 
     @property

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from thirdbody.conditions.usual import USUAL
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
@@ -60,6 +61,7 @@ def page_content(
                 "name": axis.name,
                 "key": ENGINEERING[axis.name],
                 "scale": axis.scale,
+                "usual": list(USUAL[axis.name]),
                 "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
             }
             for axis in AXES.values()

@@ -68,6 +68,11 @@ class Drawing(Figure):
 
     panels: Sequence[Panel] = ()
 
+    def savefig(self, *given: Any, **options: Any) -> None:
+        """Save the figure in its style, which also applies while it is drawn."""
+        with matplotlib.style.context(STYLE, after_reset=True):
+            super().savefig(*given, **options)
+
     def _repr_png_(self) -> bytes:
         picture = BytesIO()
         self.savefig(picture, format="png", dpi=120)
@@ -113,7 +118,7 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
     kind = Path(path).suffix.removeprefix(".")
     if kind not in FORMATS:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
-    with matplotlib.style.context(STYLE, after_reset=True), atomic_write(path) as part:
+    with atomic_write(path) as part:
         figure.savefig(part, format=kind, **FORMATS[kind])
 
 

@@ -12,7 +12,13 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
-from thirdbody.conditions import check_number, checked_parameters, in_si, without_warnings
+from thirdbody.conditions import (
+    check_number,
+    checked_parameters,
+    in_si,
+    warn_outside,
+    without_warnings,
+)
 from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
@@ -25,7 +31,8 @@ from thirdbody.units import ENGINEERING, UNITS, decimal, registry
 # a unit of each condition, and the column and unit of each measured quantity, by heading
 CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
 CONDITIONS["speed"] = "m/s"
-UNITS_OF = dict(MEASURED.values())
+UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
+USUAL = {column: (least, most, "1") for column, _, least, most in MEASURED.values()}
 CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
@@ -144,6 +151,7 @@ def compare(
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
         if name in FORMULAS:
             notes.append(f"{name} is an estimate: {FORMULAS[name].format(**asdict(assumed))}")
+    warn_outside({name: table[name] for name in observed}, USUAL)
     if not members:
         notes.append(NO_ENSEMBLE)
     unsolved = int(table[f"{name}_model"].isna().sum())
@@ -191,6 +199,10 @@ def _read_csv(path):
             found = f"{len(row)} cells in the row {format_value(separator.join(row))}"
             raise ValueError(f"{name} has {found}; allowed: {len(headings)}, as headings")
     if separator == ";":
+        signs = {sign for row in rows for cell in row for sign in ",." if sign in cell}
+        if len(signs) > 1:
+            message = f"{name} has numbers with a comma and numbers with a point"
+            raise ValueError(f"{message}; allowed: one decimal sign, and none between thousands")
         rows = [[cell.replace(",", ".") for cell in row] for row in rows]
     return pd.DataFrame(rows, columns=headings)
 
@@ -202,9 +214,12 @@ def _quantity(heading, name, unit, column):
     for index, cell in enumerate(column):
         try:
             numbers[index] = float(cell) if str(cell).strip() else np.nan
+            if isinstance(cell, bool | np.bool_) or np.isinf(numbers[index]):
+                raise ValueError
         except (TypeError, ValueError, OverflowError):
             message = f"{heading} is {format_value(cell)} in row {index + 1}"
-            raise ValueError(f"{message}; allowed: numbers with a decimal point") from None
+            allowed = "numbers, finite and with a decimal point"
+            raise ValueError(f"{message}; allowed: {allowed}") from None
     wanted = CONDITIONS.get(name) or MEASURED[name][1]
     unit = unit or ("dimensionless" if name in MEASURED else "")
     try:

@@ -4,6 +4,7 @@ particles per area of a film, from the ISO 4406 code."""
 import math
 import re
 from collections.abc import Mapping
+from numbers import Integral
 from pathlib import Path
 
 import numpy as np
@@ -75,7 +76,7 @@ def oil_viscosity(
             f"points {format_value(points)}; allowed: a grade with its viscosity_index, or points"
         )
     if points is None:
-        if not isinstance(grade, int) or grade not in GRADES:
+        if not isinstance(grade, Integral) or grade not in GRADES:
             allowed = ", ".join(map(str, GRADES))
             raise ValueError(f"grade is {format_value(grade)}; allowed: ISO VG {allowed}")
         points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], viscosity_index)}

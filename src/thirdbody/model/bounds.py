@@ -15,16 +15,7 @@ LEAST_SPREAD = 1e-6
 
 
 class Bounds(NamedTuple):
-    """A closed interval of numbers, in SI.
-
-    Examples
-    --------
-    >>> fraction = Bounds(0.0, 1.0)
-    >>> fraction.hold(1), fraction.hold(1.5), fraction.hold(float("nan")), fraction.hold("1")
-    (True, False, False, False)
-    >>> print(fraction)
-    a number from 0 to 1
-    """
+    """A closed interval of numbers, in SI."""
 
     least: float
     most: float
@@ -45,7 +36,7 @@ BOUNDS = {
     "hardness_surface_2": Bounds(1e6, 1e14),
     "yield_pressure_ratio": Bounds(0.1, 1.0),
     "plastic_interference_ratio": Bounds(1.0, 1e5),
-    "ball_radius": Bounds(1e-6, 10.0),
+    "ball_radius": Bounds(1e-6, 1.0),
     "material_parameter": Bounds(1.0, 1e5),
     "hardness_parameter": Bounds(1e-4, 1.0),
     "speed_per_viscosity": Bounds(1e-10, 1.0),

@@ -75,26 +75,13 @@ def contact_mode(
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
-    """Whether points have values, a separation, loads and areas, for indices into ``SOLUTION_STATUSES``.
-
-    Examples
-    --------
-    >>> has_values([SOLUTION_STATUSES.index(name) for name in ("not_converged", "load_exceeded")])
-    array([ True, False])
-    """
+    """Whether points have values, a separation, loads and areas, for indices into ``SOLUTION_STATUSES``."""
     return ~np.isin(solution_status, [SOLUTION_STATUSES.index(name) for name in WITHOUT_VALUES])
 
 
 def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
     """Index into ``SOLUTION_STATUSES`` of the most severe status at each point; ``applies`` are
     bool arrays of one shape, by status.
-
-    Examples
-    --------
-    >>> wide, uncertain = np.array([True, True, False]), np.array([True, False, False])
-    >>> status = gravest_status(area_exceeded=wide, not_converged=uncertain)
-    >>> [SOLUTION_STATUSES[index] for index in status]
-    ['not_converged', 'area_exceeded', 'converged']
     """
     status = np.zeros(next(iter(applies.values())).shape, np.int8)
     for name in MILDEST_FIRST:

@@ -268,10 +268,11 @@ def claims_markdown(judged: Judged) -> str:
 
 
 def claims_html(judged: Judged) -> str:
-    """The statements and their verdicts as a table, an HTML page."""
+    """The statements and their verdicts as an HTML table, by figure, of which a verdict can be chosen."""
     score = score_sentence(judged).replace("**", "")
-    rows = judged.table.to_dict("records")
-    return ENVIRONMENT.get_template("claims.html.j2").render(score=score, rows=rows)
+    parts = judged.table.groupby(judged.table["place"].map(part_of_paper), sort=False)
+    groups = [(part, rows.to_dict("records")) for part, rows in parts]
+    return ENVIRONMENT.get_template("claims.html.j2").render(score=score, groups=groups)
 
 
 def claims_json(judged: Judged) -> str:

@@ -9,7 +9,7 @@ import { MAP_KEY, mapView } from "./map.js";
 import { SECTION_KEY, drawSection } from "./section.js";
 import { chartIn, markerShape, widthIn } from "./chart.js";
 import { forgetMeasured, readMeasured } from "./measured.js";
-import { showPoint } from "./point.js";
+import { showPoint, unusual } from "./point.js";
 import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
 import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
@@ -116,7 +116,7 @@ function draw() {
   showKey(key);
   const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
   $("heading").textContent = heading;
-  $("notes").textContent = notes.join("; ");
+  $("notes").textContent = [...unusual(), ...notes].join("; ");
   $("caption").textContent = hasNewtons ? `${caption} ${newtonsText()}` : caption;
 }
 

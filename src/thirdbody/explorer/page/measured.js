@@ -45,6 +45,11 @@ export function readMeasured(file, text) {
     const [used, ignored] = [columns.filter(({ name }) => name), columns.filter(({ name }) => !name)];
     if (used.length < 2) throw new Error("needs two columns such as “load [N]” and “solid load fraction [%]”");
     const valueIn = (cells) => ({ name, place, size }) => [name, numberIn(cells[place] ?? "") * size];
+    const texts = lines.flatMap((cells) => used.map(({ place }) => (cells[place] ?? "").trim()).filter(Boolean));
+    const [comma, point] = [",", "."].map((sign) => texts.some((text) => text.includes(sign)));
+    if (comma && point) throw new Error("has decimal commas and decimal points");
+    const wrong = texts.find((text) => !Number.isFinite(numberIn(text)));
+    if (wrong) throw new Error(`“${wrong}” is no number`);
     rows = lines.map((cells) => Object.fromEntries(used.map(valueIn(cells))));
     const words = used.map(({ name }) => VARIABLES[name].words.toLowerCase());
     const rest = ignored.length ? `; not read: ${ignored.map(({ heading }) => heading).join(", ")}` : "";

@@ -1,6 +1,6 @@
 // The state at the chosen conditions, and where the contact mode changes from there.
 
-import { axes, content, currentPoint, state } from "./state.js";
+import { axes, content, currentInputs, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
 import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
@@ -46,6 +46,20 @@ export function showPoint(parent) {
     }
   }
   setTimeout(inSlices, 120, fill(), () => shownFor === key);
+}
+
+// What of the conditions and of the ball no real interface has, probably because it is in another unit.
+export function unusual() {
+  const { newtonsPerLoad } = currentEngine();
+  const found = axes.map(({ name, usual }) => {
+    const value = currentPoint()[name];
+    const ends = usual.map((end) => (name === "load" ? end * newtonsPerLoad : end));
+    if (value === 0 || (value >= ends[0] && value <= ends[1])) return "";
+    return `${wordOf(name)} is ${valueText(name, value)}; usual: ${ends.map((end) => valueText(name, end)).join(" to ")}`;
+  });
+  const { apparent_area: area, ball_radius: radius } = currentInputs();
+  if (area > Math.PI * radius ** 2) found.push("Aₙ is larger than the cross-section of the ball");
+  return found.filter(Boolean);
 }
 
 // What the particles of a size x_a are like.
