@@ -24,8 +24,8 @@ import numpy as np
 import pandas as pd
 from tabulate import tabulate
 
-from thirdbody.command.main import main as main_of_command
-from thirdbody.command.questions import EXAMPLES
+from thirdbody.command import EXAMPLES
+from thirdbody.command import main as main_of_command
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES

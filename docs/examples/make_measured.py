@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 import thirdbody as tb
-from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.measured.estimates import Assumed, measurable
 
 SCATTER = 0.03  # relative

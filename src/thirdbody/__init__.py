@@ -20,28 +20,12 @@ force balance in ``thirdbody.solver``; both need only numpy and scipy.  The othe
 extra that they need.
 """
 
-# the module of each public name; __init__.pyi repeats them for editors and type checkers
-_MODULES = {
-    "Interface": "answers.interface",
-    "OutOfRangeWarning": "conditions.usual",
-    "Parameters": "model.parameters",
-    "Solution": "solver.solution",
-    "bearing": "answers.bearing",
-    "cleanliness": "measured.cleanliness",
-    "compare": "measured.comparison",
-    "find": "answers.find",
-    "grid": "data.dataset",
-    "load_parameters": "configuration.inputs",
-    "oil_viscosity": "measured.oil",
-    "open_atlas": "atlas.catalogue",
-    "plot": "figures.plot",
-    "solve": "solver.solve",
-    "stream": "data.dataset",
-    "surface": "measured.topography",
-    "transitions": "answers.changes",
-    "turning_point": "answers.turning",
-    "turning_window": "answers.turning",
-}
+import re
+from pathlib import Path
+
+# the module of each public name, as listed for editors and type checkers
+_STUB = Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8")
+_MODULES = {name: module for module, name in re.findall(r"from (\S+) import (\w+) as", _STUB)}
 __all__ = ["__version__", *_MODULES]
 
 
@@ -55,7 +39,7 @@ def __getattr__(name: str):
         raise AttributeError(f"module 'thirdbody' has no attribute {name!r}")
     from importlib import import_module
 
-    found = getattr(import_module(f"thirdbody.{_MODULES[name]}"), name)
+    found = getattr(import_module(_MODULES[name]), name)
     globals()[name] = found  # cached, so that this function is not called again
     return found
 

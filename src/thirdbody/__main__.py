@@ -9,7 +9,7 @@ def run() -> int:
     sys.stdout = sys.stdout or open(os.devnull, "w")  # noqa: SIM115
     sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        from thirdbody.command.main import main
+        from thirdbody.command import main
 
         return main()
     except KeyboardInterrupt:

@@ -4,8 +4,6 @@ The equations and the solver need only numpy and scipy.  A package that needs mo
 in its ``__init__``, so that importing any of its modules raises the same error.
 """
 
-from __future__ import annotations
-
 from importlib.util import find_spec
 
 

@@ -1,20 +1,18 @@
 """Values and file names in one-line messages; long ones are cut."""
 
-from __future__ import annotations
-
 from os import PathLike
 from typing import Any
 
 LONGEST = 60  # letters
 
 
-def shown(value: Any) -> str:
+def format_value(value: Any) -> str:
     """The ``repr`` of a value on one line, cut if it is long."""
     text = " ".join(repr(value).split())
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
-def shown_file(path: str | PathLike) -> str:
+def format_path(path: str | PathLike) -> str:
     """The name of a file, quoted if it is empty or not printable."""
     name = str(path)
-    return name if name.isprintable() and name else shown(name)
+    return name if name.isprintable() and name else format_value(name)

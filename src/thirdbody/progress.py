@@ -4,15 +4,13 @@ Both go to standard error.  A short call writes nothing.  ``tqdm`` is not used: 
 sixth as long as all other imports, and its bar fills a log with one long line.
 """
 
-from __future__ import annotations
-
 import sys
 from contextlib import suppress
 from time import monotonic
 from typing import Any, Self
 
 FIRST_BAR, NEXT_BAR = 2.0, 0.2  # s
-FIRST_LINE = NEXT_LINE = 30.0  # s
+LINE = 30.0  # s
 WIDTH = 30  # letters of the bar
 
 
@@ -23,30 +21,28 @@ def check_progress(progress: Any) -> None:
 
 
 class Progress:
-    """Context manager that reports the progress of one call, if ``is_shown``."""
+    """Context manager that reports the progress of one call, if ``is_shown``; ``add`` counts."""
 
     def __init__(self, total: int, things: str, is_shown: bool) -> None:
-        self._total, self._things = total, things
-        self._done = 0
-        self._stream = sys.stderr if is_shown else None
-        self._is_bar = self._stream is not None and self._stream.isatty()
+        self._total, self._things, self._is_shown = total, things, is_shown
+        self._done, self._written = 0, None  # counts: now, and when last written
+        self._is_bar = sys.stderr.isatty()
         self._start = monotonic()
-        self._due = self._start + (FIRST_BAR if self._is_bar else FIRST_LINE)
-        self._last: int | None = None  # the count when last written
+        self._due = self._start + (FIRST_BAR if self._is_bar else LINE)
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *error: object) -> None:
-        if self._last is not None and (self._is_bar or self._last != self._done):
+        if self._written is not None and (self._is_bar or self._written != self._done):
             self._write(end="\n")
 
     def add(self, count: int) -> None:
         """Count ``count`` more as done."""
         self._done += count
-        if self._stream is not None and monotonic() >= self._due:
+        if self._is_shown and monotonic() >= self._due:
             self._write(end="" if self._is_bar else "\n")
-            self._due = monotonic() + (NEXT_BAR if self._is_bar else NEXT_LINE)
+            self._due = monotonic() + (NEXT_BAR if self._is_bar else LINE)
 
     def _write(self, end: str) -> None:
         fraction = self._done / max(self._total, 1)
@@ -57,10 +53,9 @@ class Progress:
         if self._is_bar:
             bar = "#" * int(fraction * WIDTH)
             text = f"\r[{bar:<{WIDTH}}] {text}\x1b[K"  # \x1b[K clears the rest of the line
-        self._last = self._done
+        self._written = self._done
         with suppress(OSError, ValueError):  # a full or closed stream must not stop the call
-            self._stream.write(text + end)
-            self._stream.flush()
+            print(text, end=end, file=sys.stderr, flush=True)
 
 
 def _duration(seconds: float) -> str:

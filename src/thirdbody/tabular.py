@@ -1,7 +1,5 @@
 """``Tabular``: tabular results for pandas, xarray and notebooks."""
 
-from __future__ import annotations
-
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
@@ -21,7 +19,7 @@ class Tabular:
     element.  Other classes override ``to_dataframe``.
     """
 
-    def to_dataframe(self) -> pd.DataFrame:
+    def to_dataframe(self) -> "pd.DataFrame":
         """The fields as columns."""
         import pandas as pd
 
@@ -29,7 +27,7 @@ class Tabular:
             {each.name: np.ravel(getattr(self, each.name)) for each in fields(self)}
         )
 
-    def to_dataset(self) -> xr.Dataset:
+    def to_dataset(self) -> "xr.Dataset":
         """The same table over the dimension ``row``."""
         return self.to_dataframe().rename_axis("row").to_xarray()
 

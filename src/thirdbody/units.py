@@ -2,21 +2,21 @@
 
 ``viscosity`` is in SI, ``viscosity_cSt`` in centistokes.  ``load`` is F_t* [1], ``load_N`` the
 normal load F_t [N].  Quantities of pint, astropy, unyt and quantities, and arrays of xarray with
-the attribute ``units``, carry their own unit.
+the attribute ``units``, carry their own unit.  ``units.toml`` is the table of the conditions.
 """
 
-from __future__ import annotations
-
 import re
+import tomllib
 from dataclasses import dataclass, replace
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.extras import require
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 
 
 @dataclass(frozen=True)
@@ -39,54 +39,26 @@ class Unit:
         return np.multiply(numbers, 1.0 / newtons_per_load) if self.is_force else numbers
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """Convert values in SI to this unit."""
+        """``values`` in SI converted to this unit."""
         numbers = np.divide(values, 1.0 / newtons_per_load) if self.is_force else values
         return np.divide(numbers, self.scale)
 
 
-UNITS = {
-    unit.key: unit
-    for unit in (
-        Unit("load", "load", "1"),
-        Unit("viscosity", "viscosity", "m2 s-1"),
-        Unit("particle_diameter", "particle_diameter", "m"),
-        Unit("roughness", "roughness", "m"),
-        Unit("particle_density", "particle_density", "m-2"),
-        Unit("load_N", "load", "N", is_force=True),
-        Unit("viscosity_cSt", "viscosity", "cSt", 1e-6),
-        Unit("particle_diameter_nm", "particle_diameter", "nm", 1e-9),
-        Unit("roughness_nm", "roughness", "nm", 1e-9),
-        Unit("particle_density_per_m2", "particle_density", "m-2"),
-    )
-}
-# name of each condition in engineering units
-ENGINEERING = {unit.condition: key for key, unit in UNITS.items() if key != unit.condition}
-# default search ranges in engineering units: those of the paper (Table 2) and a decade beyond
-SEARCHED = {
-    "load": (0.01, 1000.0),
-    "viscosity": (1.0, 1000.0),
-    "particle_diameter": (10.0, 10_000.0),
-    "roughness": (20.0, 2000.0),
-    "particle_density": (1e8, 1e14),
-}
+FORCE = "N", "a force, e.g. in N"  # another dimension of the load
+CONDITIONS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+ENGINEERING = {name: each["engineering"] for name, each in CONDITIONS.items()}
+UNITS = {name: Unit(name, name, each["unit"]) for name, each in CONDITIONS.items()}
+for name, each in CONDITIONS.items():
+    key, is_force = each["engineering"], name == "load"
+    UNITS[key] = Unit(key, name, each["engineering_unit"], each["scale"], is_force)
+SEARCHED = {name: tuple(each["searched"]) for name, each in CONDITIONS.items()}
 
 
 def unit_of(key: Any) -> Unit:
     """The unit of a name; raises ``ValueError`` if there is no such name."""
     if not isinstance(key, str) or key not in UNITS:
-        raise ValueError(f"unknown axis {shown(key)}; allowed: {', '.join(UNITS)}")
+        raise ValueError(f"unknown axis {format_value(key)}; allowed: {', '.join(UNITS)}")
     return UNITS[key]
-
-
-# the dimension of each condition as a quantity: a unit of pint, and words for messages
-FORCE = "N", "a force, e.g. in N"
-WANTED = {
-    "load": ("dimensionless", f"a dimensionless number or {FORCE[1]}"),
-    "viscosity": ("m ** 2 / s", "a kinematic viscosity, e.g. in cSt"),
-    "particle_diameter": ("m", "a length, e.g. in nm"),
-    "roughness": ("m", "a length, e.g. in nm"),
-    "particle_density": ("m ** -2", "a number per area, e.g. in 1/mm**2"),
-}
 
 
 def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, Any]:
@@ -97,7 +69,7 @@ def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, 
         given = given.data
     given = getattr(given, "quantity", given)  # an array of pint-pandas
     of_objects = isinstance(given, np.ndarray) and given.dtype == np.dtype("O")
-    if of_objects or isinstance(given, (list, tuple)):
+    if of_objects or isinstance(given, list | tuple):
         parts = list(given.flat) if of_objects else given
         kinds = set(map(type, parts))
         if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
@@ -116,7 +88,7 @@ def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, 
         return unit, given
     quantity = given if is_quantity(given) else _of_pint(unit, given)
     is_force = unit.condition == "load" and quantity.is_compatible_with(FORCE[0])
-    wanted, words = FORCE if is_force else WANTED[unit.condition]
+    wanted, words = FORCE if is_force else CONDITIONS[unit.condition]["dimension"]
     if not quantity.is_compatible_with(wanted):
         found = f"{quantity.units:~}" or "no unit"
         raise ValueError(f"{unit.key} is in {found}; allowed: {words}")
@@ -156,13 +128,15 @@ def _unit_text(given: Any) -> str | None:
 
 def _of_pint(unit: Unit, given: Any) -> Any:
     """Convert a quantity of another package to pint."""
-    text, known = _unit_text(given), registry()
+    text = _unit_text(given)
+    known = registry()
     try:
-        found = known.Unit(text or "dimensionless")
+        return known.Quantity(np.asarray(given), known.Unit(text or "dimensionless"))
     except Exception:  # pint raises many types
-        message = f"{unit.key} has the unknown unit {shown(text)}"
-        raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
-    return known.Quantity(np.asarray(given), found)
+        message = f"{unit.key} has the unknown unit {format_value(text)}"
+        raise ValueError(
+            f"{message}; allowed: {CONDITIONS[unit.condition]['dimension'][1]}"
+        ) from None
 
 
 @cache

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.atlas.catalogue import chart_panels, chart_rows, open_atlas, write_catalogue
 from thirdbody.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.atlas.surfaces import quantiles
+from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
 

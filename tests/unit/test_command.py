@@ -11,9 +11,8 @@ from pathlib import Path
 import pytest
 
 from thirdbody.__main__ import run as command
-from thirdbody.answers.ensemble import calibrated_ensemble
-from thirdbody.command.main import ANSWERED, BAD_INPUT, NONE_FOUND, NOT_WRITTEN, STOPPED, main
-from thirdbody.command.questions import EXAMPLES
+from thirdbody.command import ANSWERED, BAD_INPUT, EXAMPLES, NONE_FOUND, NOT_WRITTEN, STOPPED, main
+from thirdbody.configuration.inputs import calibrated_ensemble
 
 DRY = "--viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0 --load-N 10"
 CURVE = f"curve {DRY} --particle-diameter-nm 0 --along load --from 1 --to 2"
@@ -108,7 +107,7 @@ def test_ctrl_c_before_a_question_is_asked_is_quiet(capsys, monkeypatch):
     def interrupted():
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("thirdbody.command.main.main", interrupted)
+    monkeypatch.setattr("thirdbody.command.main", interrupted)
     assert command() == STOPPED
     assert capsys.readouterr() == ("", "")
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.command.questions import EXAMPLES
+from thirdbody.command import EXAMPLES
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, STATUS_MEANINGS, VARIABLES
 from thirdbody.model.regimes import WITHOUT_VALUES

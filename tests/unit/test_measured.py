@@ -9,7 +9,7 @@ import pint
 import pytest
 
 import thirdbody as tb
-from thirdbody.command.main import main
+from thirdbody.command import main
 from thirdbody.measured.estimates import Assumed
 from thirdbody.measured.oil import GRADES, viscosity_index_of
 

@@ -15,7 +15,6 @@ from numpy.lib.stride_tricks import as_strided
 
 import thirdbody as tb
 from thirdbody.answers.bearing import MATERIALS, Material, derived
-from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.measured.estimates import Assumed
 
 UNIT = pint.UnitRegistry()
@@ -88,7 +87,6 @@ def calls(parameters):
         "bearing": (tb.bearing, inputs | bodies),
         "Material": (Material, {"modulus": 2e11, "poisson_ratio": 0.3, "hardness": 5e9}),
         "derived": (derived, inputs | {"viscosity_cSt": 90.0}),
-        "calibrated_ensemble": (calibrated_ensemble, inputs),
         "Interface": (tb.Interface, ENGINEERING | inputs),
         "curve": (method("curve"), curve | inputs),
         "changes": (

@@ -14,7 +14,7 @@ from benchmarks.points import parameters_on_one_surface
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.data.attributes import model_attribute
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.interpretations import INTERPRETATIONS
 from thirdbody.model.parameters import Parameters
@@ -51,7 +51,7 @@ def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name):
     for bad in (math.nan, math.inf, -1e99, 10**400, True, "1.0", None, [1.0]):
         with pytest.raises(ValueError) as refused:
             replace(parameters, **{name: bad})
-        assert str(refused.value) == f"{name} is {shown(bad)}; allowed: {BOUNDS[name]} (SI)"
+        assert str(refused.value) == f"{name} is {format_value(bad)}; allowed: {BOUNDS[name]} (SI)"
     for end in BOUNDS[name]:
         assert getattr(replace(parameters, **{name: end}), name) == end
 

@@ -39,7 +39,7 @@ def stream(request, monkeypatch):
     monkeypatch.setattr(
         progress, "sys", SimpleNamespace(stderr=stream)
     )  # pytest takes the true one
-    for name in ("FIRST_BAR", "NEXT_BAR", "FIRST_LINE", "NEXT_LINE"):
+    for name in ("FIRST_BAR", "NEXT_BAR", "LINE"):
         monkeypatch.setattr(progress, name, 0.0)
     return stream
 

@@ -1,17 +1,14 @@
 """Answers to questions: ``Answer``, rows of quantities with ensemble ranges, and ``Curve``."""
 
-from __future__ import annotations
-
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import StringIO
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.quantities import ENDS, FLAGS, QUANTITIES, spread
-from thirdbody.solver.solution import Solution
+from thirdbody.data.quantities import spread
 from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
@@ -21,6 +18,7 @@ Value = float | str | None  # a number, the name of a regime or mode, or None: d
 DIGITS = 4
 # a rule below the headings, in ASCII
 RULED = "    \n    \n -- \n    \n    \n    \n    \n    \n"
+NO_ENSEMBLE = "no ensemble: these inputs leave nothing in which the calibrated sets differ"
 WIDTH = 200  # columns of text that is not printed on a terminal
 
 
@@ -48,28 +46,25 @@ class Row:
     @classmethod
     def of(
         cls, name: str, quantity: str, value: Value, unit: str, of_members: Sequence[Value]
-    ) -> Row:
+    ) -> Self:
         """The row of a quantity with the values ``of_members`` of the ensemble."""
         numbers = [each for each in of_members if isinstance(each, float)]
         low, high = spread(numbers) or (None, None)
-        same = (
-            numbers if isinstance(value, float) else [each for each in of_members if each == value]
-        )
-        return cls(name, quantity, value, unit, low, high, len(same), len(of_members))
+        agree = len(numbers) if isinstance(value, float) else list(of_members).count(value)
+        return cls(name, quantity, value, unit, low, high, agree, len(of_members))
 
     @property
     def range_text(self) -> str:
         """The range over the ensemble, formatted for a table."""
         parts = []
         if self.low is not None:
-            parts.append(f"{text_of(self.low)} to {text_of(self.high)}")
+            parts.append(f"{_text(self.low)} to {_text(self.high)}")
         if self.agree < self.members or (self.members and isinstance(self.value, str)):
             parts.append(f"{self.agree} of {self.members}" + (" have none" * (self.value is None)))
         return ", ".join(parts)
 
 
-def text_of(value: Value) -> str:
-    """A value, formatted for a table."""
+def _text(value: Value) -> str:
     if value is None:
         return "none"
     return value if isinstance(value, str) else f"{value:.{DIGITS}g}"
@@ -78,9 +73,8 @@ def text_of(value: Value) -> str:
 def few_particles(per_m2: float, apparent_area: float, name: str = "particles") -> tuple[str, ...]:
     """A note if there is less than one particle in the nominal area A_n [m2]."""
     count = per_m2 * apparent_area
-    if not 0.0 < count < 1.0:
-        return ()
-    return (f"{count:.2g} {name} in A_n = {apparent_area:.3g} m2: most contacts have none",)
+    note = f"{count:.2g} {name} in A_n = {apparent_area:.3g} m2: most contacts have none"
+    return (note,) if 0.0 < count < 1.0 else ()
 
 
 @dataclass(frozen=True)
@@ -100,39 +94,36 @@ class Answer(Tabular):
         """Plain data for JSON."""
         return asdict(self)
 
-    def to_dataframe(self) -> pd.DataFrame:
+    def to_dataframe(self) -> "pd.DataFrame":
         """The rows as a table, in the columns of ``Row``."""
         import pandas as pd
 
-        return pd.DataFrame([asdict(row) for row in self.rows])
+        return pd.DataFrame(self.as_dict()["rows"])
 
     def value(self, name: str) -> Value:
-        """The value of the first row with a name; ``KeyError`` if there is none."""
-        return {row.name: row.value for row in reversed(self.rows)}[name]
+        """The value of the row with a name; ``KeyError`` if there is none."""
+        return {row.name: row.value for row in self.rows}[name]
 
-    def as_text(self, width: int = WIDTH, on_terminal: bool = False) -> str:
+    def as_text(self, width: int = WIDTH) -> str:
         """The title, a table and the notes, at most ``width`` columns wide."""
         from rich.box import Box
         from rich.console import Console
         from rich.table import Table
 
+        headings = ["value", "90 % range"]
         compares = any(row.other is not None for row in self.rows)
-        headings = (
-            ["first", "second", "90 % of the change"] if compares else ["value", "90 % range"]
-        )
+        if compares:
+            headings = ["first", "second", "90 % of the change"]
         box = Box(RULED, ascii=True)
         table = Table("quantity", *headings, "unit", box=box, show_edge=False, pad_edge=False)
         for row in self.rows:
             values = [row.value, row.other] if compares else [row.value]
-            table.add_row(row.quantity, *map(text_of, values), row.range_text, row.unit)
+            table.add_row(row.quantity, *map(_text, values), row.range_text, row.unit)
         notes = ["", *(f"  {note}" for note in self.notes)] if self.notes else []
-        text = StringIO()
-        console = Console(
-            file=text, width=width, force_terminal=on_terminal, markup=False, highlight=False
-        )
+        console = Console(file=StringIO(), width=width, markup=False, highlight=False)
         for part in (self.title, "", table, *notes):
             console.print(part)
-        return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
+        return "\n".join(line.rstrip() for line in console.file.getvalue().splitlines())
 
     def __str__(self) -> str:
         return self.as_text()
@@ -140,51 +131,33 @@ class Answer(Tabular):
 
 @dataclass(frozen=True)
 class Curve(Tabular):
-    """The result of ``Interface.curve``: arrays of shape (n,) over an axis.
+    """The result of ``Interface.curve``: a table ``values`` with a row per point.
 
-    ``along`` is the axis, by its name with a unit, and ``points`` its values in that unit.
-    ``values`` are the variables by name, SI, nan without solution; ``low`` and ``high`` the 5 % and
-    95 % quantiles of numbers over the ensemble, empty without an ensemble.
+    Its columns are the axis, by its name ``along`` with a unit; the variables, SI, nan without
+    solution, each with ``_low`` and ``_high``, the ends of its ensemble range, if there is an
+    ensemble; and regime, mode and status by name.
     """
 
     along: str
-    points: NDArray
-    values: Mapping[str, NDArray]
-    low: Mapping[str, NDArray]
-    high: Mapping[str, NDArray]
+    values: "pd.DataFrame"
 
-    @classmethod
-    def of(cls, along: str, points: NDArray, mine: Solution, members: list[Solution]) -> Curve:
-        """The curve from the solution with the inputs of the interface and those of the ensemble."""
-        import pandas as pd
+    @property
+    def points(self) -> NDArray:
+        """The values of the axis."""
+        return self.values[self.along].to_numpy()
 
-        values = {name: getattr(mine, name) for name in (*QUANTITIES, *FLAGS)}
-        low, high = {}, {}
-        for name in QUANTITIES if members else ():
-            of_members = pd.DataFrame([getattr(member, name) for member in members])
-            low[name], high[name] = of_members.quantile(ENDS).to_numpy()  # ignores nan
-        return cls(along, points, values, low, high)
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """One row per point: the axis in its unit, numbers in SI with their ranges, flags as words."""
-        import pandas as pd
-
-        table = {self.along: self.points}
-        for name in QUANTITIES:
-            table[name] = self.values[name]
-            if name in self.low:
-                table |= {f"{name}_low": self.low[name], f"{name}_high": self.high[name]}
-        for name, flag in FLAGS.items():
-            table[name] = [
-                flag.meanings[index] if index >= 0 else None for index in self.values[name]
-            ]
-        return pd.DataFrame(table)
+    def to_dataframe(self) -> "pd.DataFrame":
+        """``values``."""
+        return self.values
 
     def as_dict(self) -> dict[str, list]:
         """Columns of the table for JSON: None where there is no solution."""
-        table = self.to_dataframe().astype(object)
+        table = self.values.astype(object)
         return table.where(table.notna() & ~table.isin([np.inf]), None).to_dict("list")
 
     def as_csv(self) -> str:
         """The table as CSV, with ten significant digits."""
-        return self.to_dataframe().to_csv(index=False, float_format="%.10g", lineterminator="\n")
+        return self.values.to_csv(index=False, float_format="%.10g", lineterminator="\n")
+
+    def __str__(self) -> str:
+        return self.as_csv().rstrip("\n")

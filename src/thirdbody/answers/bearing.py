@@ -6,30 +6,20 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which gives Table 1 for two steel bodies.
 """
 
-from __future__ import annotations
-
+import tomllib
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.conditions.checks import check_number, checked_parameters
-from thirdbody.conditions.usual import warn_outside
+from thirdbody.conditions import check_number, check_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS
 
-USUAL = {  # usual range and unit of the numbers of ``bearing``
-    "ball_radius_mm": ((0.1, 1000.0), "mm"),
-    "speed_m_per_s": ((1e-6, 200.0), "m s-1"),
-    "oil_density_kg_per_m3": ((500.0, 3000.0), "kg m-3"),
-    "dynamic_viscosity_mPa_s": ((0.1, 1e5), "mPa s"),
-    "viscosity_cSt": ((0.3, 1e4), "cSt"),
-    "pressure_viscosity_per_GPa": ((1.0, 100.0), "GPa-1"),
-    "apparent_area_mm2": ((1e-4, 1e6), "mm2"),
-    "modulus": ((1e8, 2e12), "Pa"),
-    "hardness": ((1e7, 2e11), "Pa"),
-}
+TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+USUAL, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
 BODIES = "ball", "flat", "particle"
 
 
@@ -42,14 +32,10 @@ class Material:
     hardness: float
 
     def __post_init__(self):
-        check_number("modulus", self.modulus)
-        check_number("hardness", self.hardness)
+        check_numbers({"modulus": self.modulus, "hardness": self.hardness}, USUAL_MATERIAL)
         check_number("poisson_ratio", self.poisson_ratio, positive=False)
         if self.poisson_ratio > 0.5:
             raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
-        warn_outside(
-            {name: (getattr(self, name), *USUAL[name]) for name in ("modulus", "hardness")}
-        )
 
     @property
     def compliance(self) -> float:
@@ -67,14 +53,7 @@ MATERIALS = {
 }
 
 
-def hertz_modulus(one: Material, other: Material) -> float:
-    """Equivalent modulus E [Pa] of two bodies in contact, 1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2.
-
-    Examples
-    --------
-    >>> round(hertz_modulus(MATERIALS["steel"], MATERIALS["steel"]) / 1e9)
-    112
-    """
+def _hertz_modulus(one: Material, other: Material) -> float:
     return 1.0 / (one.compliance + other.compliance)
 
 
@@ -95,7 +74,10 @@ def bearing(
     """Derive the inputs of the model for another ball, speed, oil or material.
 
     Inputs that are not given are kept from ``parameters``, including the product of density and
-    speed and the pressure-viscosity coefficient implied by U and G.
+    speed and the pressure-viscosity coefficient implied by U and G.  Raises ``ValueError`` for a
+    number that is not positive, a speed without a density or the reverse, a body that is not a
+    ``Material``, a particle softer than a surface, an A_n larger than the ball, and inputs out of
+    bounds.  Unusual numbers cause an ``OutOfRangeWarning``.
 
     Parameters
     ----------
@@ -103,33 +85,14 @@ def bearing(
         Inputs to start from, by default the published ones.
     ball_radius_mm, speed_m_per_s : float, optional
         R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls; and the rolling speed u [m/s].
-    oil_density_kg_per_m3 : float, optional
-        Density rho of the oil [kg m-3]; the speed needs it, or both viscosities.
-    dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
-        mu_0 [mPa s] and nu [cSt] of the oil, which give rho = mu_0/nu.
+    oil_density_kg_per_m3, dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
+        For the speed: rho of the oil [kg m-3], or mu_0 [mPa s] and nu [cSt], with rho = mu_0/nu.
     pressure_viscosity_per_GPa : float, optional
         alpha [GPa-1].
     ball, flat, particle : Material, optional
         Materials of both bodies and of the particles; if one is given, the others are steel.
     apparent_area_mm2 : float, optional
         A_n [mm2], the reference area of loads: at most the cross-section of the ball.
-
-    Returns
-    -------
-    Parameters
-        The derived inputs.
-
-    Raises
-    ------
-    ValueError
-        For a number that is not positive, a speed without a density or the reverse, a body that is
-        not a ``Material``, a particle softer than a surface, an A_n larger than the ball, and
-        inputs that are not ``Parameters`` or out of bounds.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        For numbers outside their usual ranges.
 
     Examples
     --------
@@ -141,17 +104,15 @@ def bearing(
     >>> round(inputs.elastic_modulus_surfaces / 1e9, 1)
     134.1
     """
-    arguments = locals()
+    arguments = {name: value for name, value in locals().items() if value is not None}
     parameters = checked_parameters(parameters)
-    given = {name: arguments[name] for name in USUAL if arguments.get(name) is not None}
-    for name, value in given.items():
-        check_number(name, value)
-    warn_outside({name: (value, *USUAL[name]) for name, value in given.items()})
-    bodies = {name: arguments[name] for name in BODIES if arguments[name] is not None}
+    numbers = {name: arguments[name] for name in USUAL if name in arguments}
+    check_numbers(numbers, USUAL)
+    bodies = {name: arguments[name] for name in BODIES if name in arguments}
     for name, body in bodies.items():
         if not isinstance(body, Material):
             allowed = f"a Material, such as MATERIALS of {', '.join(MATERIALS)}"
-            raise ValueError(f"{name} is {shown(body)}; allowed: {allowed}")
+            raise ValueError(f"{name} is {format_value(body)}; allowed: {allowed}")
     modulus, changes = parameters.elastic_modulus_surfaces, {}
     if bodies:
         ball, flat, particle = (bodies.get(name, MATERIALS["steel"]) for name in BODIES)
@@ -161,11 +122,11 @@ def bearing(
                 f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least "
                 f"{1e-9 * harder:g} GPa, the harder surface, as particles keep their shape"
             )
-        modulus = hertz_modulus(ball, flat)
+        modulus = _hertz_modulus(ball, flat)
         surface = max(ball, flat, key=lambda body: body.compliance)
         changes = {
             "elastic_modulus_surfaces": modulus,
-            "elastic_modulus_particle": hertz_modulus(particle, surface),
+            "elastic_modulus_particle": _hertz_modulus(particle, surface),
             "hardness_surface_1": ball.hardness,
             "hardness_surface_2": flat.hardness,
             "hardness_parameter": softer / modulus,
@@ -193,24 +154,11 @@ def bearing(
         changes["apparent_area"] = 1e-6 * apparent_area_mm2
     try:
         found = replace(parameters, **changes)
-        if {"ball_radius_mm", "apparent_area_mm2"} & given.keys():
+        if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
             check_ball(found.as_dict(), "bearing")
         return found
     except ValueError as error:
-        raise ValueError(f"derived from {', '.join([*given, *bodies])}: {error}") from None
-
-
-# unit of each derived input, and its formula
-FORMULAS = {
-    "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
-    "elastic_modulus_particle": ("Pa", "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body"),
-    "hardness_surface_1": ("Pa", "H_s1, hardness of the ball"),
-    "hardness_surface_2": ("Pa", "H_s2, hardness of the flat"),
-    "ball_radius": ("m", "R_x, radius of the ball"),
-    "material_parameter": ("1", "G = alpha E_ss (below Eq. 8)"),
-    "hardness_parameter": ("1", "V = v_h/E_ss, softer body (below Eq. 8)"),
-    "speed_per_viscosity": ("s m-2", "U/nu = rho u/(E_ss R_x) (below Eq. 8)"),
-}
+        raise ValueError(f"derived from {', '.join([*numbers, *bodies])}: {error}") from None
 
 
 def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answer:
@@ -220,7 +168,7 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
     parameters = checked_parameters(parameters)
     rows = [
         Row(name, formula, getattr(parameters, name), unit)
-        for name, (unit, formula) in FORMULAS.items()
+        for name, (unit, formula) in TABLES["formulas"].items()
     ]
     if viscosity_cSt is not None:
         check_number("viscosity_cSt", viscosity_cSt, positive=False)

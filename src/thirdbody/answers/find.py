@@ -1,36 +1,47 @@
-"""``find``: where a variable crosses a level along any of the five axes.
+"""Searches along an axis: ``find`` and ``transitions`` for crossings of levels, and of the limits
+between regimes and modes; ``turning_point`` and ``turning_window`` for maxima of A_sa,t*.
 
-The axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of the level
-bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near the
-level, the sampling is refined ``DEPTH`` times by ``FINER``.
+For crossings, the axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of
+the level bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near
+the level, the sampling is refined ``DEPTH`` times by ``FINER``.
 """
-
-from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import (
+from thirdbody.conditions import (
     check_count,
     check_points,
     check_rtol,
     checked_array,
     checked_parameters,
+    ends_in_si,
+    in_si,
 )
-from thirdbody.conditions.in_si import ends_in_si, in_si
 from thirdbody.curves.bracketing import bracketed_roots
+from thirdbody.curves.transitions import LIMITS
+from thirdbody.curves.turning_point import TurningPoints, turning_points
+from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
+from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import QUANTITIES
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, is_labelled, unit_of
+from thirdbody.units import (
+    ENGINEERING,
+    SEARCHED,
+    UNITS,
+    Unit,
+    is_labelled,
+    unit_of,
+)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -38,6 +49,10 @@ if TYPE_CHECKING:
 SWEEP = 32  # values along the axis
 FINER, DEPTH = 8, 2  # where a curve has an extremum near the level
 WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
+LOADS_SWEPT = 60  # between which maxima are sought
+RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
+TOLERANCE = 1e-6  # of its ends
+DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # for a window; any diameter
 
 
 @dataclass(frozen=True)
@@ -72,13 +87,64 @@ class Crossings(Tabular):
         first.ravel()[self.query[::-1]] = self.value[::-1]  # the last assignment wins
         return first
 
-    def to_dataframe(self) -> pd.DataFrame:
+    def to_dataframe(self) -> "pd.DataFrame":
         """One row per crossing: query, value in the unit of ``along``, its error, direction and status."""
         import pandas as pd
 
         columns = {"query": self.query, self.along: self.value, "error": self.error}
         status = np.array(SOLUTION_STATUSES)[self.solution_status]
         return pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
+
+
+class Border(NamedTuple):
+    """A limit between two states of a flag, ``lubrication_regime`` or ``contact_mode``."""
+
+    flag: str
+    below: str
+    above: str
+
+    @property
+    def name(self) -> str:
+        """Both states."""
+        return f"{self.below}_and_{self.above}"
+
+
+BORDERS = (  # at each of ``LIMITS``
+    Border("lubrication_regime", "mixed", "boundary"),
+    Border("lubrication_regime", "full_film", "mixed"),
+    Border("contact_mode", "hybrid", "particle_surface"),
+    Border("contact_mode", "surface_surface", "hybrid"),
+)
+
+
+@dataclass(frozen=True)
+class Transition:
+    """A change of regime or mode along an axis.
+
+    ``query`` is the flat index into the broadcast shape of the other axes; ``before`` and ``after``
+    are the regime or mode at smaller and larger values; ``value`` is the place of the change in the
+    unit of the axis, and ``error`` bounds its error; ``solution_status``, one of
+    ``thirdbody.model.regimes.SOLUTION_STATUSES``, is whether the equations are valid there.
+    """
+
+    query: int
+    border: Border
+    before: str
+    after: str
+    value: float
+    error: float
+    solution_status: str
+
+
+class Transitions(Tabular, list):
+    """A list of ``Transition``, sorted by query, then by value."""
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """One row per change."""
+        import pandas as pd
+
+        table = pd.DataFrame([vars(each) for each in self], columns=[*Transition.__annotations__])
+        return table.assign(border=[each.border.flag for each in self])
 
 
 def find(
@@ -95,6 +161,10 @@ def find(
 ) -> Crossings:
     """Find all crossings of a level by a variable along one of the five axes.
 
+    Without any crossing, ``count`` of the result is 0 and ``first`` nan.  Raises ``ValueError`` for an
+    unknown variable or axis, an impossible level, ends that are not positive and increasing, a
+    ``count`` out of range, and where ``solve`` does.
+
     Parameters
     ----------
     variable : str
@@ -102,36 +172,14 @@ def find(
     level : array_like
         Its value; ``thirdbody.model.regimes`` has the limits between regimes and modes.
     along : str
-        The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ``viscosity``
-        [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
-        ``roughness`` [m] or ``roughness_nm``, ``particle_density`` or ``particle_density_per_m2``.
+        The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float, optional
-        Ends of the search, positive, in the unit of ``along`` or quantities.  By default 0.01 to 1000 N, 1 to
-        1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
+        Ends of the search in the unit of ``along``, or quantities.  By default 0.01 to 1000 N, 1 to 1000 cSt, 10 to
+        10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, from 2 to a million.
-    parameters, rtol, progress
-        As in ``thirdbody.solve``.
-    **conditions : array_like
-        The other four axes, by any of the names above, as numbers or quantities; they and ``level``
-        broadcast.
-
-    Returns
-    -------
-    Crossings
-        All crossings of every query; without any, its ``count`` is 0 and its ``first`` nan.
-
-    Raises
-    ------
-    ValueError
-        For an unknown variable or axis, an impossible level, an axis that is missing or given
-        twice, ends that are not positive and increasing, a ``count`` that is not an integer or out
-        of range, and the errors of ``solve``.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        As in ``solve``, in the given units.
+    parameters, rtol, progress, **conditions
+        As in ``thirdbody.solve``, without the axis; the conditions and ``level`` broadcast.
 
     Notes
     -----
@@ -152,19 +200,130 @@ def find(
     (array([1, 1]), True)
     """
     parameters = checked_parameters(parameters)
-    level = checked_levels(variable, level)
+    level = _checked_levels(variable, level)
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition, level=level)
     limits = [(variable, others.pop("level"))]
-    (found,) = crossings(limits, unit, swept, others, parameters, rtol, progress)
+    _, *found = crossings(limits, unit, swept, others, parameters, rtol, progress)
     return Crossings(along, shape, *found)
 
 
-def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
-    """The levels of a variable; ``ValueError`` for an unknown variable and for impossible levels."""
+def transitions(
+    along: str = "load",
+    *,
+    parameters: Parameters | None = None,
+    between: tuple[float, float] | None = None,
+    count: int = SWEEP,
+    rtol: float = DEFAULT_RTOL,
+    **conditions: ArrayLike,
+) -> Transitions:
+    """Find where lubrication regime and contact mode change along one of the five axes.
+
+    Arguments, units, search and errors are those of ``thirdbody.find``.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+    >>> found = tb.transitions("viscosity_cSt", load_N=10, **layer)
+    >>> [(each.before, each.after) for each in found if each.border.flag == "lubrication_regime"]
+    [('boundary', 'mixed'), ('mixed', 'full_film')]
+    """
+    parameters = checked_parameters(parameters)
+    unit, swept = sweep_values(along, between, count, parameters)
+    shape, others = queries(conditions, parameters, unit.condition)
+    limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
+    found = crossings(limits, unit, swept, others, parameters, rtol)
+    changes = Transitions()
+    for limit, query, value, error, rises, status in zip(*(each.tolist() for each in found)):
+        border = BORDERS[limit]
+        states = (border.below, border.above) if rises else (border.above, border.below)
+        status = SOLUTION_STATUSES[status]
+        changes.append(Transition(query, border, *states, value, error, status))
+    return changes
+
+
+def turning_point(
+    *,
+    parameters: Parameters | None = None,
+    between_N: tuple[float, float] = LOADS,
+    count: int = LOADS_SWEPT,
+    rtol: float = DEFAULT_RTOL,
+    **conditions: ArrayLike,
+) -> TurningPoints:
+    """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
+
+    The result has arrays of the broadcast shape; ``exists`` marks the curves with a turning point.
+    ``load`` is F_t* [1]; multiply by ``parameters.newtons_per_load`` for newtons.  Raises ``ValueError``
+    for loads that do not increase, a ``count`` out of range, and where ``solve`` does.
+
+    Parameters
+    ----------
+    between_N : pair of float
+        First and last load of the curve [N], by default those of the paper (Table 2).  The maximum
+        must exceed the least values on both sides of it between them.
+    count : int
+        Number of loads between which maxima are sought; two within one step are missed.
+    parameters, rtol, **conditions
+        As in ``thirdbody.solve``, without the load; the conditions broadcast.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> layer = dict(particle_diameter_nm=[20, 300], particle_density_per_m2=1e11, roughness_nm=300)
+    >>> tb.turning_point(viscosity_cSt=0, **layer).exists
+    array([False,  True])
+    """
+    parameters = checked_parameters(parameters)
+    check_rtol(rtol)
+    check_count("count", count)
+    loads = np.geomspace(*_load_range(between_N, parameters), count)
+    shape, curves = queries(conditions, parameters, "load")
+    points = {"load": loads[:, None]} | curves
+    solved = solve_arrays(points, parameters, rtol, ["separation"])
+    found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
+    return TurningPoints(*(column.reshape(shape) for column in vars(found).values()))
+
+
+def turning_window(
+    *,
+    parameters: Parameters | None = None,
+    between_N: tuple[float, float] = LOADS,
+    **conditions: float,
+) -> Window:
+    """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
+
+    Arguments and errors are those of ``turning_point``; the conditions are one roughness and one
+    particle density.  The ends are nan if there is no such range.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> window = tb.turning_window(roughness_nm=300, particle_density_per_m2=1e11)
+    >>> bool(window.low < 1.0 < window.high)
+    True
+    """
+    for key in conditions:
+        if unit_of(key).condition in ("load", *DRY):
+            message = "allowed: roughness and particle density"
+            raise ValueError(f"{key} is not a condition of a window in dry contact; {message}")
+    parameters = checked_parameters(parameters)
+    shape, given = queries(DRY | conditions, parameters, "load")
+    if shape:
+        names = " and ".join(conditions)
+        raise ValueError(f"{names} have shape {shape}; allowed: one number each")
+    loads = _load_range(between_N, parameters)
+    search = WindowSearch(RATIOS, tolerance=TOLERANCE)
+    (density,) = given["particle_density"].tolist()
+    (found,) = turning_point_windows(search, given["roughness"], density, loads, parameters)
+    return found
+
+
+def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
+    """The levels; ``ValueError`` for an unknown variable and for levels that it cannot have."""
     if not isinstance(variable, str) or variable not in QUANTITIES:
-        raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
+        raise ValueError(f"variable is {format_value(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
     most, allowed = (0.01, "0 to 0.01 m") if quantity.units == "m" else (1.0, "0 to 1")
@@ -177,8 +336,8 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
 def queries(
     conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str, **more: NDArray
 ) -> tuple[tuple[int, ...], dict[str, NDArray]]:
-    """The broadcast shape of the conditions and ``more`` columns, and all of them flat, in SI; the
-    condition ``along`` is not given."""
+    """The broadcast shape of the conditions, except ``along``, and of ``more`` columns, and all of
+    them flat, in SI."""
     for key, values in conditions.items():
         if is_labelled(values):
             raise ValueError(f"{key} has named dimensions; allowed: its .values")
@@ -210,102 +369,78 @@ def crossings(
     parameters: Parameters,
     rtol: float,
     progress: bool = True,
-) -> list[tuple]:
-    """Find the crossings of several variables, solved together.
+) -> tuple[NDArray, ...]:
+    """Find the crossings of several variables, solved together, in the order of query and value.
 
     ``limits`` are pairs of a variable and its level for each query; ``swept``, the sampled values of the
-    axis, and ``others`` are in SI.  Returns for each limit the fields of ``Crossings`` from ``query`` on.
+    axis, and ``others`` are in SI.  Returns indices into ``limits``, and the fields of ``Crossings`` from
+    ``query`` on.
     """
     check_rtol(rtol)
     names, levels = [name for name, _ in limits], np.stack([level for _, level in limits])
+    variables = {*names, "error_bound", "solution_status"}
 
-    def enclosed(query, values, wanted, depth=DEPTH, progress=False):
-        """Crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries):
-        limit, query, direction, and ln of both neighbours."""
+    def solved(query, values, progress=False):
         given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
-        variables = {names[index] for index in wanted}
-        found = solve_arrays(given, parameters, rtol, variables, progress)
-        log_values = np.broadcast_to(np.log(values), (len(values), query.size))
-        pieces = []
-        for index in wanted:
-            excess = getattr(found, names[index]) - levels[index, query]
-            above, known = excess > 0.0, np.isfinite(excess)
-            step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
-            ends = log_values[step, place], log_values[step + 1, place]
-            limit = np.full(step.size, index)
-            pieces.append((limit, query[place], above[step + 1, place], *ends))
-            step, place = np.nonzero(_may_touch(excess))
-            if depth and place.size:
-                ends = log_values[step, place], log_values[step + 2, place]
-                finer = np.exp(np.linspace(*ends, 2 * FINER + 1))
-                pieces.append(enclosed(query[place], finer, [index], depth - 1))
-        return tuple(map(np.concatenate, zip(*pieces)))
+        return solve_arrays(given, parameters, rtol, variables, progress)
 
-    every = np.arange(levels.shape[1])
-    limit, query, rises, *ends = enclosed(
-        every, swept[:, None], range(len(limits)), progress=progress
-    )
-    level = levels[limit, query]
+    def excess_at(log_value):
+        """Variables minus their levels at ln of the axis, nan without solution; and the solution."""
+        found = solved(query, np.exp(log_value))
+        values = np.choose(limit, [getattr(found, name) for name in names])
+        return values - levels[limit, query], found
 
-    def excess_at(some, log_value, also=()):
-        """Variables minus their levels, nan without solution, at ln of the condition for ``some``
-        of the crossings; and the solution, with the variables ``also``."""
-        given = {name: column[query[some]] for name, column in others.items()}
-        given[unit.condition] = np.exp(log_value)
-        found = solve_arrays(given, parameters, rtol, {*names, *also})
-        values = np.choose(limit[some], [getattr(found, name) for name in names])
-        return values - level[some], found
+    def certain_sign(log_value):
+        """Sign of the excess, 0 where its error may be larger; and the status there."""
+        excess, found = excess_at(log_value)
+        margin = found.error_bound * np.abs(excess + levels[limit, query])
+        return np.where(np.abs(excess) > margin, np.sign(excess), 0.0), found.solution_status
 
-    log_value, width = _roots(excess_at, ends, 0.1 * rtol)
-    log_error, status = _certain_error(excess_at, level, log_value, 2.0 * (width + rtol))
-    value = np.exp(log_value)
-    error = value * np.expm1(log_error)
+    # columns of excess: each limit for each query, later those that may touch between three values
+    limit, query = (each.ravel() for each in np.indices(levels.shape))
+    found = solved(np.arange(levels.shape[1]), swept[:, None], progress)
+    excess = np.concatenate([getattr(found, name) for name in names], axis=1) - levels.ravel()
+    log_values = np.broadcast_to(np.log(swept)[:, None], excess.shape)
+    brackets = []
+    for depth in range(DEPTH + 1):
+        above, known = excess > 0.0, np.isfinite(excess)
+        step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
+        ends = log_values[step, place], log_values[step + 1, place]
+        brackets.append((limit[place], query[place], above[step + 1, place], *ends))
+        step, place = np.nonzero(_may_touch(excess))
+        if depth == DEPTH or not place.size:
+            break
+        ends = log_values[step, place], log_values[step + 2, place]
+        log_values = np.linspace(*ends, 2 * FINER + 1)
+        limit, query = limit[place], query[place]
+        excess, _ = excess_at(log_values)
+    limit, query, rises, *ends = map(np.concatenate, zip(*brackets))
+
+    root, width = bracketed_roots(lambda log_value: excess_at(log_value)[0], *ends, 0.1 * rtol)
+    error = 2.0 * (width + rtol)
+    for _ in range(ATTEMPTS):
+        sign_above, _ = certain_sign(root + error)
+        sign_below, status = certain_sign(root - error)
+        certain = sign_above * sign_below < 0.0
+        if certain.all():
+            break
+        error = np.where(certain, error, WIDER * error)
+    value = np.exp(root)
+    error = np.where(certain, value * np.expm1(error), np.inf)
     place, error = (unit.from_si(each, parameters.newtons_per_load) for each in (value, error))
-    fields = query, place, error, rises, status
-    order = np.lexsort((value, query, limit))
-    chosen = (order[limit[order] == index] for index in range(len(limits)))
-    return [tuple(field[places] for field in fields) for places in chosen]
-
-
-def _roots(excess_at, ends, tolerance):
-    """ln of the condition where each variable crosses its level between two ``ends``, and the width
-    of the bracket."""
-    place, value = np.full((2, ends[0].size), np.nan)
-
-    def excess(log_value):
-        moved = np.flatnonzero(log_value != place)  # a root that has converged stays the same
-        place[moved] = log_value[moved]
-        value[moved], _ = excess_at(moved, log_value[moved])
-        return value.copy()
-
-    return bracketed_roots(excess, *ends, tolerance)
-
-
-def _certain_error(excess_at, level, root, error):
-    """Distance from ln ``root``, at least ``error``, at which a variable is certainly above the
-    level on one side and below it on the other; and the status at that distance below."""
-    left, status = np.arange(root.size), np.zeros(root.size, np.int8)
-    for _ in range(ATTEMPTS if root.size else 0):
-        sides = []
-        for sign in (1.0, -1.0):
-            there = root[left] + sign * error[left]
-            excess, found = excess_at(left, there, ["error_bound", "solution_status"])
-            margin = found.error_bound * np.abs(excess + level[left])
-            sides.append(np.where(np.abs(excess) > margin, np.sign(excess), 0.0))
-        status[left] = found.solution_status
-        left = left[~(sides[0] * sides[1] < 0.0)]
-        if left.size == 0:
-            return error, status
-        error[left] *= WIDER
-    error[left] = np.inf
-    return error, status
+    order = np.lexsort((value, query))
+    return tuple(each[order] for each in (limit, query, place, error, rises, status))
 
 
 def _may_touch(excess):
-    """Whether a curve may touch its level between three neighbouring values, by the index of the
-    first: the middle one is nearest to the level, and within the larger of the steps beside it."""
+    """Whether a curve may touch its level between three neighbouring values, by the index of the first."""
     distance, sign = np.abs(excess), np.sign(excess)
     first, middle, last = distance[:-2], distance[1:-1], distance[2:]
     same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])
     nearest = (middle < first) & (middle < last)
     return same & nearest & (middle <= np.maximum(first, last) - middle)
+
+
+def _load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
+    """First and last load F_t* [1] of a curve, converted from newtons."""
+    return tuple(ends_in_si("between_N", between_N, UNITS["load_N"], parameters).tolist())

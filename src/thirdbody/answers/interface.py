@@ -1,38 +1,59 @@
 """``Interface``: two rough surfaces with particles and oil under a load, in engineering units."""
 
-from __future__ import annotations
-
-from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from numbers import Real
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
-from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
-from thirdbody.answers.changes import BORDERS, Transition, transitions
-from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
-from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.conditions.checks import check_count, check_names, checked_parameters
-from thirdbody.conditions.in_si import ends_in_si, in_si
-from thirdbody.conditions.usual import without_warnings
+from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
+from thirdbody.answers.find import (
+    BORDERS,
+    RATIOS,
+    Transition,
+    transitions,
+    turning_point,
+    turning_window,
+)
+from thirdbody.conditions import (
+    check_count,
+    check_names,
+    checked_parameters,
+    ends_in_si,
+    in_si,
+    without_warnings,
+)
+from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
-from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
+from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
 from thirdbody.data.sizes import sizes_note
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, unit_of
 
-LENGTH = UNITS["roughness_nm"]  # unit of the separation in answers
+LENGTH = UNITS["roughness_nm"]  # unit of sizes and of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
 MEANINGLESS = ("outside_film_formula", "area_exceeded")  # changes with these statuses are left out
+State = Mapping[str, Value]  # variables, or other quantities of an answer
+# by name, the words and the unit of the rows
+STATE = {
+    name: (f"{each.long_name}, {each.symbol}", LENGTH.text if name == "separation" else each.units)
+    for name, each in QUANTITIES.items()
+} | {name: (flag.long_name, "") for name, flag in FLAGS.items()}
+TURNING = {
+    "load_N": ("load at the turning point, F_t", "N"),
+    "load": ("the same over A_n E_ss, F_TPCA*", "1"),
+    "peak_ratio": ("A_sa,t* there", "1"),
+    "solid_load_fraction": ("L_s there", "1"),
+    "low": ("least diameter with a turning point (dry)", LENGTH.text),
+    "high": ("largest diameter with a turning point (dry)", LENGTH.text),
+}
 
 
 @dataclass(frozen=True, init=False)
@@ -86,11 +107,7 @@ class Interface:
         """The sets of inputs of the ensemble (see ``calibrated_ensemble``)."""
         return calibrated_ensemble(self.parameters)
 
-    @property
-    def _inputs(self) -> tuple[Parameters, ...]:
-        return self.parameters, *self.members
-
-    def changed(self, **conditions: float | Parameters) -> Interface:
+    def changed(self, **conditions: float | Parameters) -> Self:
         """The same interface with other conditions, or other ``parameters``."""
         others = {UNITS[key].condition for key in conditions.keys() & UNITS.keys()}
         kept = {key: getattr(self, key) for name, key in ENGINEERING.items() if name not in others}
@@ -111,63 +128,29 @@ class Interface:
         balance has no root.
         """
         mine, *of_members = self._states()
-        rows = tuple(
-            _row(name, value, [each[name] for each in of_members]) for name, value in mine.items()
-        )
         found = mine["separation"] is not None
+        rows = _rows(STATE, mine, of_members)
         return Answer(f"State at {self.described()}", rows, self._notes(mine), found)
 
-    def compare(self, other: Interface) -> Answer:
+    def compare(self, other: "Interface") -> Answer:
         """Question 10: compare this interface with an ``other``, which may have other inputs.
 
         The answer has a row for each variable: ``value`` here, ``other`` there, and the ensemble
         range of the second minus the first; ``found`` is false if a force balance has no root.
         """
         if not isinstance(other, Interface):
-            raise ValueError(f"other is {shown(other)}; allowed: an Interface")
+            raise ValueError(f"other is {format_value(other)}; allowed: an Interface")
         mine, *of_members = self._states()
         theirs, *of_their_members = other._states()
-        rows = []
-        for name, value in mine.items():
-            pairs = [(a[name], b[name]) for a, b in zip(of_members, of_their_members)]
-            if name in FLAGS:
-                changes = [value if pair == (value, theirs[name]) else "" for pair in pairs]
-            else:
-                changes = [b - a if None not in (a, b) else None for a, b in pairs]
-            rows.append(replace(_row(name, value, changes), other=theirs[name]))
-        notes = (
-            f"first:  {self.described()}",
-            f"second: {other.described()}",
-            *self._notes(mine),
-            *other._notes(theirs),
-        )
+        changes = [
+            {name: _change(name, (a[name], b[name]), (mine[name], theirs[name])) for name in mine}
+            for a, b in zip(of_members, of_their_members)
+        ]
+        rows = [replace(row, other=theirs[row.name]) for row in _rows(STATE, mine, changes)]
+        described = f"first:  {self.described()}", f"second: {other.described()}"
+        notes = *described, *self._notes(mine), *other._notes(theirs)
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
-
-    def _ends(self, name: str, ends: Any, key: str) -> tuple[float, float]:
-        """The ends of a range, numbers or quantities, in the unit of the condition ``key``."""
-        found = ends_in_si(name, ends, UNITS[key], self.parameters)
-        return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
-
-    def _notes(self, state: Mapping[str, Value]) -> tuple[str, ...]:
-        """Remarks on a state."""
-        name = state["solution_status"].replace(" ", "_")
-        status = [] if name == SOLUTION_STATUSES[0] else [f"{name}: {STATUS_MEANINGS[name]}"]
-        sizes = self._size_notes(self.particle_diameter_nm)
-        few = few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
-        return *status, *sizes, *few, *ensemble_notes(self.members)
-
-    def _size_notes(self, *diameters_nm: float) -> tuple[str, ...]:
-        """The sizes that each x_a [nm] stands for, if there are particles."""
-        if not self.particle_density_per_m2 > 0.0:
-            return ()
-        roughness = float(LENGTH.to_si(self.roughness_nm))
-        sizes = [float(LENGTH.to_si(each)) for each in diameters_nm if each > 0.0]
-        return tuple(sizes_note(each, roughness, self.parameters) for each in sizes)
-
-    def _states(self) -> list[dict[str, Value]]:
-        """The variables in engineering units and words, for the inputs and for each member."""
-        return [_state(_solved(self.conditions, each)) for each in self._inputs]
 
     def transitions(
         self,
@@ -186,50 +169,38 @@ class Interface:
         not crossed; ``found`` is whether there is a change.  Changes where the equations are not
         valid are left out.
         """
-        key = _key_of(along)
+        along = unit_of(along).condition
+        key = ENGINEERING[along]
         check_names("flags", flags, FLAGS_WITH_BORDERS)
         between = SEARCHED[along] if between is None else self._ends("between", between, key)
-        others = {name: value for name, value in self.conditions.items() if name != key}
+        given = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
-                transitions(key, parameters=each, between=between, **others)
-                for each in self._inputs
+                transitions(key, parameters=each, between=between, **given)
+                for each in (self.parameters, *self.members)
             ]
-        mine, *of_members = (_meaningful(each, flags) for each in every)
+        mine, *of_members = (_by_name(each, flags) for each in every)
         unit = UNITS[key].text
-        rows = []
-        for (before, after, index), value in mine.items():
-            same = [each.get((before, after, index)) for each in of_members]
-            change = f"{_words(before)} to {_words(after)}"
-            rows.append(Row.of(f"{before}_to_{after}", change, value, unit, same))
-        for border in BORDERS:
-            passages = (border.above, border.below, 0), (border.below, border.above, 0)
-            if border.flag in flags and not any(each in mine for each in passages):
-                first = [
-                    min(filter(None, map(each.get, passages)), default=None) for each in of_members
-                ]
-                change = f"between {_words(border.below)} and {_words(border.above)}"
-                rows.append(Row.of(f"{border.below}_and_{border.above}", change, None, unit, first))
+        passed = {name: (_words(name), unit) for name in mine if "_to_" in name}
+        missed = {
+            border.name: (f"between {_words(border.name)}", unit)
+            for border in BORDERS
+            if border.flag in flags and border.name not in mine
+        }
+        sizes = [mine[name] for name in passed] if along == "particle_diameter" else []
         notes = (
             f"searched: {_words(along)} {between[0]:g} to {between[1]:g} {unit}",
-            *(f"at {end:g} {unit}: {self._state_at(key, end)}" for end in between),
+            *(f"at {end:g} {unit}: {self._words_at(key, end)}" for end in between),
             *(
                 f"left out at {each.value:.4g} {unit}, {each.solution_status}: "
                 f"{STATUS_MEANINGS[each.solution_status]}"
                 for each in every[0]
                 if each.border.flag in flags and each.solution_status in MEANINGLESS
             ),
-            *self._size_notes(*(mine.values() if along == "particle_diameter" else [])),
-            *ensemble_notes(self.members),
+            *self._ensemble_notes(*sizes),
         )
         title = f"Changes along the {_words(along)} at {self.described(without=along)}"
-        return Answer(title, tuple(rows), notes, bool(mine))
-
-    def _state_at(self, key, value) -> str:
-        """Regime, mode and status at one end of a search."""
-        state = _state(_solved(self.conditions | {key: value}, self.parameters))
-        words = [state[name] for name in (*FLAGS_WITH_BORDERS, "solution_status")]
-        return ", ".join(each for each in words if each not in (None, SOLUTION_STATUSES[0]))
+        return Answer(title, _rows(passed | missed, mine, of_members), notes, bool(mine))
 
     def turning_point(self, between_N: tuple[float, float] = LOADS) -> Answer:
         """Question 7: the load at which the particle fraction of the contact area turns, and the sizes.
@@ -240,115 +211,128 @@ class Interface:
         """
         between_N = self._ends("between_N", between_N, "load_N")
         with without_warnings():
-            mine, *of_members = (self._turning_with(each, between_N) for each in self._inputs)
-        size = UNITS["particle_diameter_nm"].text
-        quantities = {
-            "load_N": ("load at the turning point, F_t", "N"),
-            "load": ("the same over A_n E_ss, F_TPCA*", "1"),
-            "peak_ratio": ("A_sa,t* there", "1"),
-            "solid_load_fraction": ("L_s there", "1"),
-            "low": ("least diameter with a turning point (dry)", size),
-            "high": ("largest diameter with a turning point (dry)", size),
-        }
-        rows = tuple(
-            Row.of(name, what, mine[name], unit, [each[name] for each in of_members])
-            for name, (what, unit) in quantities.items()
-        )
+            mine, *of_members = (
+                self._turning_with(each, between_N) for each in (self.parameters, *self.members)
+            )
         notes = (
             f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
             f"stands out by {PROMINENCE:g} on both sides",
             f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
-            *self._size_notes(self.particle_diameter_nm),
-            *ensemble_notes(self.members),
+            *self._ensemble_notes(self.particle_diameter_nm),
         )
         title = f"Turning point at {self.described(without='load')}"
+        rows = _rows(TURNING, mine, of_members)
         return Answer(title, rows, notes, mine["load"] is not None)
-
-    def _turning_with(self, parameters, between_N) -> dict[str, Value]:
-        """The rows of ``turning_point`` for one set of inputs."""
-        given = {key: value for key, value in self.conditions.items() if key != "load_N"}
-        found = turning_point(parameters=parameters, between_N=between_N, **given)
-        names = "load", "peak_ratio", "solid_load_fraction"
-        state = {name: float(getattr(found, name)) if found.exists else None for name in names}
-        load = state["load"] and state["load"] * parameters.newtons_per_load
-        layer = {name: given[name] for name in ("roughness_nm", "particle_density_per_m2")}
-        window = turning_window(parameters=parameters, between_N=between_N, **layer)
-        low, high = (
-            None if np.isnan(end) else float(end) * self.roughness_nm
-            for end in (window.low, window.high)
-        )
-        return {"load_N": load, **state, "low": low, "high": high}
 
     def curve(self, along: str, low: float, high: float, count: int = 60) -> Curve:
         """Question 9: all variables along one condition, with their ensemble ranges.
 
         ``along`` is as in ``transitions``.  The ``count`` points, 2 to a million, are
         logarithmically spaced from ``low`` to ``high``, positive, in the unit of the interface.
-
-        Examples
-        --------
-        >>> import thirdbody as tb
-        >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
-        >>> curve = tb.Interface(load_N=10, viscosity_cSt=90, **layer).curve("viscosity", 90, 150, count=3)
-        >>> curve.points.round(1)
-        array([ 90. , 116.2, 150. ])
-        >>> bool((np.diff(curve.values["solid_load_fraction"]) < 0.0).all())
-        True
         """
-        key = _key_of(along)
+        import pandas as pd
+
+        key = ENGINEERING[unit_of(along).condition]
         low, high = self._ends("low to high", (low, high), key)
         check_count("count", count)
-        points = np.geomspace(low, high, count)
-        mine, *of_members = (
-            _solved(self.conditions | {key: points}, each) for each in self._inputs
-        )
-        return Curve.of(key, points, mine, of_members)
+        table = pd.DataFrame({key: np.geomspace(low, high, count)})
+        mine, *of_members = self._solved(**{key: table[key].to_numpy()})
+        for name in QUANTITIES:
+            table[name] = getattr(mine, name)
+            table = table.assign(**ranges(name, [getattr(each, name) for each in of_members]))
+        for name, flag in FLAGS.items():
+            table[name] = pd.Categorical.from_codes(getattr(mine, name), flag.meanings)
+        return Curve(key, table)
+
+    def _ends(self, name: str, ends: Any, key: str) -> tuple[float, float]:
+        """The ends of a range, numbers or quantities, in the unit of the condition ``key``."""
+        found = ends_in_si(name, ends, UNITS[key], self.parameters)
+        return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
+
+    def _solved(self, **changes) -> list[Solution]:
+        """Solutions with ``changes`` of the conditions, for the inputs and for each member."""
+        given = self.conditions | changes
+        with without_warnings():
+            return [solve(**given, parameters=each) for each in (self.parameters, *self.members)]
+
+    def _states(self) -> list[State]:
+        """The variables in engineering units and words, for the inputs and for each member."""
+        return [_state(each) for each in self._solved()]
+
+    def _words_at(self, key, value) -> str:
+        """Regime, mode and status at one end of a search."""
+        with without_warnings():
+            state = _state(solve(**self.conditions | {key: value}, parameters=self.parameters))
+        words = [state[name] for name in (*FLAGS_WITH_BORDERS, "solution_status")]
+        return ", ".join(each for each in words if each not in (None, SOLUTION_STATUSES[0]))
+
+    def _turning_with(self, parameters, between_N) -> State:
+        """The rows of ``turning_point`` for one set of inputs."""
+        given = {key: value for key, value in self.conditions.items() if key != "load_N"}
+        found = turning_point(parameters=parameters, between_N=between_N, **given)
+        layer = {name: given[name] for name in ("roughness_nm", "particle_density_per_m2")}
+        window = turning_window(parameters=parameters, between_N=between_N, **layer)
+        point = found.load, found.peak_ratio, found.solid_load_fraction
+        load, ratio, fraction = np.where(found.exists, point, np.nan)
+        values = load * parameters.newtons_per_load, load, ratio, fraction
+        sizes = window.low * self.roughness_nm, window.high * self.roughness_nm
+        return {name: _known(value) for name, value in zip(TURNING, (*values, *sizes))}
+
+    def _notes(self, state: State) -> tuple[str, ...]:
+        """Remarks on a state."""
+        name = state["solution_status"].replace(" ", "_")
+        status = [] if name == SOLUTION_STATUSES[0] else [f"{name}: {STATUS_MEANINGS[name]}"]
+        few = few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
+        return *status, *few, *self._ensemble_notes(self.particle_diameter_nm)
+
+    def _ensemble_notes(self, *diameters_nm: float) -> list[str]:
+        """The sizes that each x_a [nm] stands for, if there are particles; and a lacking ensemble."""
+        notes = []
+        if self.particle_density_per_m2 > 0.0:
+            roughness, *sizes = LENGTH.to_si([self.roughness_nm, *diameters_nm]).tolist()
+            notes = [sizes_note(each, roughness, self.parameters) for each in sizes if each > 0.0]
+        return notes if self.members else [*notes, NO_ENSEMBLE]
 
 
-def _solved(conditions: Mapping[str, Any], parameters: Parameters) -> Solution:
-    with without_warnings():
-        return solve(**conditions, parameters=parameters)
+def _rows(described: Mapping, mine: State, of_members: Sequence[State]) -> tuple[Row, ...]:
+    """A row for each quantity, with the words and the unit with which it is ``described``."""
+    return tuple(
+        Row.of(name, text, mine.get(name), unit, [each.get(name) for each in of_members])
+        for name, (text, unit) in described.items()
+    )
 
 
-def _state(solution: Solution) -> dict[str, Value]:
+def _state(solution: Solution) -> State:
     """The variables of one point in engineering units and words."""
-    return {name: _value(name, getattr(solution, name)) for name in (*QUANTITIES, *FLAGS)}
+    state = {name: _known(getattr(solution, name)) for name in QUANTITIES}
+    state["separation"] = _known(LENGTH.from_si(solution.separation))
+    for name, flag in FLAGS.items():
+        index = int(getattr(solution, name))
+        state[name] = _words(flag.meanings[index]) if index >= 0 else None
+    return state
 
 
-def _value(name: str, value: NDArray) -> Value:
+def _known(value) -> float | None:
+    return None if np.isnan(value) else float(value)
+
+
+def _change(name: str, of_member: tuple[Value, Value], mine: tuple[Value, Value]) -> Value:
+    """The second value minus the first; of words the first of ``mine``, if the member has the same."""
     if name in FLAGS:
-        return _words(FLAGS[name].meanings[int(value)]) if value >= 0 else None
-    if np.isnan(value):
-        return None
-    return float(LENGTH.from_si(value) if name == "separation" else value)
+        return mine[0] if of_member == mine else ""
+    return None if None in of_member else of_member[1] - of_member[0]
 
 
-def _row(name: str, value: Value, of_members: Sequence[Value]) -> Row:
-    """The row of a variable."""
-    if name in FLAGS:
-        return Row.of(name, FLAGS[name].long_name, value, "", of_members)
-    quantity = QUANTITIES[name]
-    unit = LENGTH.text if name == "separation" else quantity.units
-    return Row.of(name, f"{quantity.long_name}, {quantity.symbol}", value, unit, of_members)
-
-
-def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple, float]:
-    """Changes of ``flags`` where the equations are valid: their values, by the states before and
-    after and a counter of the pair."""
-    times, found = Counter(), {}
-    for change in changes:
-        if change.border.flag in flags and change.solution_status not in MEANINGLESS:
-            passed = change.before, change.after
-            found[*passed, times[passed]] = change.value
-            times[passed] += 1
+def _by_name(changes: list[Transition], flags: Collection[str]) -> dict[str, float]:
+    """Values of valid changes of ``flags``, numbered if they occur again; and of the first at each border."""
+    found = {}
+    for each in changes:
+        if each.border.flag in flags and each.solution_status not in MEANINGLESS:
+            name = f"{each.before}_to_{each.after}"
+            times = 1 + sum(other.startswith(name) for other in found)
+            found[name if times == 1 else f"{name}_{times}"] = each.value
+            found.setdefault(each.border.name, each.value)
     return found
-
-
-def _key_of(along: str) -> str:
-    """The name of an axis in engineering units."""
-    if not isinstance(along, str) or along not in ENGINEERING:
-        raise ValueError(f"along is {shown(along)}; allowed: {', '.join(ENGINEERING)}")
-    return ENGINEERING[along]
 
 
 def _words(name: str) -> str:

@@ -9,12 +9,13 @@ in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
 import math
 import warnings
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.messages import shown_file
+from thirdbody.messages import format_path
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 
@@ -119,14 +120,14 @@ def choose_inputs(
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):
-        content, place = read_yaml(given), shown_file(given)
+        content, place = read_yaml(given), format_path(given)
         if "inputs" in content:
             calibrated, content = given, {}
     schema.validate(content, values_schema(entries), place)
     laid_over = plain_values(content)
     found = read_calibrated(calibrated, entries)
     values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
-    schema.validate(values, {"required": [*entries]}, f"{shown_file(calibrated)}: inputs")
+    schema.validate(values, {"required": [*entries]}, f"{format_path(calibrated)}: inputs")
     check_ball(values, place)
     return {
         "parameters": values,
@@ -141,6 +142,19 @@ def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
     differ."""
     members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
     return members if any(member != members[0] for member in members) else []
+
+
+def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
+    """The sets of inputs that explain the paper about equally well: those in the calibrated file of
+    ``config/config.yaml``, each with the changes of ``parameters`` from the best set.
+
+    Empty if they then do not differ.
+    """
+    directory = schema.config_directory()
+    content = read_calibrated(directory.parent / read_yaml(directory / "config.yaml")["calibrated"])
+    best, given = content["inputs"], parameters.as_dict()
+    changed = {name: value for name, value in given.items() if best.get(name) != value}
+    return tuple(replace(parameters, **member) for member in ensemble_of(content, changed))
 
 
 def check_ball(values: Values, place: str) -> None:

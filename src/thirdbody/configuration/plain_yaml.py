@@ -5,7 +5,7 @@ from typing import Any
 
 import yaml
 
-from thirdbody.messages import shown, shown_file
+from thirdbody.messages import format_path, format_value
 
 KINDS = {dict: "keys with values", list: "a list"}
 
@@ -28,7 +28,7 @@ class _KeysOnce(yaml.CSafeLoader):
 def read_yaml(path: str | Path, kind: type = dict) -> Any:
     """The content of a plain YAML file in UTF-8: a ``dict``, or a ``list`` if this is its ``kind``;
     ``ValueError`` in one line with the file, the line in it, and the error."""
-    name = shown_file(path)
+    name = format_path(path)
     try:
         text = Path(path).read_bytes().decode("utf-8")
     except OSError as error:
@@ -36,7 +36,9 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     except UnicodeDecodeError as error:
         raise ValueError(f"{name}: byte {error.start} is not UTF-8") from None
     except (TypeError, ValueError):
-        raise ValueError(f"{shown(path)} is not a path; allowed: the path of a YAML file") from None
+        raise ValueError(
+            f"{format_value(path)} is not a path; allowed: the path of a YAML file"
+        ) from None
     try:
         content = yaml.load(text, _KeysOnce)
     except (yaml.YAMLError, ValueError) as error:

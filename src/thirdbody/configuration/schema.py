@@ -23,7 +23,7 @@ from referencing.jsonschema import DRAFT202012
 
 from thirdbody.configuration import rules
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.messages import LONGEST, shown, shown_file
+from thirdbody.messages import LONGEST, format_path, format_value
 
 MOST_NAMED = 16  # keys in a message
 NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?", re.IGNORECASE)
@@ -58,7 +58,7 @@ def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
     """The content of a YAML file, validated by ``config/<kind>.schema.yaml``; raises as ``validate``."""
     schema = read_schema(kind)
     content = read_yaml(path, {"object": dict, "array": list}[schema["type"]])
-    validate(content, schema, shown_file(path), **definitions)
+    validate(content, schema, format_path(path), **definitions)
     return content
 
 
@@ -110,7 +110,7 @@ def _line(content: Any, error: ValidationError) -> str:
     problem, allowed = _fault(error)
     if problem:
         return f"{place}: {problem}; allowed: {allowed}".removeprefix(": ")
-    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {allowed}"
+    return f"{place} is {format_value(reduce(getitem, keys, content))}; allowed: {allowed}"
 
 
 def _fault(error: ValidationError) -> tuple[str, str]:
@@ -123,9 +123,9 @@ def _fault(error: ValidationError) -> tuple[str, str]:
     if error.validator == "additionalProperties":
         known = sorted(error.schema["properties"])
         unknown = next(name for name in error.instance if name not in known)
-        return f"unknown key {shown(unknown)}", _nearest(unknown, known)
+        return f"unknown key {format_value(unknown)}", _nearest(unknown, known)
     is_key = "propertyNames" in error.schema_path
-    return f"unknown key {shown(error.instance)}" if is_key else "", _allowed(error)
+    return f"unknown key {format_value(error.instance)}" if is_key else "", _allowed(error)
 
 
 def _allowed(error: ValidationError) -> str:

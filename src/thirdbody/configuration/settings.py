@@ -10,7 +10,7 @@ import numpy as np
 from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
@@ -31,7 +31,7 @@ def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> di
     changed = dict(config)
     changes = changed.pop("changes", None)
     if not isinstance(changes, str | None):
-        raise ValueError(f"changes is {shown(changes)}; allowed: the path of a YAML file")
+        raise ValueError(f"changes is {format_value(changes)}; allowed: the path of a YAML file")
     merged = _merged(_merged(paper, changed), {} if changes is None else read_yaml(changes))
     settings = workflow_settings(merged, folder)
     _require_surfaces(settings)

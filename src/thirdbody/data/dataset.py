@@ -14,8 +14,7 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_names, check_rtol, checked_parameters
-from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions import check_names, check_rtol, checked_parameters, in_si
 from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 from thirdbody.data.files import atomic_write
@@ -30,13 +29,14 @@ from thirdbody.data.quantities import (
     STATUS,
     VARIABLES,
 )
-from thirdbody.messages import shown, shown_file
+from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
+from thirdbody.units import unit_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -165,7 +165,7 @@ def stream(
     (2,)
     """
     if not isinstance(compression, Integral) or compression not in range(10):
-        raise ValueError(f"compression is {shown(compression)}; allowed: 0 to 9")
+        raise ValueError(f"compression is {format_value(compression)}; allowed: 0 to 9")
     parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
     shape = tuple(axis.size for axis in axes.values())
     lengths = [*shape]
@@ -180,7 +180,7 @@ def stream(
         free = disk_usage(Path(path).parent).free
         if size > free and not compression:
             raise OSError(
-                f"{shown_file(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
+                f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
                 f"most the {free:.3g} bytes free on the disk"
             )
         with (
@@ -207,7 +207,11 @@ def _checked_grid(parameters, rtol, variables, progress, conditions):
     check_progress(progress)
     check_names("variables", variables, VARIABLES)
     names = [name for name in VARIABLES if name in variables or name == STATUS]
-    return parameters, names, in_si(conditions, parameters, check=_checked_increasing)
+    axes = in_si(conditions, parameters)
+    for key in conditions:
+        name = unit_of(key).condition
+        axes[name] = _checked_increasing(key, axes[name])
+    return parameters, names, axes
 
 
 def _checked_increasing(key: str, values: NDArray) -> NDArray:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from thirdbody.messages import shown, shown_file
+from thirdbody.messages import format_path, format_value
 
 
 @contextmanager
@@ -39,7 +39,7 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
         elsewhere = error.filename and Path(error.filename) not in (*places, *parts)
         if elsewhere or error.strerror is None:
             raise
-        names = ", ".join(map(shown_file, places))
+        names = ", ".join(map(format_path, places))
         raise OSError(f"{names} cannot be written ({error.strerror})") from None
     finally:
         for part in parts:
@@ -54,7 +54,8 @@ def _place(path: str | Path) -> Path:
     except TypeError:
         place = Path()
     if not place.name or "\0" in place.name:
-        raise ValueError(f"{shown(path)} is not a file name; allowed: the path of a file to write")
+        message = f"{format_value(path)} is not a file name"
+        raise ValueError(f"{message}; allowed: the path of a file to write")
     return Path(os.path.realpath(place)) if os.path.islink(place) else place
 
 

@@ -70,3 +70,11 @@ def spread(values: Iterable[float]) -> tuple[float, float] | None:
     """The range of nine in ten of ``values``, those of an ensemble; None if there are none."""
     known = [value for value in values if np.isfinite(value)]
     return tuple(np.quantile(known, ENDS).tolist()) if known else None
+
+
+def ranges(name: str, members: list[NDArray]) -> dict[str, NDArray]:
+    """The same at each of several points, as columns ``_low`` and ``_high``; none of no members."""
+    import pandas as pd
+
+    ends = pd.DataFrame(members).quantile(ENDS).to_numpy() if members else ()  # ignores nan
+    return dict(zip((f"{name}_low", f"{name}_high"), ends))

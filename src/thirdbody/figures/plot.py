@@ -129,8 +129,9 @@ def plot_curve(curve: Any) -> Figure:
     x = unit * np.asarray(curve.points)
     panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in LUBRICATED]
     for panel in panels:
-        if panel.y in curve.low:
-            panel.series.append(range_series("", x, curve.low[panel.y], curve.high[panel.y], BLUE))
+        if f"{panel.y}_low" in curve.values:
+            ends = curve.values[f"{panel.y}_low"], curve.values[f"{panel.y}_high"]
+            panel.series.append(range_series("", x, *ends, BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, [])
 

@@ -1,8 +1,8 @@
-"""Laboratory data: oils, cleanliness codes, topographies, and measurements compared with the model.
+"""Laboratory data: oils, topographies, and measurements compared with the model.
 
-``oil`` and ``cleanliness`` convert standard codes to conditions of the model, ``topography`` a
-measured surface to its summits; ``comparison`` compares a file of measurements with the model, and
-``estimates`` has the friction and contact resistance for it.
+``oil`` converts codes of standards to conditions of the model, ``topography`` a measured surface to
+its summits; ``comparison`` compares a file of measurements with the model, and ``estimates`` has
+the friction and contact resistance for it.
 """
 
 from thirdbody.extras import require

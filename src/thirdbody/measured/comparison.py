@@ -1,7 +1,5 @@
 """``compare``: measurements compared with the model, with ensemble ranges and residuals."""
 
-from __future__ import annotations
-
 import csv
 import re
 from dataclasses import asdict, dataclass
@@ -13,24 +11,28 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.answer import Answer, Row
-from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
-from thirdbody.conditions.checks import check_number, checked_parameters
-from thirdbody.conditions.in_si import in_si
-from thirdbody.conditions.usual import warn_outside, without_warnings
-from thirdbody.data.quantities import ENDS
+from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
+from thirdbody.conditions import (
+    check_number,
+    checked_parameters,
+    in_si,
+    warn_outside,
+    without_warnings,
+)
+from thirdbody.configuration.inputs import calibrated_ensemble
+from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
-from thirdbody.messages import shown, shown_file
+from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 from thirdbody.tabular import Tabular
 from thirdbody.units import ENGINEERING, UNITS, decimal, registry
 
-SPEED = "speed"
-# a unit of the dimension of each condition, by its heading
+# a unit of each condition, and the column and unit of each measured quantity, by heading
 CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
-CONDITIONS[SPEED] = "m/s"
-UNITS_OF = {column: unit for column, unit, _ in MEASURED.values()}
+CONDITIONS["speed"] = "m/s"
+UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
+USUAL = {column: (least, most, "1") for column, _, least, most in MEASURED.values()}
 CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
@@ -58,15 +60,15 @@ class Comparison(Tabular):
         """Mean and root mean square residuals, and numbers of measurements within the ensemble range."""
         rows, notes = [], []
         for name in self.variables:
-            residual = self.table[f"{name}_residual"].dropna()
+            known = self.table.dropna(subset=f"{name}_residual")
+            residual = known[f"{name}_residual"]
             unit = UNITS_OF[name].replace("dimensionless", "1")
             rows.append(Row(f"{name}_mean", f"{name}: mean residual", residual.mean(), unit))
             size = float(np.sqrt((residual**2).mean()))
             rows.append(Row(f"{name}_rms", f"{name}: root mean square residual", size, unit))
-            if f"{name}_low" in self.table:
-                known = self.table.loc[residual.index]
+            if f"{name}_low" in known:
                 inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"])
-                count = f"{inside.sum()} of {len(residual)}"
+                count = f"{inside.sum()} of {len(known)}"
                 notes.append(f"{name} is within the 90 % range in {count} measurements")
         title = f"{len(self.table)} measurements beside the model, along {self.along}"
         return Answer(title, tuple(rows), (*notes, *self.notes))
@@ -95,6 +97,10 @@ def compare(
 ) -> Comparison:
     """Compare measurements with the model and with the range of its calibrated ensemble.
 
+    Raises ``ValueError`` for an unknown heading or unit, a cell that is not a number, a file without
+    measurements, and a condition that is missing, given twice or refused by ``solve``; ``OSError`` if
+    the file cannot be read.
+
     Parameters
     ----------
     measured : path or pandas.DataFrame
@@ -104,22 +110,12 @@ def compare(
         quantities: ``friction coefficient``, ``contact resistance [ohm]``, ``film thickness [nm]``,
         ``separation [nm]``, ``real contact area [mm^2]``, ``real contact area fraction [%]``,
         ``solid load fraction`` or ``fluid load fraction``.  A cell without a measurement is empty.
-    parameters : Parameters, optional
-        Inputs of the model, by default the published ones; ``thirdbody.bearing`` derives others.
     speed_m_per_s : float, optional
         The rolling speed of ``parameters`` [m/s]; required if and only if there is a column of speeds.
     assumed : Assumed, optional
         Assumptions of the estimates of friction and contact resistance (``estimates.Assumed``).
-    **conditions : array_like
-        Conditions that are not columns, by any of the names of ``thirdbody.solve``.
-
-    Raises
-    ------
-    ValueError
-        For an unknown heading or unit, a cell that is not a number, a file without measurements,
-        and a condition that is missing, given twice or refused by ``solve``.
-    OSError
-        If the file cannot be read.
+    parameters, **conditions
+        As in ``thirdbody.solve``: inputs, and conditions that are not columns.
 
     Examples
     --------
@@ -134,89 +130,86 @@ def compare(
     parameters = checked_parameters(parameters)
     assumed = Assumed() if assumed is None else assumed
     columns = _read(measured)
-    observed = {name: each for name, each in columns.items() if name in MEASURED}
+    observed = {MEASURED[name][0]: columns[name] for name in columns if name in MEASURED}
     if not observed:
         raise ValueError(f"measured has no column of {', '.join(MEASURED)}; allowed: one or more")
-    if (SPEED in columns) != (speed_m_per_s is not None):
-        message = f"speed_m_per_s is {shown(speed_m_per_s)}"
+    if ("speed" in columns) != (speed_m_per_s is not None):
+        message = f"speed_m_per_s is {format_value(speed_m_per_s)}"
         raise ValueError(f"{message}; allowed: a number with a column of speeds, else none")
     if speed_m_per_s is not None:
         check_number("speed_m_per_s", speed_m_per_s)
     table = _conditions(columns, conditions, parameters)
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
-    variables = [MEASURED[name][0] for name in observed]
     table, curve = (
-        _with_model(each, variables, (parameters, *members), speed_m_per_s, assumed)
+        _with_model(each, observed, (parameters, *members), speed_m_per_s, assumed)
         for each in (table, curve)
     )
-    notes, usual = [], {}
-    for (name, quantity), column in zip(observed.items(), variables, strict=True):
-        table[column] = quantity.to(UNITS_OF[column]).magnitude
-        usual[column] = table[column], MEASURED[name][2], "1"
-        table[f"{column}_residual"] = table[column] - table[f"{column}_model"]
-        if column in FORMULAS:
-            formula = FORMULAS[column].format(**asdict(assumed))
-            notes.append(f"{column} is an estimate: {formula}")
-    warn_outside(usual)
-    notes += ensemble_notes(members)
-    unsolved = int(table[f"{column}_model"].isna().sum())
+    notes = []
+    for name, quantity in observed.items():
+        table[name] = quantity.to(UNITS_OF[name]).magnitude
+        table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
+        if name in FORMULAS:
+            notes.append(f"{name} is an estimate: {FORMULAS[name].format(**asdict(assumed))}")
+    warn_outside({name: table[name] for name in observed}, USUAL)
+    if not members:
+        notes.append(NO_ENSEMBLE)
+    unsolved = int(table[f"{name}_model"].isna().sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
-    return Comparison(table, curve, along, tuple(variables), tuple(notes))
+    return Comparison(table, curve, along, tuple(observed), tuple(notes))
 
 
 def _read(measured):
-    """The columns of a file or table by name, as quantities with units."""
+    """The columns of a file or table by heading, without unit, as quantities of pint."""
     table = measured if isinstance(measured, pd.DataFrame) else _read_csv(measured)
     if not len(table):
         raise ValueError("measured has no rows; allowed: one or more below the headings")
     columns = {}
     for heading in table:
         words, *units = HEADING.match(str(heading)).groups()
-        name, unit = words.lower().replace("_", " "), next(filter(None, units), None)
-        key = name.replace(" ", "_") if name in CONDITIONS else name
-        if key in columns or not (name in MEASURED or name in CONDITIONS):
+        name, unit = words.lower().replace("_", " "), next(filter(None, units), "")
+        if name in columns or not (name in MEASURED or name in CONDITIONS):
             known = ", ".join([*CONDITIONS, *MEASURED])
             raise ValueError(
-                f"measured has the column {shown(heading)}; allowed: {known}, once each"
+                f"measured has the column {format_value(heading)}; allowed: {known}, once each"
             )
-        columns[key] = _quantity(heading, name, unit, _numbers(heading, table[heading]))
+        columns[name] = _quantity(heading, name, unit, table[heading])
     return columns
 
 
 def _read_csv(path):
     """A CSV file as texts; the separator is the first of tab, semicolon and comma found in the headings."""
+    name = format_path(path)
     try:
         content = Path(path).read_bytes()
     except OSError as error:
-        raise type(error)(f"{shown_file(path)} cannot be read ({error.strerror})") from None
+        raise type(error)(f"{name} cannot be read ({error.strerror})") from None
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = content.decode("cp1252", "replace")  # of spreadsheets
     lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
     if not lines:
-        raise ValueError(f"{shown_file(path)} is empty; allowed: headings and rows below them")
+        raise ValueError(f"{name} is empty; allowed: headings and rows below them")
     separator = next((each for each in "\t;" if each in lines[0]), ",")
     headings, *rows = csv.reader(lines, delimiter=separator)
     for row in rows:
         if len(row) != len(headings):
-            message = (
-                f"{shown_file(path)} has {len(row)} cells in the row {shown(separator.join(row))}"
-            )
-            raise ValueError(f"{message}; allowed: {len(headings)}, as headings")
+            found = f"{len(row)} cells in the row {format_value(separator.join(row))}"
+            raise ValueError(f"{name} has {found}; allowed: {len(headings)}, as headings")
     if separator == ";":
         signs = {sign for row in rows for cell in row for sign in ",." if sign in cell}
         if len(signs) > 1:
-            message = f"{shown_file(path)} has numbers with a comma and numbers with a point"
+            message = f"{name} has numbers with a comma and numbers with a point"
             raise ValueError(f"{message}; allowed: one decimal sign, and none between thousands")
         rows = [[cell.replace(",", ".") for cell in row] for row in rows]
     return pd.DataFrame(rows, columns=headings)
 
 
-def _numbers(heading, column):
-    """A column as numbers; an empty cell is nan."""
+def _quantity(heading, name, unit, column):
+    """The numbers of a column, nan in empty cells, with their unit, which only dimensionless
+    quantities may omit; for F_t* it is 1."""
     numbers = np.full(len(column), np.nan)
     for index, cell in enumerate(column):
         try:
@@ -224,15 +217,9 @@ def _numbers(heading, column):
             if isinstance(cell, bool | np.bool_) or np.isinf(numbers[index]):
                 raise ValueError
         except (TypeError, ValueError, OverflowError):
-            message = f"{heading} is {shown(cell)} in row {index + 1}"
-            raise ValueError(
-                f"{message}; allowed: numbers, finite and with a decimal point"
-            ) from None
-    return numbers
-
-
-def _quantity(heading, name, unit, numbers):
-    """A column with its unit, which only dimensionless quantities may omit; for F_t* it is 1."""
+            message = f"{heading} is {format_value(cell)} in row {index + 1}"
+            allowed = "numbers, finite and with a decimal point"
+            raise ValueError(f"{message}; allowed: {allowed}") from None
     wanted = CONDITIONS.get(name) or MEASURED[name][1]
     unit = unit or ("dimensionless" if name in MEASURED else "")
     try:
@@ -242,7 +229,7 @@ def _quantity(heading, name, unit, numbers):
         known = False
     if not unit or not known:
         raise ValueError(
-            f"the unit of {shown(heading)} is not known; allowed: as '{name} [{wanted}]'"
+            f"the unit of {format_value(heading)} is not known; allowed: as '{name} [{wanted}]'"
         )
     return quantity
 
@@ -250,18 +237,20 @@ def _quantity(heading, name, unit, numbers):
 def _conditions(columns, conditions, parameters):
     """The conditions of each measurement in engineering units, with the speed if there is one."""
     given = {}
-    for name in columns.keys() & ENGINEERING.keys():
-        key = "load" if columns[name].unitless and name == "load" else ENGINEERING[name]
-        given[key] = columns[name].to(UNITS[key].text).magnitude
-        if key in conditions:
-            raise ValueError(f"{key} is given twice; allowed: a column, or one number")
+    for name, key in ENGINEERING.items():
+        column = columns.get(name.replace("_", " "))
+        if column is not None:
+            key = name if name == "load" and column.unitless else key
+            given[key] = column.to(UNITS[key].text).magnitude
+            if key in conditions:
+                raise ValueError(f"{key} is given twice; allowed: a column, or one number")
     found = in_si(given | conditions, parameters)
     table = {
         key: decimal(UNITS[key].from_si(found[name], parameters.newtons_per_load))
         for name, key in ENGINEERING.items()
     }
-    if SPEED in columns:
-        table["speed_m_per_s"] = columns[SPEED].to("m/s").magnitude
+    if "speed" in columns:
+        table["speed_m_per_s"] = columns["speed"].to("m/s").magnitude
     rows = len(next(iter(columns.values())))
     for name, values in table.items():
         if values.shape not in ((), (rows,)):
@@ -291,11 +280,7 @@ def _with_model(table, columns, inputs, speed_m_per_s, assumed):
             measurable(solve(**conditions, parameters=each, progress=False), each, assumed)
             for each in inputs
         ]
-    table = table.copy()
     for column in columns:
         mine, *members = (each[column] for each in found)
-        table[f"{column}_model"] = mine
-        if members:
-            ends = pd.DataFrame(members).quantile(ENDS).to_numpy()
-            table[f"{column}_low"], table[f"{column}_high"] = ends
+        table = table.assign(**{f"{column}_model": mine}, **ranges(column, members))
     return table

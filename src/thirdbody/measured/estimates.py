@@ -6,63 +6,36 @@ solids and film, each with a constant coefficient (load sharing: Johnson, Greenw
 Contacts"): n equal distant spots have 1/sqrt(n) of it, layers of oxide or oil add to it.
 """
 
-from __future__ import annotations
-
+import tomllib
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.conditions.checks import check_number
-from thirdbody.conditions.usual import (
-    BOUNDARY_FRICTION,
-    FILM_FRICTION,
-    RESISTIVITY_OHM_M,
-    warn_outside,
-)
+from thirdbody.conditions import check_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
-# by heading: the column of tables, its unit for pint, and its usual range
-MEASURED = {
-    "friction coefficient": ("friction_coefficient", "dimensionless", (1e-4, 1.5)),
-    "contact resistance": ("contact_resistance_ohm", "ohm", (1e-6, 1e9)),
-    "film thickness": ("film_thickness_nm", "nm", (0.1, 1e6)),
-    "separation": ("separation_nm", "nm", (0.1, 1e6)),
-    "real contact area": ("real_contact_area_mm2", "mm**2", (1e-9, 1e3)),
-    "real contact area fraction": ("real_contact_area_fraction", "dimensionless", (1e-9, 1.0)),
-    "solid load fraction": ("solid_load_fraction", "dimensionless", (1e-6, 1.0)),
-    "fluid load fraction": ("fluid_load_fraction", "dimensionless", (1e-6, 1.0)),
-}
-# assumptions of the columns that are estimates
-FORMULAS = {
-    "friction_coefficient": "{boundary_friction:g} L_s + {film_friction:g} L_f",
-    "contact_resistance_ohm": "one round spot of A_t* A_n between bodies of {resistivity_ohm_m:g} ohm m (Holm)",
-}
-USUAL = {  # usual range and unit of the assumptions
-    "boundary_friction": ((0.01, 1.0), "1"),
-    "film_friction": ((1e-4, 0.2), "1"),
-    "resistivity_ohm_m": ((1e-8, 1e-4), "ohm m"),
-}
+TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+MEASURED, FORMULAS, USUAL = TABLES["measured"], TABLES["formulas"], TABLES["usual"]
 
 
 @dataclass(frozen=True)
 class Assumed:
-    """Assumptions of the estimates.
+    """Assumptions of the estimates, by default for steel in oil.
 
     ``boundary_friction`` is the friction coefficient [1] of the solids, 0.08 to 0.15 for steel in oil;
     ``film_friction`` that of the film, 0.01 to 0.07, depending on oil and sliding; ``resistivity_ohm_m``
-    the mean electrical resistivity [ohm m] of both bodies, by default that of bearing steel.
+    the mean electrical resistivity [ohm m] of both bodies.
     """
 
-    boundary_friction: float = BOUNDARY_FRICTION
-    film_friction: float = FILM_FRICTION
-    resistivity_ohm_m: float = RESISTIVITY_OHM_M
+    boundary_friction: float = 0.12
+    film_friction: float = 0.03
+    resistivity_ohm_m: float = 2.2e-7
 
     def __post_init__(self):
-        for name, value in vars(self).items():
-            check_number(name, value)
-        warn_outside({name: (value, *USUAL[name]) for name, value in vars(self).items()})
+        check_numbers(vars(self), USUAL)
 
 
 @np.errstate(divide="ignore")  # without contact the resistance is infinite

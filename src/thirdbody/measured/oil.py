@@ -1,8 +1,8 @@
-"""``oil_viscosity``: the kinematic viscosity of an oil at a temperature, from its data sheet."""
-
-from __future__ import annotations
+"""Numbers from data sheets of oils: ``oil_viscosity`` at a temperature, and ``cleanliness``, the
+particles per area of a film, from the ISO 4406 code."""
 
 import math
+import re
 from collections.abc import Mapping
 from numbers import Integral
 from pathlib import Path
@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from thirdbody.conditions.checks import check_number, checked_array
-from thirdbody.messages import shown
+from thirdbody.answers.answer import Answer, Row, few_particles
+from thirdbody.conditions import check_number, check_numbers, checked_array, checked_parameters
+from thirdbody.messages import format_value
+from thirdbody.model.parameters import Parameters
 
 # ISO 3448: kinematic viscosity at 40 C [cSt] of each grade, +-10 %
 GRADES = {2: 2.2, 3: 3.2, 5: 4.6, 7: 6.8}
@@ -23,6 +25,12 @@ COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
 ZERO = 273.15  # K
 # ASTM D2270: rows of seven numbers, described in the file
 INDEX = np.loadtxt(Path(__file__).with_suffix(".csv"), delimiter=",")
+SIZES = 4, 6, 14  # um(c), the sizes counted in a code of ISO 4406:2021
+CODE = re.compile(r"(?:ISO)? *" + "/".join([r" *(\d\d?|[-*]) *"] * len(SIZES)))
+# its Table 1: most particles per mL for scale numbers 0 to 9, times 1000 for each 10 more
+MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
+LARGEST = 28
+USUAL = {"gap_nm": (1.0, 1e5, "nm")}
 
 
 def oil_viscosity(
@@ -35,7 +43,9 @@ def oil_viscosity(
     """Kinematic viscosity [cSt] of an oil at a temperature, from the Walther line through two points.
 
     log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is valid at
-    ambient pressure, without shear thinning, ageing or fuel dilution.
+    ambient pressure, without shear thinning, ageing or fuel dilution.  Raises ``ValueError`` for an
+    unknown grade or impossible index, a number of points other than two, and viscosities below 2 or
+    above 2e7 cSt, where the line is not valid.
 
     Parameters
     ----------
@@ -48,12 +58,6 @@ def oil_viscosity(
     points : mapping, optional
         Instead of these, two temperatures [C] with measured viscosities [cSt].
 
-    Raises
-    ------
-    ValueError
-        For an unknown grade or impossible index, a number of points other than two, and viscosities
-        below 2 or above 2e7 cSt, where the line is not valid.
-
     Examples
     --------
     >>> import thirdbody as tb
@@ -63,19 +67,18 @@ def oil_viscosity(
     array([38.5])
     """
     temperature = checked_array("temperature_C", temperature_C, "numbers, in degrees Celsius")
+    given = f"temperature_C is {format_value(temperature_C)}"
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
-        raise ValueError(
-            f"temperature_C is {shown(temperature_C)}; allowed: {COLDEST:g} to {HOTTEST:g}"
-        )
+        raise ValueError(f"{given}; allowed: {COLDEST:g} to {HOTTEST:g}")
     if (points is None) == (grade is None) or (grade is None) != (viscosity_index is None):
         raise ValueError(
-            f"grade is {shown(grade)}, viscosity_index {shown(viscosity_index)} and points "
-            f"{shown(points)}; allowed: a grade with its viscosity_index, or points"
+            f"grade is {format_value(grade)}, viscosity_index {format_value(viscosity_index)} and "
+            f"points {format_value(points)}; allowed: a grade with its viscosity_index, or points"
         )
     if points is None:
         if not isinstance(grade, Integral) or grade not in GRADES:
             allowed = ", ".join(map(str, GRADES))
-            raise ValueError(f"grade is {shown(grade)}; allowed: ISO VG {allowed}")
+            raise ValueError(f"grade is {format_value(grade)}; allowed: ISO VG {allowed}")
         points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], viscosity_index)}
     (cold, thick), (hot, thin) = _checked_points(points)
     slope = (_doubled(thick) - _doubled(thin)) / math.log10((hot + ZERO) / (cold + ZERO))
@@ -85,22 +88,23 @@ def oil_viscosity(
     outside = viscosity[~((viscosity >= LEAST) & (viscosity <= MOST))]
     if outside.size:
         raise ValueError(
-            f"temperature_C {shown(temperature_C)} gives {outside.flat[0]:.3g} cSt; allowed: "
-            f"temperatures that give {LEAST:g} to {MOST:g} cSt, where ASTM D341 is a line"
+            f"{given}, which gives {outside[0]:.3g} cSt; allowed: temperatures that give {LEAST:g} "
+            f"to {MOST:g} cSt, where ASTM D341 is a line"
         )
     return viscosity
 
 
 def _checked_points(points):
     """Two temperatures with their viscosities, the colder one first."""
-    allowed = f"two temperatures [C], each with {LEAST:g} to {MOST:g} cSt, less where it is hotter"
     try:
         cold, hot = sorted((float(each), float(nu)) for each, nu in points.items())
+        fit = COLDEST <= cold[0] < hot[0] <= HOTTEST and LEAST <= hot[1] < cold[1] <= MOST
     except (AttributeError, TypeError, ValueError):
-        raise ValueError(f"points is {shown(points)}; allowed: {allowed}") from None
-    fit = COLDEST <= cold[0] < hot[0] <= HOTTEST and LEAST <= hot[1] < cold[1] <= MOST
+        fit = False
     if not fit:
-        raise ValueError(f"points is {shown(points)}; allowed: {allowed}")
+        allowed = f"two temperatures [C], each with {LEAST:g} to {MOST:g} cSt"
+        message = f"points is {format_value(points)}; allowed: {allowed}, less where it is hotter"
+        raise ValueError(message)
     return cold, hot
 
 
@@ -126,4 +130,57 @@ def _at_100(at_40, index):
         return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
     except ValueError:  # no root between the ends
         allowed = f"one that gives an oil of {at_40:g} cSt at 40 C 2 cSt or more at 100 C"
-        raise ValueError(f"viscosity_index is {shown(index)}; allowed: {allowed}") from None
+        raise ValueError(f"viscosity_index is {format_value(index)}; allowed: {allowed}") from None
+
+
+def cleanliness(
+    code: str, *, gap_nm: float, parameters: Parameters | None = None, enrichment: float = 1.0
+) -> Answer:
+    """Particles per area in a film of oil with an ISO 4406 code: the count in the volume of the film.
+
+    The answer has for each size the least and the most particles per m2 of the code's class.  The
+    ``code``, such as "18/16/13", counts particles of more than 4, 6 and 14 um(c) in one millilitre; "-"
+    or "*" means not counted.  Smaller ones, such as those of the paper (20 to 1000 nm), are never
+    counted; there are more of them.  ``gap_nm`` is the thickness of the film, or the separation of the
+    surfaces [nm]; ``enrichment`` the ratio of the concentration in the contact to that in the sample
+    [1]; of ``parameters``, by default the published ones, A_n is used.  Entrainment into the contact,
+    exclusion of large particles, and wear debris are not considered.  Raises ``ValueError`` for an
+    invalid code, and numbers that are not positive.
+
+    >>> import thirdbody as tb
+    >>> print(tb.cleanliness("18/16/13", gap_nm=1000).notes[0])
+    0.0089 particles above 4 um in A_n = 3.57e-06 m2: most contacts have none
+    """
+    parameters = checked_parameters(parameters)
+    check_number("enrichment", enrichment)
+    check_numbers({"gap_nm": gap_nm}, USUAL)
+    rows, notes = [], []
+    for size, number in zip(SIZES, _scale_numbers(code)):
+        if number is not None:
+            for end, scale_number in (("least", number - 1), ("most", number)):
+                # per m3, times a height in m
+                density = 1e6 * _most_per_ml(scale_number) * enrichment * 1e-9 * gap_nm
+                text = f"particles of more than {size} um(c), {end} of the class"
+                rows.append(Row(f"{end}_above_{size}_um", text, density, "m-2"))
+            notes += few_particles(density, parameters.apparent_area, f"particles above {size} um")
+    notes.append("particles below 4 um, which ISO 4406 does not count, are more")
+    title = f"ISO {code} in a film of {gap_nm:g} nm"
+    return Answer(title, tuple(rows), tuple(notes), bool(rows))
+
+
+def _scale_numbers(code):
+    """The three numbers of a code, None for sizes not counted."""
+    found = CODE.fullmatch(code) if isinstance(code, str) else None
+    texts = found.groups() if found else ()
+    numbers = [int(text) if text.isdecimal() else None for text in texts]
+    known = [number for number in numbers if number is not None]
+    if not found or known != sorted(known, reverse=True) or max(known, default=0) > LARGEST:
+        allowed = (
+            f"three numbers up to {LARGEST}, none above that of smaller particles, as 18/16/13"
+        )
+        raise ValueError(f"code is {format_value(code)}; allowed: {allowed}, or - for one")
+    return numbers
+
+
+def _most_per_ml(number):
+    return 0.0 if number < 0 else MOST_PER_ML[number % 10] * 1000.0 ** (number // 10)

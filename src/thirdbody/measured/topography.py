@@ -1,7 +1,5 @@
 """``surface``: roughness, and density and radius of the summits, of measured topographies."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from os import PathLike
@@ -9,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions.checks import check_number, checked_parameters
+from thirdbody.conditions import check_number, checked_parameters
 from thirdbody.extras import require
-from thirdbody.messages import shown_file
+from thirdbody.messages import format_path
 from thirdbody.model.parameters import Parameters
 from thirdbody.tabular import Tabular
 
@@ -54,7 +52,9 @@ def surface(
     SurfaceTopography reads the files and computes slopes and curvatures as finite differences over
     one distance in both directions.  From the moments m_0 (heights), m_2 (slopes) and m_4
     (curvatures) of profiles, McCool (1987, J. Tribol. 109:264) has eta_s = m_4/(6 sqrt(3) pi m_2)
-    and R = 3 sqrt(pi)/(8 sqrt(m_4)), for isotropic surfaces with Gaussian heights.
+    and R = 3 sqrt(pi)/(8 sqrt(m_4)), for isotropic surfaces with Gaussian heights.  Raises
+    ``ValueError`` for a file that cannot be read, has no unit or is flat, and for a scale below the
+    point spacing; ``OSError`` if there is no such file.
 
     Parameters
     ----------
@@ -69,41 +69,26 @@ def surface(
         Information missing in a file, as arguments of ``SurfaceTopography.read_topography``:
         ``unit="um"``, ``physical_sizes``, ``height_scale_factor``.
 
-    Raises
-    ------
-    ValueError
-        For a file that cannot be read, has no unit or is flat, and for a scale below the point spacing.
-    OSError
-        If there is no such file.
-    ModuleNotFoundError
-        If SurfaceTopography is not installed: the extra ``topography`` installs it.
-
     Examples
     --------
     ::
 
-        ball, flat = "ball.xyz", "flat.xyz"
-        pair = tb.surface(ball, flat, scale_nm=1000, unit="um")
+        pair = tb.surface("ball.xyz", "flat.xyz", scale_nm=1000, unit="um")
         tb.solve(..., roughness=pair.roughness, parameters=pair.parameters())
     """
     require("topography", "SurfaceTopography")
     if not paths:
         raise ValueError("paths is empty; allowed: one file or more")
-    if scale_nm is not None:
-        check_number("scale_nm", scale_nm)
     topographies = [_read(path, curved, options) for path in paths]
     spacing = max(max(each.pixel_size) for each in topographies)
-    scale = spacing if scale_nm is None else 1e-9 * scale_nm
+    scale = spacing
+    if scale_nm is not None:
+        check_number("scale_nm", scale_nm)
+        scale = 1e-9 * scale_nm
     if scale < spacing * (1.0 - 1e-9):
         raise ValueError(f"scale_nm is {scale_nm:g}; allowed: {1e9 * spacing:.6g} or more")
-    moments = np.zeros(3)
-    for path, topography in zip(paths, topographies):
-        found = _moments(topography, scale)
-        if not (np.isfinite(found).all() and found.min() > 0.0):
-            message = f"{shown_file(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
-            raise ValueError(f"{message}; allowed: rough surfaces of more points than that")
-        moments += found
-    m_0, m_2, m_4 = moments.tolist()
+    found = [_moments(path, each, scale) for path, each in zip(paths, topographies)]
+    m_0, m_2, m_4 = np.sum(found, axis=0).tolist()
     return MeasuredSurface(
         roughness=math.sqrt(m_0),
         summit_density=m_4 / (6.0 * math.sqrt(3.0) * math.pi * m_2),
@@ -118,8 +103,8 @@ def _read(path, curved, options):
     """A topography in metres, without tilt; missing points are interpolated."""
     from SurfaceTopography import read_topography
 
-    with open(path, "rb"):
-        name = shown_file(path)
+    with open(path, "rb"):  # raises OSError
+        pass
     try:
         topography = read_topography(str(path), **options)
         if topography.unit is None:
@@ -132,17 +117,21 @@ def _read(path, curved, options):
         return topography.detrend("curvature" if curved else "height")
     except Exception as error:  # about thirty readers raise different types
         message = " ".join(str(error).split())[:200] or type(error).__name__
-        raise ValueError(f"{name} cannot be used as a topography: {message}") from None
+        raise ValueError(f"{format_path(path)} cannot be used as a topography: {message}") from None
 
 
-def _moments(topography, scale):
+def _moments(path, topography, scale):
     """Mean squares of heights, slopes and curvatures of profiles, in all directions of the points."""
+
+    def mean_square(*derivatives):
+        return np.mean([np.mean(each**2) for each in derivatives if each is not None])
+
     taken = topography.scale_dependent_statistical_property
     slope, curvature = (
-        float(taken(_mean_square, n=order, distance=order * scale)[1]) for order in (1, 2)
+        float(taken(mean_square, n=order, distance=order * scale)[1]) for order in (1, 2)
     )
-    return np.array([np.var(topography.heights()), slope, curvature])
-
-
-def _mean_square(*derivatives):
-    return np.mean([np.mean(each**2) for each in derivatives if each is not None])
+    found = np.array([np.var(topography.heights()), slope, curvature])
+    if not (np.isfinite(found).all() and found.min() > 0.0):
+        message = f"{format_path(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
+        raise ValueError(f"{message}; allowed: rough surfaces of more points than that")
+    return found

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.messages import shown
+from thirdbody.messages import format_value
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.interpretations import chosen_interpretations
 from thirdbody.model.load_unit import newtons_per_load
@@ -110,7 +110,7 @@ class Parameters:
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
             return
         for name in outside:
-            message = f"{name} is {shown(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
+            message = f"{name} is {format_value(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
             raise ValueError(message)
 
     @cached_property

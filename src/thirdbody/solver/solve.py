@@ -8,15 +8,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import (
-    check_named_points,
+from thirdbody.conditions import (
+    CONDITIONS,
+    broadcast_by_name,
     check_names,
     check_points,
     check_rtol,
     checked_parameters,
+    in_si,
 )
-from thirdbody.conditions.in_si import CONDITIONS, in_si
-from thirdbody.conditions.labelled import broadcast_by_name, labelled_as, with_names
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import has_film
 from thirdbody.model.parameters import Parameters
@@ -125,11 +125,12 @@ def solve(
     if not any(map(is_labelled, conditions.values())):
         return solve_arrays(arrays, parameters, rtol, variables, progress)
     given = {unit_of(key).condition: each for key, each in conditions.items()}
-    check_named_points({name: each for name, each in given.items() if is_labelled(each)})
-    named = with_names(given, arrays)
-    arrays, pattern = broadcast_by_name(named)
+    named, arrays, pattern = broadcast_by_name(given, arrays)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-    return replace(solution, **labelled_as(pattern, solution.known), conditions=named)
+    known = {
+        name: pattern.copy(data=values).rename(name) for name, values in solution.known.items()
+    }
+    return replace(solution, **known, conditions=named)
 
 
 def solve_arrays(

@@ -1,0 +1,273 @@
+"""The five conditions as given, and checks of the arguments of public functions.
+
+Conditions are numbers, quantities with units or arrays with named dimensions, under any of their
+names.  An error is one line; unusual numbers cause an ``OutOfRangeWarning``.
+"""
+
+import sys
+import warnings
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+from functools import lru_cache
+from itertools import zip_longest
+from math import prod
+from numbers import Integral, Real
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.messages import format_value
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import LEAST
+from thirdbody.units import (
+    CONDITIONS,
+    ENGINEERING,
+    Unit,
+    has_unit,
+    in_own_unit,
+    is_labelled,
+    unit_of,
+)
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
+MOST_VALUES = 1_000_000  # of a sweep or a curve
+MOST_POINTS = 10**9  # in memory: 8 GB a variable
+Usual = Mapping[
+    str, tuple[float, float, str]
+]  # least and most usual value of numbers, and their unit
+
+
+class OutOfRangeWarning(UserWarning):
+    """Numbers are outside their usual range, probably because they are in another unit.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> import thirdbody as tb
+    >>> with warnings.catch_warnings(record=True) as caught:
+    ...     inputs = tb.bearing(pressure_viscosity_per_GPa=0.02)
+    >>> print(caught[0].message)
+    pressure_viscosity_per_GPa is 0.02 GPa-1; usual: 1 to 100 GPa-1
+    """
+
+
+def in_si(
+    given: Mapping[str, ArrayLike], parameters: Parameters, without: str | None = None
+) -> dict[str, NDArray]:
+    """The ``given`` conditions, numbers or quantities under any of their names, in SI by the
+    arguments of ``solve``; warns like ``solve``, in the given units.
+
+    The condition ``without`` must not be given.  Raises ``ValueError`` if a condition is missing,
+    given twice, unknown or not allowed, and for numbers that ``solve`` refuses.
+    """
+    units = {}
+    for key in given:
+        name = unit_of(key).condition
+        if name in units or name == without:
+            reason = "is searched along" if name == without else "is given twice"
+            raise ValueError(f"{key}: {name} {reason}; allowed: each axis once")
+        units[name] = unit_of(key)
+    newtons = parameters.newtons_per_load
+    found, typed, usual = {}, {}, {}
+    for name in CONDITIONS:
+        if name in units:
+            key = units[name].key
+            unit, found[name] = _numbers(units[name], given[key], newtons)
+            typed[key] = unit.from_si(found[name], newtons)
+            usual[key] = *unit.from_si(CONDITIONS[name]["usual"], newtons), unit.text
+        elif name != without:
+            raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
+    warn_outside(typed, usual)
+    return found
+
+
+def ends_in_si(name: str, ends: Any, unit: Unit, parameters: Parameters) -> NDArray:
+    """The ends of a range, two numbers in ``unit`` or quantities, in SI; ``ValueError`` unless they
+    are positive and increase, and a warning like ``in_si``."""
+    newtons = parameters.newtons_per_load
+    own, numbers = in_own_unit(replace(unit, key=name), ends, newtons)
+    allowed = "two numbers, positive and increasing"
+    array = checked_array(name, numbers, allowed)
+    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
+        raise ValueError(f"{name} is {format_value(ends)}; allowed: {allowed}")
+    usual = own.from_si(CONDITIONS[unit.condition]["usual"], newtons)
+    warn_outside({name: array}, {name: (*usual, own.text)})
+    return own.to_si(array, newtons)
+
+
+def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDArray]:
+    """The unit of numbers or quantities, and a float64 copy in SI; for an array with named
+    dimensions, of its values."""
+    key = unit.key
+    if hasattr(given, "iloc"):
+        message = f"{key} is a {type(given).__name__} of pandas"
+        raise ValueError(f"{message}; allowed: its .to_numpy() or .to_xarray()")
+    own, bare = in_own_unit(unit, given, newtons_per_load)
+    array = checked_array(key, bare.data if is_labelled(bare) else bare)
+    least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
+    wrong = array[~((array >= least) & np.isfinite(array))]
+    if wrong.size:
+        raise ValueError(f"{key} is {wrong[0]:g}; allowed: {sign} finite numbers")
+    return own, np.array(own.to_si(array, newtons_per_load))
+
+
+def broadcast_by_name(
+    given: Mapping[str, Any], arrays: Mapping[str, NDArray]
+) -> tuple[dict[str, Any], dict[str, NDArray], "xr.DataArray"]:
+    """Broadcast the ``arrays`` of conditions [SI] by the names of the dimensions of the ``given`` ones.
+
+    Returns them with these names and coordinates; views of one shape; and an array with the
+    dimensions and coordinates of that shape.
+    """
+    import xarray as xr
+
+    named = {}
+    for name, array in arrays.items():
+        if is_labelled(given[name]):
+            coordinates = getattr(given[name], "coords", None)
+            named[name] = xr.DataArray(array, coordinates, given[name].dims)
+        elif array.ndim > 0:
+            allowed = "a number or an xarray.DataArray"
+            raise ValueError(f"{name} is an array without named dimensions; allowed: {allowed}")
+    try:
+        xr.align(*named.values(), join="exact")
+    except ValueError:
+        message = "have different coordinates along one dimension; allowed: equal coordinates"
+        raise ValueError(f"{', '.join(named)} {message}") from None
+    pattern = xr.apply_ufunc(
+        lambda *columns: np.broadcast_arrays(*columns)[0], *named.values(), keep_attrs="override"
+    )
+    views = {name: each.broadcast_like(pattern).values for name, each in named.items()}
+    return {**arrays, **named}, {**arrays, **views}, pattern
+
+
+def checked_parameters(parameters: Any) -> Parameters:
+    """``parameters``, by default the published ones; ``ValueError`` unless they are ``Parameters``."""
+    if parameters is None:
+        return _published_parameters()
+    if not isinstance(parameters, Parameters):
+        kind = type(parameters).__name__
+        raise ValueError(
+            f"parameters is a {kind}; allowed: Parameters, as returned by load_parameters()"
+        )
+    return parameters
+
+
+@lru_cache
+def _published_parameters():
+    """Cached: reading the files takes longer than solving one point."""
+    from thirdbody.configuration.inputs import load_parameters
+
+    return load_parameters()
+
+
+def check_names(argument: str, given: Any, known: Collection[str]) -> None:
+    """Raise ``ValueError`` unless an ``argument`` is a collection of names from ``known``."""
+    allowed = f"allowed: names from {', '.join(known)}"
+    listed = isinstance(given, Collection) and getattr(given, "ndim", 1) == 1
+    if not listed or isinstance(given, str | bytes):
+        raise ValueError(f"{argument} is {format_value(given)}; {allowed}")
+    for name in given:
+        if not isinstance(name, str) or name not in known:
+            raise ValueError(f"{argument} has {format_value(name)}; {allowed}")
+
+
+def check_rtol(rtol: Any) -> None:
+    """Raise ``ValueError`` unless ``rtol`` is attainable with float64 and the tables."""
+    if not isinstance(rtol, Real) or not 1e-11 <= rtol <= 1e-2:
+        raise ValueError(f"rtol is {format_value(rtol)}; allowed: 1e-11 to 1e-2")
+
+
+def check_points(arrays: Mapping[str, NDArray]) -> None:
+    """Raise ``ValueError`` unless ``arrays``, by condition, broadcast to at most ``MOST_POINTS``."""
+    shapes = {name: array.shape for name, array in arrays.items() if array.ndim}
+    columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
+    lengths = [set(column) - {1} or {1} for column in columns]
+    if any(len(each) > 1 for each in lengths):
+        message = ", ".join(f"{name} has {shape}" for name, shape in shapes.items())
+        raise ValueError(f"shapes do not broadcast: {message}; allowed: shapes that do")
+    points = prod(each.pop() for each in lengths)
+    if points > MOST_POINTS:
+        message = f"{', '.join(shapes)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
+        raise ValueError(f"{message} in one call; thirdbody.stream writes any number to a file")
+
+
+def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
+    """Real numbers as a float64 array, which may contain inf or nan; quantities are refused."""
+    several = given if isinstance(given, list | tuple) else [given]
+    if any(isinstance(each, bool | np.bool_) for each in several):
+        raise ValueError(
+            f"{name} is {format_value(given)}; allowed: {allowed}"
+        )  # numpy takes True as 1
+    if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
+        raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}")
+    if np.ma.is_masked(given):
+        raise ValueError(f"{name} has masked values; allowed: numbers at every point")
+    try:
+        array = np.asarray(given)
+    except (TypeError, ValueError):  # a ragged list, or an object of another package
+        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}") from None
+    check_points({name: array})
+    try:
+        if array.dtype.kind in "iuf" or all(type(each) in (int, float) for each in array.flat):
+            return np.asarray(array, float)
+    except OverflowError:
+        message = "has an integer beyond 1.8e308; allowed: finite numbers"
+        raise ValueError(f"{name} {message}") from None
+    raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
+
+
+def check_number(name: str, value: Any, positive: bool = True) -> None:
+    """Raise ``ValueError`` unless a value is a finite number that is ``positive``, or else not negative."""
+    allowed = "positive numbers" if positive else "zero or positive numbers"
+    number = checked_array(name, value, allowed)
+    if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
+        raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
+
+
+def check_numbers(numbers: Mapping[str, Any], usual: Usual) -> None:
+    """Raise ``ValueError`` unless all ``numbers`` are positive; warn of unusual ones."""
+    for name, value in numbers.items():
+        check_number(name, value)
+    warn_outside(numbers, usual)
+
+
+def check_count(name: str, count: Any) -> None:
+    """Raise ``ValueError`` unless a number of values is an integer from 2 to ``MOST_VALUES``."""
+    whole = isinstance(count, Integral) and not isinstance(count, bool)
+    if not whole or not 2 <= count <= MOST_VALUES:
+        allowed = f"whole numbers from 2 to {MOST_VALUES}"
+        raise ValueError(f"{name} is {format_value(count)}; allowed: {allowed}")
+
+
+def warn_outside(given: Mapping[str, ArrayLike], usual: Usual) -> None:
+    """Issue one ``OutOfRangeWarning`` for all values outside their usual range; 0 means none."""
+    found = []
+    for name, values in given.items():
+        least, most, unit = usual[name]
+        values = np.ravel(values)
+        outside = values[((values < least) & (values != 0.0)) | (values > most)]
+        if outside.size:
+            suffix = "" if unit == "1" else f" {unit}"
+            ends = " to ".join(f"{float(f'{end:.2g}'):g}" for end in (least, most))
+            found.append(f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}")
+    if found:
+        warnings.warn(", and ".join(found), OutOfRangeWarning, stacklevel=_outside_of_package())
+
+
+def without_warnings() -> warnings.catch_warnings:
+    """A context without warnings of conditions that have been checked."""
+    return warnings.catch_warnings(action="ignore", category=OutOfRangeWarning)
+
+
+def _outside_of_package() -> int:
+    """The ``stacklevel`` of the nearest caller outside this package."""
+    frame, level = sys._getframe(1), 1
+    package = __name__.partition(".")[0]
+    while frame and frame.f_globals.get("__name__", "").partition(".")[0] == package:
+        frame, level = frame.f_back, level + 1
+    return level
