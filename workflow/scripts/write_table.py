@@ -4,16 +4,15 @@ from thirdbody.data.files import atomic_write
 from thirdbody.data.readable import markdown, page, readable
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_latex, write_schema
 from thirdbody.job_log import logged
-from thirdbody.model.load_unit import newtons_per_load
+from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     table = snakemake.wildcards.table
     printed = snakemake.input.printed
-    parameters = snakemake.params.parameters
     columns = TABLES.get(table) or TABLES["paper_table"]
     rows = [row for part in snakemake.input.parts for row in read_csv(part, columns)]
     numbers = read_csv(printed, TABLES["printed"]) if printed else ()
-    unit = newtons_per_load(parameters["apparent_area"], parameters["elastic_modulus_surfaces"])
+    unit = Parameters(**snakemake.params.parameters).newtons_per_load
     sheets = readable(table, rows, numbers, unit)
     places = [snakemake.output[kind] for kind in ("csv", "json", "md", "html", "tex")]
     with atomic_write(*places) as (as_csv, as_json, as_md, as_html, as_tex):

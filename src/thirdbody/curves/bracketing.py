@@ -1,7 +1,5 @@
 """Bracketed root finding without derivatives, vectorized over points."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

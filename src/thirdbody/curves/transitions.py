@@ -4,8 +4,6 @@ The loads of solids and film, and so L_s and A_sa,t*, depend on the separation d
 is found in d between two points of the curve, and Eq. 1 gives its load.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

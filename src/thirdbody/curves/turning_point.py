@@ -11,8 +11,6 @@ therefore at the same separation d*, dry or lubricated, and the force balance (E
 without a search over loads: F_t = F_s(d*) + F_f(d*).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields, replace
 from functools import partial
 

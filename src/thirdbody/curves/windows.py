@@ -4,8 +4,6 @@ Small particles do not touch between the summits, and large ones keep the summit
 dry contact turns only for diameters x_a close to the roughness sigma (see ``turning_point``).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Captions and alternative texts as Markdown, from ``captions.toml`` and from the panels of a figure."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """Design charts of the atlas: limits over the load with ensemble ranges, one curve per roughness."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 import numpy as np

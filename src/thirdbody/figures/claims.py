@@ -1,7 +1,5 @@
 """Overview of the verdicts: the statements of each figure in a row, missed ones by name."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 

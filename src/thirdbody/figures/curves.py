@@ -1,7 +1,5 @@
 """Figures of curves: those of the paper, from ``curves.toml``, and those of other scenes."""
 
-from __future__ import annotations
-
 import math
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """A drawing: a figure with the data of its panels, and the files of both."""
 
-from __future__ import annotations
-
 import csv
 import math
 from collections.abc import Iterable, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Pareto fronts: the cost of each headline statement to all others, for every interpretation."""
 
-from __future__ import annotations
-
 import math
 import textwrap
 from collections.abc import Mapping, Sequence

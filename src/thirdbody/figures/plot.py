@@ -1,7 +1,5 @@
 """``plot``: the panels of the paper for any dataset or curve, over the load or over another axis."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import product
 from os import PathLike

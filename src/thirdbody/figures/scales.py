@@ -1,7 +1,5 @@
 """Text of numbers and conditions in figures, and the axis of each quantity, from ``scales.toml``."""
 
-from __future__ import annotations
-
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path

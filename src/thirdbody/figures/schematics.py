@@ -1,7 +1,5 @@
 """Figures 1 and 2: the three-body interface and its contact modes, drawn to scale."""
 
-from __future__ import annotations
-
 import tomllib
 from collections.abc import Callable
 from pathlib import Path

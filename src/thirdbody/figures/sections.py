@@ -5,8 +5,6 @@ planes are at the solved separation.  The seed is fixed.  A section is a mapping
 ``VARIABLES``, and ``position`` along it; its state has the condition and the solution.
 """
 
-from __future__ import annotations
-
 import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Sensitivity to each unprinted input: heat maps of elasticities and total Sobol indices."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Mapping, Sequence
 

@@ -1,11 +1,8 @@
 """Bounds of the numeric inputs, within which the model is known to be computed correctly.
 
 Each interval is closed, in SI, and much wider than the range of real materials and surfaces.
-``Parameters`` and input files are checked against the same bounds.  The module does not import
-numpy, so that files are read without it.
+``Parameters`` and input files are checked against the same bounds.
 """
-
-from __future__ import annotations
 
 from numbers import Real
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Conversion of dimensionless loads to newtons, without numpy."""
 
-from __future__ import annotations
-
 
 def newtons_per_load(apparent_area: float, elastic_modulus_surfaces: float) -> float:
     """F_t/F_t* = A_n E_ss [N].

@@ -1,7 +1,5 @@
 """The inputs of the model: a frozen dataclass of all numbers and interpretations."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -12,7 +10,6 @@ from numpy.typing import NDArray
 from thirdbody.messages import format_value
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.interpretations import chosen_interpretations
-from thirdbody.model.load_unit import newtons_per_load
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
@@ -142,7 +139,7 @@ class Parameters:
     @cached_property
     def newtons_per_load(self) -> float:
         """F_t/F_t* = A_n E_ss [N]."""
-        return newtons_per_load(self.apparent_area, self.elastic_modulus_surfaces)
+        return self.apparent_area * self.elastic_modulus_surfaces
 
     def surface(self, roughness: float | NDArray) -> Surface:
         """Summits of one surface or several.

@@ -1,7 +1,5 @@
 """Names for the state of an interface: lubrication regime and contact mode (sections 3.1, 3.2)."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -5,8 +5,6 @@ than rounding and table errors.  All variables are means of their values at thes
 differences bound the error.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -4,8 +4,6 @@ Where F_s increases with d, F_s(d) + F_f(d) = F_t (Eq. 1) may have several roots
 surfaces reach the largest first and stay there, so this one is the solution.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

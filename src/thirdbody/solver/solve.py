@@ -1,7 +1,5 @@
 """``solve``: the contact state of any number of points."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 

@@ -6,8 +6,6 @@ by cubic Hermite polynomials.  Eq. 1 is then solved at all loads and viscosities
 contact, and points where the interpolation error exceeds ``rtol``, are solved individually.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np

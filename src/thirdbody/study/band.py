@@ -1,7 +1,5 @@
 """The range of the ensemble around the curves of a dataset."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import tomllib

@@ -5,8 +5,6 @@ statement in tolerances of the claim, which holds if this is at most 1.  The hea
 ``config/claims.yaml`` explains the kinds of statements.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby

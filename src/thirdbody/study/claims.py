@@ -4,8 +4,6 @@ A claim has a quantity, conditions, the statement of the paper on it, and a tole
 ``config/claims.yaml`` explains the kinds of claims and their fields.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field

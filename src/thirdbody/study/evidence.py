@@ -1,7 +1,5 @@
 """Curves, turning points and windows of the model for the evaluation of statements."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

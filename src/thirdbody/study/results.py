@@ -1,7 +1,5 @@
 """Results of the searches for the unprinted inputs, as the content of calibrated files."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 from typing import Any

@@ -1,7 +1,5 @@
 """Search for the inputs that explain most of the paper, and samples of those that explain about as much."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any
 

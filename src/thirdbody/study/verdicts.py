@@ -4,8 +4,6 @@
 the inputs of every interpretation, and those of every fold of the cross-validation.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
