@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions.usual import USUAL
+from thirdbody.conditions import USUAL
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
