@@ -90,7 +90,6 @@ BODIES = dict.fromkeys(("ball", "flat", "particle"), f"{MATERIALS}, e.g. 205,0.2
 JSON = {"json": (Annotated[bool, typer.Option("--json", help="print the answer as JSON")], False)}
 COMMON = _other("inputs", *FILE) | JSON
 PRODUCTS = _other("csv", *FILE) | _other("plot", *FILE)
-DATA = typer.Argument(metavar="FILE", help="CSV with units in its headings, e.g. load [N]")
 
 questions = typer.Typer(
     add_completion=False,
@@ -210,6 +209,7 @@ def _compare(given):
         raise ValueError(f"other_{error}") from None
 
 
+DATA = typer.Argument(metavar="FILE", help="CSV with units in its headings, e.g. load [N]")
 DATA_FILE = {"file": (Annotated[str, DATA], Parameter.empty)}
 
 

@@ -9,8 +9,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-MOST_ROWS = 60  # shown in a notebook
-
 
 class Tabular:
     """A result with ``to_dataframe`` and ``to_dataset``, and a table in notebooks.
@@ -33,6 +31,6 @@ class Tabular:
 
     def _repr_html_(self) -> str | None:
         try:
-            return self.to_dataframe().to_html(index=False, max_rows=MOST_ROWS)
+            return self.to_dataframe().to_html(index=False, max_rows=60)
         except ModuleNotFoundError:  # notebooks then use __repr__
             return None

@@ -278,7 +278,8 @@ def turning_point(
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_count("count", count)
-    loads = np.geomspace(*_load_range(between_N, parameters), count)
+    ends = ends_in_si("between_N", between_N, UNITS["load_N"], parameters)
+    loads = np.geomspace(*ends, count)
     shape, curves = queries(conditions, parameters, "load")
     points = {"load": loads[:, None]} | curves
     solved = solve_arrays(points, parameters, rtol, ["separation"])
@@ -313,7 +314,7 @@ def turning_window(
     if shape:
         names = " and ".join(conditions)
         raise ValueError(f"{names} have shape {shape}; allowed: one number each")
-    loads = _load_range(between_N, parameters)
+    loads = ends_in_si("between_N", between_N, UNITS["load_N"], parameters)
     search = WindowSearch(RATIOS, tolerance=TOLERANCE)
     (density,) = given["particle_density"].tolist()
     (found,) = turning_point_windows(search, given["roughness"], density, loads, parameters)
@@ -439,8 +440,3 @@ def _may_touch(excess):
     same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])
     nearest = (middle < first) & (middle < last)
     return same & nearest & (middle <= np.maximum(first, last) - middle)
-
-
-def _load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
-    """First and last load F_t* [1] of a curve, converted from newtons."""
-    return tuple(ends_in_si("between_N", between_N, UNITS["load_N"], parameters).tolist())

@@ -11,13 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions import USUAL
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, read_csv
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.units import ENGINEERING
+from thirdbody.units import CONDITIONS, ENGINEERING
 
 HERE = Path(__file__).parent
 FIRST = "main.js"  # the script that imports all others
@@ -61,7 +60,7 @@ def page_content(
                 "name": axis.name,
                 "key": ENGINEERING[axis.name],
                 "scale": axis.scale,
-                "usual": list(USUAL[axis.name]),
+                "usual": CONDITIONS[axis.name]["usual"],
                 "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
             }
             for axis in AXES.values()
