@@ -3,8 +3,6 @@
 Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``) and both ``baselines``.
 """
 
-from __future__ import annotations
-
 import math
 import warnings
 from collections.abc import Iterable, Mapping, Sequence

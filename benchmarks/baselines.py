@@ -5,8 +5,6 @@ takes arrays: integrals by Gauss-Legendre nodes, roots by ``scipy.optimize.eleme
 ``points.VARIABLES``, nan where they find no solution, and share no code with the library.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import math

@@ -1,7 +1,5 @@
 """Classes of points whose time and error are measured, random points and grids of a class, and time itself."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Mapping
 from itertools import product

@@ -6,8 +6,6 @@ Each file that differs gets a line.  The exit code is 1 if a file is missing, a 
 a number of a dataset or a CSV table differs by more than ``--rtol``.  Bytes of other files may differ.
 """
 
-from __future__ import annotations
-
 import argparse
 import csv
 import math

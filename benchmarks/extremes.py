@@ -1,7 +1,5 @@
 """The verdict on points at extremes: right, refused with a reason, or wrong."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
@@ -9,7 +7,7 @@ from typing import Any
 import numpy as np
 
 import thirdbody as tb
-from benchmarks.points import VARIABLES, Group, grouped, parameters_of, relative_error
+from benchmarks.points import VARIABLES, Group, grouped, parameters_on_one_surface, relative_error
 from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 
 
@@ -18,11 +16,10 @@ def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str
 
     Points of one surface are solved together; a warning or an exception makes all of them wrong.
     """
-    verdicts = {}
-    accepted = []
+    verdicts, accepted = {}, []
     for row in rows:
         try:
-            parameters_of(row)
+            parameters_on_one_surface(row, float(row["roughness"]))
             accepted.append(row)
         except ValueError as error:
             verdicts[id(row)] = "none", 0.0, "", f"refused: {error}"

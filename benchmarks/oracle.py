@@ -1,7 +1,5 @@
 """The library against the oracle in extended precision (``tests/oracle``), over the whole domain."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Iterator, Mapping
 from tempfile import TemporaryDirectory

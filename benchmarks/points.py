@@ -1,7 +1,5 @@
 """Points known to 25 digits (*golden* points, in ``tests/golden``) and the errors of solutions at them."""
 
-from __future__ import annotations
-
 import csv
 from collections.abc import Iterable, Mapping
 from os import PathLike
@@ -39,7 +37,8 @@ def grouped(rows: Iterable[dict[str, str]]) -> list[Group]:
     shared = {}
     for row in rows:
         kind = tuple(row.get(name) for name in CLASS)
-        shared.setdefault((parameters_of(row), kind), []).append(row)
+        parameters = parameters_on_one_surface(row, float(row["roughness"]))
+        shared.setdefault((parameters, kind), []).append(row)
     return [
         Group(parameters, members, _columns(members, DIMENSIONS), _columns(members, VARIABLES))
         for (parameters, _), members in shared.items()
@@ -51,21 +50,15 @@ def _columns(rows, names):
     return {name: np.array([float(row[name] or "nan") for row in rows]) for name in names}
 
 
-def parameters_of(row: Mapping[str, str]) -> tb.Parameters:
-    """Inputs of the model in a row; ``ValueError`` if they are not physical."""
-    return parameters_on_one_surface(row, float(row["roughness"]))
-
-
 def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters:
     """The inputs described by ``model``, for the summits of the one surface at ``roughness`` [m].
 
-    ``model`` has the keys of ``model_parameters`` with numbers or their texts, not lists.  Older
-    datasets have no ``particle_plane``; it was ``surface``.
+    ``model`` has the keys of ``model_parameters``; older datasets lack ``particle_plane``.
     """
     model = {"particle_plane": "surface", **model}
     kinds = tb.Parameters.__annotations__
     given = {
-        name: float(model[key]) if kinds[name] == "float" else model[key]
+        name: float(model[key]) if kinds[name] is float else model[key]
         for name, key in (KEYS["body"] | KEYS["particles"]).items()
     }
     density, radius, deviation, offset = (float(model[key]) for key in KEYS["surface"].values())

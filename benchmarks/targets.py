@@ -1,7 +1,5 @@
 """What the library should reach, beside what the same run measured."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Time of typical uses: one point alone, many surfaces, a grid to a file, the first answer of a new process."""
 
-from __future__ import annotations
-
 import math
 import resource
 import subprocess
