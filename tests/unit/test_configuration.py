@@ -267,6 +267,12 @@ BAD_FILES = [  # of the folder of the configuration
     ("config/inputs.yaml", "truncation", KeyError, "'truncation' is missing; allowed"),
     ("config/paper_tables.yaml", "table1.0.recompute", "x", "recompute is 'x'; allowed"),
     ("config/calibration.yaml", "always.0", "gap", "always[0] is 'gap'; allowed: "),
+    (
+        "config/calibration.yaml",
+        "unknowns.truncation",
+        KeyError,
+        "unknowns of always have 'truncation'; allowed: ",
+    ),
     ("config/sensitivity.yaml", "load_N", [80, 1], "load_N is [80, 1]; allowed: "),
     ("config/accuracy.yaml", "rtol", [1], "rtol[0] is 1; allowed: at most 0.01"),
     ("config/atlas.yaml", "chunks", 26, "chunks is 26; allowed: at most 25"),
