@@ -74,6 +74,18 @@ def contradictions_are_settled(statements: list) -> Iterator[ValidationError]:
                 yield fault("a statement that is set aside, unless this one is", *path)
 
 
+def unknowns_have_bounds(calibration: dict) -> Iterator[ValidationError]:
+    """Each input that is searched has bounds under ``unknowns``."""
+    searched = {"always": calibration["always"]}
+    for name, interpretation in calibration["interpretations"].items():
+        searched[name] = interpretation.get("unknowns", [])
+    for place, names in searched.items():
+        for name in names:
+            if name not in calibration["unknowns"]:
+                problem = f"unknowns of {place} have {name!r}"
+                yield fault(", ".join(calibration["unknowns"]), problem=problem)
+
+
 def axis_goes_up(axis: dict) -> Iterator[ValidationError]:
     """The first value of an axis is below the last, and all others are between."""
     first, last = axis["from"], axis["to"]

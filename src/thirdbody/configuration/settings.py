@@ -68,34 +68,18 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
     given = config["inputs"]
     laid_over = found(given) if isinstance(given, str) else given
-    calibration = read_valid(folder / "calibration.yaml", "calibration", input_values=values)
-    _require_bounds(calibration, folder / "calibration.yaml")
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,
         **choose_inputs(entries, found(config["calibrated"]), laid_over),
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
-        "calibration": calibration,
+        "calibration": read_valid(folder / "calibration.yaml", "calibration", input_values=values),
         "sensitivity": read_valid(folder / "sensitivity.yaml", "sensitivity"),
         "uncalibrated": plain_values(entries),
         "accuracy": read_valid(found(config["accuracy"]), "accuracy"),
         "atlas": read_valid(found(config["atlas"]), "atlas"),
         "software": {name: version(name) for name in SOFTWARE},
     }
-
-
-def _require_bounds(calibration: Mapping, path: Path) -> None:
-    """Raise ``ValueError`` unless each unknown has bounds."""
-    names = {
-        name: each.get("unknowns", ()) for name, each in calibration["interpretations"].items()
-    }
-    for place, unknowns in ({"always": calibration["always"]} | names).items():
-        for unknown in unknowns:
-            if unknown not in calibration["unknowns"]:
-                allowed = ", ".join(calibration["unknowns"])
-                raise ValueError(
-                    f"{path}: unknowns of {place} have {format_value(unknown)}; allowed: {allowed}"
-                )
 
 
 def _require_surfaces(settings: Mapping) -> None:
