@@ -36,9 +36,8 @@ if TYPE_CHECKING:
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
-Usual = Mapping[
-    str, tuple[float, float, str]
-]  # least and most usual value of numbers, and their unit
+# least and most usual value of numbers by name, and their unit
+Usual = Mapping[str, tuple[float, float, str]]
 
 
 class OutOfRangeWarning(UserWarning):
@@ -199,10 +198,8 @@ def check_points(arrays: Mapping[str, NDArray]) -> None:
 def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     """Real numbers as a float64 array, which may contain inf or nan; quantities are refused."""
     several = given if isinstance(given, list | tuple) else [given]
-    if any(isinstance(each, bool | np.bool_) for each in several):
-        raise ValueError(
-            f"{name} is {format_value(given)}; allowed: {allowed}"
-        )  # numpy takes True as 1
+    if any(isinstance(each, bool | np.bool_) for each in several):  # numpy takes True as 1
+        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
     if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
         raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}")
     if np.ma.is_masked(given):
