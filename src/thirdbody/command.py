@@ -9,22 +9,21 @@ import json
 import os
 import re
 import sys
-import tomllib
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import redirect_stdout, suppress
 from functools import partial
 from inspect import Parameter, Signature, signature
-from pathlib import Path
 from shutil import get_terminal_size
 from typing import Annotated, Any
 
 import typer
 
+from thirdbody.beside import toml_beside
 from thirdbody.units import ENGINEERING, SEARCHED
 
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
-TEXTS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+TEXTS = toml_beside(__file__)
 QUESTIONS = TEXTS["questions"]
 COMMANDS = {name: f"thirdbody {name} {each['example']}" for name, each in QUESTIONS.items()}
 EXAMPLES = {

@@ -6,15 +6,14 @@ the attribute ``units``, carry their own unit.  ``units.toml`` is the table of t
 """
 
 import re
-import tomllib
 from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.beside import toml_beside
 from thirdbody.extras import require
 from thirdbody.messages import format_value
 
@@ -45,7 +44,7 @@ class Unit:
 
 
 FORCE = "N", "a force, e.g. in N"  # another dimension of the load
-CONDITIONS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+CONDITIONS = toml_beside(__file__)
 ENGINEERING = {name: each["engineering"] for name, each in CONDITIONS.items()}
 UNITS = {name: Unit(name, name, each["unit"]) for name, each in CONDITIONS.items()}
 for name, each in CONDITIONS.items():

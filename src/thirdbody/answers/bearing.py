@@ -6,11 +6,10 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which gives Table 1 for two steel bodies.
 """
 
-import tomllib
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from thirdbody.answers.answer import Answer, Row
+from thirdbody.beside import toml_beside
 from thirdbody.conditions import check_number, check_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
@@ -18,7 +17,7 @@ from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS
 
-TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+TABLES = toml_beside(__file__)
 USUAL, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
 BODIES = "ball", "flat", "particle"
 

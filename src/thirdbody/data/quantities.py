@@ -1,13 +1,12 @@
 """The variables of the datasets: name, symbol, unit, equation and meaning, in ``quantities.toml``."""
 
-import tomllib
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import Condition
 from thirdbody.model.regimes import FLAG_MEANINGS
 
@@ -39,7 +38,7 @@ class Quantity(NamedTuple):
         return FLAG_MEANINGS.get(self.name, ())
 
 
-DESCRIBED = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+DESCRIBED = toml_beside(__file__)
 STATUS_MEANINGS = DESCRIBED["statuses"]
 QUANTITIES, FLAGS, OTHERS = (
     {name: Quantity(name, **described) for name, described in DESCRIBED[kind].items()}

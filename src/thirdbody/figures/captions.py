@@ -1,18 +1,17 @@
 """Captions and alternative texts as Markdown, from ``captions.toml`` and from the panels of a figure."""
 
 import re
-import tomllib
 from collections.abc import Sequence
-from pathlib import Path
 
 import numpy as np
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.figures import marks
 from thirdbody.figures.drawing import CURVE, Panel
 from thirdbody.figures.scales import SCALES, label, note, unit_text, value_text
 
-WORDS = tomllib.loads(Path(__file__).with_name("captions.toml").read_text(encoding="utf-8"))
+WORDS = toml_beside(__file__)
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 MEANINGS = WORDS.pop("marks") | {
     status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES

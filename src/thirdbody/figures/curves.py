@@ -1,10 +1,8 @@
 """Figures of curves: those of the paper, from ``curves.toml``, and those of other scenes."""
 
 import math
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 import matplotlib
@@ -16,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
@@ -171,7 +170,7 @@ class CurveFigure:
 ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
 LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
 
-ROWS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+ROWS = toml_beside(__file__)
 CURVE_FIGURES = {
     name: CurveFigure(**row | {"contents": tuple(Content(**each) for each in row["contents"])})
     for name, row in ROWS.items()

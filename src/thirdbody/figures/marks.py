@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
@@ -26,7 +25,7 @@ WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
 PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
 # markers of points that have not converged; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
-LOOKS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+LOOKS = toml_beside(__file__)
 LOOKS |= {
     status: LOOKS["status"] | {"marker": marker, "label": status.replace("_", " ")}
     for status, marker in STATUSES.items()

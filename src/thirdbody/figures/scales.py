@@ -1,14 +1,13 @@
 """Text of numbers and conditions in figures, and the axis of each quantity, from ``scales.toml``."""
 
-import tomllib
 from collections.abc import Sequence
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import LogLocator, NullLocator
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
@@ -86,7 +85,7 @@ ZONES = {
     "modes": ((SURFACE_LIMIT, PARTICLE_LIMIT), ("s-s", "hybrid", "p-s")),
     "regimes": ((FULL_FILM_LIMIT, BOUNDARY_LIMIT), ("F.L.", "M.L.", "B.L.")),
 }
-ROWS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+ROWS = toml_beside(__file__)
 SCALES = {name: Scale(**row) for name, row in ROWS.items()} | {
     axis.name: Scale(axis.name.replace("_", " "), parameter_title(axis.name), unit=axis.scale)
     for axis in CONDITION_AXES

@@ -1,13 +1,12 @@
 """Figures 1 and 2: the three-body interface and its contact modes, drawn to scale."""
 
-import tomllib
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.figures.curves import add_key
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
@@ -20,7 +19,7 @@ INTERFACE_SHAPE, MODES_SHAPE = 0.4, 0.76  # height over length of their sections
 MICROMETRE = 1e-6
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
-CONTENT = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+CONTENT = toml_beside(__file__)
 LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
 

@@ -5,15 +5,14 @@ planes are at the solved separation.  The seed is fixed.  A section is a mapping
 ``VARIABLES``, and ``position`` along it; its state has the condition and the solution.
 """
 
-import tomllib
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr, ndtri
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
@@ -35,7 +34,7 @@ STATE = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
 STATE |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
 STATE |= {"contact_mode": variable_attributes(FLAGS["contact_mode"])}
 # attributes of the other variables, over the position and over the particles
-OTHERS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+OTHERS = toml_beside(__file__)
 LINES, PARTICLES = OTHERS["lines"], OTHERS["particles"]
 VARIABLES = STATE | LINES | PARTICLES
 

@@ -6,18 +6,17 @@ solids and film, each with a constant coefficient (load sharing: Johnson, Greenw
 Contacts"): n equal distant spots have 1/sqrt(n) of it, layers of oxide or oil add to it.
 """
 
-import tomllib
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.beside import toml_beside
 from thirdbody.conditions import check_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
-TABLES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+TABLES = toml_beside(__file__)
 MEASURED, FORMULAS, USUAL = TABLES["measured"], TABLES["formulas"], TABLES["usual"]
 
 

@@ -2,14 +2,13 @@
 
 import hashlib
 import json
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
@@ -19,7 +18,7 @@ from thirdbody.solver.solve import solve
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
 # Suffix of a variable: the word in its long name, and the function, which ignores nan.
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}
-ATTRIBUTES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+ATTRIBUTES = toml_beside(__file__)
 
 
 def band(
