@@ -4,7 +4,8 @@ import json
 
 import pytest
 
-from thirdbody.data.tables import Column, read_csv, write_csv, write_latex, write_schema
+from thirdbody.data.readable import write_latex
+from thirdbody.data.tables import Column, read_csv, write_csv, write_schema
 
 COLUMNS = (
     Column("figure", "string", "", "figure of the paper"),

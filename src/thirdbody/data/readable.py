@@ -1,10 +1,11 @@
-"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper."""
+"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper; and LaTeX."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from html import escape
 from itertools import groupby
+from os import PathLike
 from pathlib import Path
 from string import Template
 from typing import NamedTuple
@@ -12,6 +13,7 @@ from typing import NamedTuple
 from tabulate import tabulate
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
+from thirdbody.data.tables import Column, cells
 
 DIGITS = 3
 NEGLIGIBLE = 0.005  # of an elasticity or a fraction of variance
@@ -285,3 +287,11 @@ def _spread(printed, unit=1.0, **fields) -> str:
         for number in found
     )
     return "; ".join(dict.fromkeys(texts))
+
+
+def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
+    """Write a tidy table for LaTeX with the package booktabs, numbers with six significant digits."""
+    headings = [column.name for column in columns]
+    texts = [*cells(rows, columns, 6)]
+    text = tabulate(texts, headings, tablefmt="latex_booktabs", disable_numparse=True)
+    Path(path).write_text(f"{text}\n", encoding="utf-8")

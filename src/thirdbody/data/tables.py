@@ -1,4 +1,4 @@
-"""Tidy tables as CSV, Table Schema and LaTeX; ``tables.csv`` describes their columns."""
+"""Tidy tables as CSV and Table Schema; ``tables.csv`` describes their columns."""
 
 import csv
 import json
@@ -8,8 +8,6 @@ from operator import attrgetter
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
-
-from tabulate import tabulate
 
 from thirdbody.data.files import unreadable
 
@@ -44,10 +42,10 @@ def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[C
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow([column.name for column in columns])
-        writer.writerows(_texts(rows, columns, 10))
+        writer.writerows(cells(rows, columns, 10))
 
 
-def _texts(rows, columns, digits) -> Iterator[list[str]]:
+def cells(rows: Iterable[Mapping], columns: Sequence[Column], digits: int) -> Iterator[list[str]]:
     """The cells of each row, numbers with ``digits`` significant digits; None is an empty cell."""
     formats = {column.name: f".{digits}g" if column.kind == "number" else "" for column in columns}
     for row in rows:
@@ -88,11 +86,3 @@ def table_schema(columns: Sequence[Column]) -> dict[str, Any]:
 def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
     """Write the Table Schema of ``columns`` as JSON."""
     Path(path).write_text(json.dumps(table_schema(columns), indent=2) + "\n", encoding="utf-8")
-
-
-def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
-    """Write a table for LaTeX with the package booktabs, numbers with six significant digits."""
-    headings = [column.name for column in columns]
-    cells = [*_texts(rows, columns, 6)]
-    text = tabulate(cells, headings, tablefmt="latex_booktabs", disable_numparse=True)
-    Path(path).write_text(f"{text}\n", encoding="utf-8")
