@@ -9,6 +9,7 @@ import matplotlib
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.artist import Artist
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -271,7 +272,8 @@ def draw_panels(
     for axes, panel in zip(figure.axes, figure.panels, strict=True):
         for series in panel.series:
             if series.kind == marks.BAND:
-                axes.fill(series.x, series.y, **series.look)
+                outline = np.column_stack((series.x, series.y))
+                axes.add_collection(PolyCollection([outline], **series.look))
             elif panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
                 axes.plot(series.x, series.y, **series.look)
             elif series.kind == marks.TOLERANCE:

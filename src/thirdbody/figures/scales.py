@@ -12,6 +12,7 @@ from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+ABOVE_NEWTONS = 16.0  # points between the axes and their title
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 
 
@@ -107,6 +108,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         logarithmic = (scale.logarithmic or axis is axes.xaxis) and 0.0 < spread * low < high
         if logarithmic:
             axes.set(**{f"{axis.axis_name}scale": "log"})
+            axis.set_major_formatter(lambda value, _: power_text(value))
         if scale.unit != 1.0:
             axis.set_major_formatter(lambda value, _, unit=scale.unit: f"{value / unit:g}")
             if logarithmic:
@@ -121,6 +123,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         upper = axes.secondary_xaxis("top", functions=ends)
         upper.xaxis.set_major_formatter("{x:g} N")
         upper.xaxis.set_minor_locator(NullLocator())
+        axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
 
 
 def _draw_zones(axes, scale):
