@@ -123,6 +123,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         upper = axes.secondary_xaxis("top", functions=ends)
         upper.xaxis.set_major_formatter("{x:g} N")
         upper.xaxis.set_minor_locator(NullLocator())
+        upper.set_in_layout(False)  # the title leaves room for it
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
 
 

@@ -454,8 +454,8 @@ def _sequence_miss(claim, curve):
     # the least miss up to a point, if it belongs to each step
     reached = np.append(-np.inf, np.full(len(excursions), np.inf))
     for here in np.maximum(excursions, 0.0).T:
-        come = reached[:-1]
-        reached = np.append(np.inf, np.maximum(np.minimum(reached[1:], come), here))
+        reached[1:] = np.maximum(np.minimum(reached[1:], reached[:-1]), here)
+        reached[0] = np.inf
     return max(reached[-2:].min() if claim.open_end else reached[-1], unmet)
 
 
