@@ -67,3 +67,10 @@ def module_files(name):
     """A module, and the data beside it under the same name."""
     path = PACKAGE.parent.joinpath(*name.split("."))
     return [*path.parent.glob(f"{path.name}.*")] or [path / "__init__.py"]
+
+
+def name_targets(wildcards):
+    """Refuse a target that nothing makes, in one line with the targets that there are."""
+    names = ", ".join(sorted(each.name for each in workflow.rules if not each.has_wildcards()))
+    files = f"{RESULTS}/figures/NAME.svg and others, NAME being {', '.join(DRAWN)}"
+    raise ValueError(f"target is {wildcards.target}; allowed: {names}; and {files}")
