@@ -3,6 +3,8 @@
 What else is refused is in ``unit/test_configuration.py``, which reads files as the Snakefile does.
 """
 
+import re
+
 import pytest
 
 CONFIG = "config/config.yaml"
@@ -54,3 +56,10 @@ def test_it_is_refused_in_one_line_that_names_key_value_and_what_is_allowed(
     assert run.returncode != 0
     assert all(word in line for word in words), line
     assert contents(workspace.root) == before
+
+
+@pytest.mark.parametrize("target", ["figures", "results/figures/fig99.png"])
+def test_an_unknown_target_is_refused_with_those_that_there_are(sources, tmp_path, target):
+    run = sources.copied_to(tmp_path / "thirdbody").snakemake("-n", target)
+    line = rf"ValueError: target is {target}; allowed: accuracy, all, .*write_sums; .*fig03, "
+    assert run.returncode != 0 and re.search(line, run.stdout + run.stderr)
