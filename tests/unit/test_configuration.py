@@ -223,7 +223,7 @@ BAD_SETTINGS = [  # the way to a key, its value, and what the line says
     ("rtol", KeyError, "key 'rtol' is missing"),
     ("rtol", 1e-12, "rtol is 1e-12; allowed: at least 1e-11"),
     ("rtol", "x" * 10000, "rtol is 'xxx"),  # shortened
-    ("load_axis.load_N", [-1.0, 80.0], "load_axis.load_N[0] is -1.0; allowed: above 0"),
+    ("load_axis.load_N", [4e-9, 8.0], "load_axis.load_N[0] is 4e-09; allowed: at least 1e-07"),
     ("load_axis.load_N", [80.0, 0.04], "load_axis.load_N is [80.0, 0.04]"),
     ("scenes.fig03.curves", KeyError, "scenes.fig03: key 'curves'"),
     ("scenes.fig14", {}, "'fig14'"),  # a figure's name
