@@ -44,6 +44,7 @@ class Unit:
 
 
 FORCE = "N", "a force, e.g. in N"  # another dimension of the load
+PLAIN = "plain numbers, such as the nominal value"
 CONDITIONS = toml_beside(__file__)
 ENGINEERING = {name: each["engineering"] for name, each in CONDITIONS.items()}
 UNITS = {name: Unit(name, name, each["unit"]) for name, each in CONDITIONS.items()}
@@ -61,9 +62,9 @@ def unit_of(key: Any) -> Unit:
 
 
 def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, Any]:
-    """The unit of ``given`` and plain numbers in it: of a quantity its own unit, of several SI, and
-    of anything else ``unit``, that of the name of the argument; ``ValueError`` for an unknown unit,
-    a wrong dimension, uncertainties, and quantities mixed with numbers."""
+    """The unit of ``given`` and plain numbers in it: of quantities their own unit, of several with
+    different units SI, and of anything else ``unit``, that of the name of the argument; ``ValueError``
+    for an unknown unit, a wrong dimension, uncertainties, and quantities mixed with numbers."""
     if is_labelled(given) and has_unit(given.data):
         given = given.data
     given = getattr(given, "quantity", given)  # an array of pint-pandas
@@ -80,9 +81,11 @@ def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, 
         if True in plain:
             message = f"{unit.key} has quantities and plain numbers"
             raise ValueError(f"{message}; allowed: either of them")
-        numbers = [own.to_si(number, newtons_per_load) for own, number in found]
-        in_si = replace(UNITS[unit.condition], key=unit.key)
-        return in_si, np.reshape(numbers, given.shape) if of_objects else numbers
+        common, numbers = found[0][0], [number for _, number in found]
+        if {own for own, _ in found} != {common}:
+            common = replace(UNITS[unit.condition], key=unit.key)
+            numbers = [own.to_si(number, newtons_per_load) for own, number in found]
+        return common, np.reshape(numbers, given.shape) if of_objects else numbers
     if not has_unit(given):
         return unit, given
     quantity = given if is_quantity(given) else _of_pint(unit, given)
@@ -95,8 +98,7 @@ def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, 
         numbers = np.asarray(quantity.magnitude, float)
     except (TypeError, ValueError):
         kind = type(quantity.magnitude).__name__
-        allowed = "plain numbers, such as the nominal value"
-        raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: {allowed}") from None
+        raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: {PLAIN}") from None
     scale = float((1.0 * quantity.units).to(wanted).magnitude)
     return Unit(unit.key, unit.condition, f"{quantity.units:~}" or "1", scale, is_force), numbers
 
@@ -127,6 +129,8 @@ def _unit_text(given: Any) -> str | None:
 
 def _of_pint(unit: Unit, given: Any) -> Any:
     """Convert a quantity of another package to pint."""
+    if getattr(given, "uncertainty", None) is not None:
+        raise ValueError(f"{unit.key} is a {type(given).__name__}; allowed: {PLAIN}")
     text = _unit_text(given)
     known = registry()
     try:

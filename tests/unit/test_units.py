@@ -56,6 +56,9 @@ def test_an_unknown_unit_and_an_uncertainty_are_refused_by_name(solved):
     message = "^load is a quantity of .*; allowed: plain numbers, such as the nominal value$"
     with pytest.raises(ValueError, match=message):
         solved(load=UNIT.Quantity(uncertain, "N"))
+    uncertain = pytest.importorskip("quantities").UncertainQuantity(10, "N", 1)
+    with pytest.raises(ValueError, match="^load is a UncertainQuantity; allowed: plain numbers, "):
+        solved(load=uncertain)
 
 
 def test_every_entry_takes_quantities(parameters):
@@ -98,7 +101,7 @@ def test_ends_of_a_search_take_quantities_and_warn_in_the_unit_typed(parameters)
     with pytest.raises(ValueError, match="^level of separation is 900; allowed: 0 to 0.01 m$"):
         tb.find(level=900, parameters=parameters, **search)
     with pytest.warns(tb.OutOfRangeWarning, match="^load is 10 MN; usual: .* MN$"):
-        tb.solve(**POINT | {"load": 10.0 * UNIT.MN}, parameters=parameters)
+        tb.solve(**POINT | {"load": [10.0 * UNIT.MN, 20.0 * UNIT.MN]}, parameters=parameters)
 
 
 @pytest.mark.parametrize("package", PACKAGES)
