@@ -7,6 +7,7 @@ import sys
 def run() -> int:
     """Run the command in any encoding; Ctrl-C ends it quietly, even while modules are imported."""
     sys.stdout = sys.stdout or open(os.devnull, "w")  # noqa: SIM115
+    sys.stderr = sys.stderr or open(os.devnull, "w")  # noqa: SIM115
     sys.stdout.reconfigure(errors="backslashreplace")
     try:
         from thirdbody.command import main

@@ -337,7 +337,8 @@ def _plain(message: str) -> str:
     functions = (command.callback for command in questions.registered_commands)
     arguments = {name for each in functions for name in signature(each).parameters if "_" in name}
     names = "|".join(sorted(arguments, key=len, reverse=True))
-    message = re.sub(rf"\b({names})\b", lambda found: "--" + found[1].replace("_", "-"), message)
+    named = rf"(?<!-)\b({names})\b"  # not what was typed as an option
+    message = re.sub(named, lambda found: "--" + found[1].replace("_", "-"), message)
     return " ".join(message.split())
 
 

@@ -24,9 +24,10 @@ class Progress:
     """Context manager that reports the progress of one call, if ``is_shown``; ``add`` counts."""
 
     def __init__(self, total: int, things: str, is_shown: bool) -> None:
-        self._total, self._things, self._is_shown = total, things, is_shown
+        self._total, self._things = total, things
+        self._is_shown = is_shown and sys.stderr is not None  # None without a console
         self._done, self._written = 0, None  # counts: now, and when last written
-        self._is_bar = sys.stderr.isatty()
+        self._is_bar = self._is_shown and sys.stderr.isatty()
         self._start = monotonic()
         self._due = self._start + (FIRST_BAR if self._is_bar else LINE)
 

@@ -6,6 +6,7 @@ import shlex
 import subprocess
 import sys
 import warnings
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -25,7 +26,7 @@ REFUSED = {
     "state --load-N ten": "--load-N is 'ten'; allowed: a number, without unit",
     f"{STATE} --load-N 0": "--load-N is 0; allowed: positive finite numbers",
     f"{STATE} --viscosity-cSt -1": "--viscosity-cSt is -1; allowed: zero or positive finite numbers",
-    "state --load 1": "there is no option --load (Possible options: --load-N)",
+    "state --load_N 1": "there is no option --load_N (Possible options: --load-N)",
     f"{STATE} --inputs absent.yaml": "--inputs is 'absent.yaml'",
     f"size {DRY} --from 100 --to 10": "--from is 100; allowed: positive numbers less than --to, 10",
     f"curve {DRY} --particle-diameter-nm 0 --along load --from 0 --to 2": "--from is 0; allowed: pos",
@@ -166,7 +167,9 @@ def test_a_closed_pipe_is_silent(arguments):
     running.stdout.close()
     assert running.stderr.read() == b""
     assert running.wait() == ANSWERED
-    assert process(arguments, preexec_fn=lambda: os.close(1)).wait() == ANSWERED
+    for stream in (1, 2):
+        closed = process(STATE, stdout=subprocess.DEVNULL, preexec_fn=partial(os.close, stream))
+        assert closed.wait() == ANSWERED
 
 
 @pytest.mark.parametrize("arguments", [BEARING, "bearing --help"], ids=["answer", "help"])

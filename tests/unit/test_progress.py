@@ -45,8 +45,13 @@ def stream(request, monkeypatch):
 
 
 def test_what_is_over_soon_or_not_to_be_shown_says_nothing(clock, monkeypatch):
-    monkeypatch.setattr("sys.stderr", terminal := Terminal())
-    for seconds, is_shown in ((1.0, True), (1000.0, False)):
+    terminal = Terminal()
+    for stream, seconds, is_shown in [
+        (terminal, 1, True),
+        (terminal, 1000, False),
+        (None, 9, True),
+    ]:
+        monkeypatch.setattr("sys.stderr", stream)  # None without a console
         with Progress(1, "points", is_shown) as shown:
             clock.append(clock[-1] + seconds)
             shown.add(1)

@@ -148,7 +148,7 @@ class Interface:
         ]
         rows = [replace(row, other=theirs[row.name]) for row in _rows(STATE, mine, changes)]
         described = f"first:  {self.described()}", f"second: {other.described()}"
-        notes = *described, *self._notes(mine), *other._notes(theirs)
+        notes = *described, *dict.fromkeys((*self._notes(mine), *other._notes(theirs)))
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
 
