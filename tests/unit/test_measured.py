@@ -1,5 +1,6 @@
 """Measurements: oils and codes of standards, topographies, and data beside the model."""
 
+import json
 import shlex
 from pathlib import Path
 
@@ -136,6 +137,15 @@ def test_what_is_no_topography_is_refused_in_one_line(waves, tmp_path):
             tb.surface(place, **given)
     with pytest.raises(FileNotFoundError):
         tb.surface(tmp_path / "absent.xyz")
+    with pytest.warns(
+        tb.OutOfRangeWarning, match="^roughness is 0.0999.* m; usual: 1e-09 to 0.001 m$"
+    ):
+        tb.surface(path, unit="m")
+
+
+def test_no_solution_is_a_residual_that_does_not_occur():
+    found = tb.compare(data(), **REST | {"particle_diameter_nm": 9e5})
+    assert not found.answer.found and "NaN" not in json.dumps(found.answer.as_dict())
 
 
 WITHOUT_VISCOSITY = {key: value for key, value in REST.items() if key != "viscosity_cSt"}
@@ -150,11 +160,10 @@ def test_the_model_stands_beside_each_measurement_with_its_range():
     for load, measured, (_, found) in zip(LOADS, (0.9, 0.7, 0.5), table.iterrows(), strict=True):
         rows = tb.Interface(load_N=load, **REST).state().rows
         row = next(row for row in rows if row.name == "solid_load_fraction")
-        names = [
-            f"solid_load_fraction{end}" for end in ("", "_model", "_low", "_high", "_residual")
-        ]
-        expected = [measured, row.value, row.low, row.high, measured - row.value]
-        assert found[names].tolist() == pytest.approx(expected)
+        expected = {"": measured, "_model": row.value, "_low": row.low, "_high": row.high}
+        expected["_residual"] = measured - row.value
+        for end, value in expected.items():
+            assert found[f"solid_load_fraction{end}"] == pytest.approx(value)
 
 
 def test_variables_have_their_units(defaults):
@@ -202,18 +211,23 @@ def test_a_curve_is_there_where_one_condition_varies(tmp_path):
 
 def test_spreadsheets_of_other_countries_are_read(tmp_path):
     path = tmp_path / "a.csv"
-    path.write_bytes("load [N];film thickness [µm]\r\n5,5;0,9\r\n10;\r\n".encode("cp1252"))
-    table = tb.compare(path, **REST).table
-    assert table["load_N"].tolist() == [5.5, 10.0]
-    assert table["film_thickness_nm"][0] == pytest.approx(900.0)
+    for encoding in ("cp1252", "utf-8-sig", "utf-16"):
+        path.write_bytes("load [N];film thickness [µm]\r\n5,5;0,9\r\n10;NA\r\n".encode(encoding))
+        table = tb.compare(path, **REST).table
+        assert table["load_N"].tolist() == [5.5, 10.0]
+        assert table["film_thickness_nm"].tolist() == pytest.approx([900.0, np.nan], nan_ok=True)
 
 
 def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
     table = data(**{"viscosity [mm^2/s]": 0.09})
-    with pytest.warns(tb.OutOfRangeWarning, match="viscosity_cSt is 0.09 cSt; usual: 0.3 to"):
+    with pytest.warns(
+        tb.OutOfRangeWarning, match="^viscosity is 0.09 mm .*; usual: 0.3 to 10000 mm"
+    ):
         tb.compare(table, **WITHOUT_VISCOSITY)
-    table = data(**{"film thickness [nm]": 3e-7})
-    with pytest.warns(tb.OutOfRangeWarning, match="film_thickness_nm is 3e-07; usual: 0.1 to 1e"):
+    table = data(**{"film thickness [um]": 3e-7})
+    with pytest.warns(
+        tb.OutOfRangeWarning, match="thickness is 3e-07 um; usual: 0.0001 to 1000 um"
+    ):
         tb.compare(table, **REST)
     with pytest.warns(tb.OutOfRangeWarning, match="boundary_friction is 12; usual: 0.01 to 1"):
         Assumed(boundary_friction=12)
@@ -238,7 +252,9 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("load [N],separation [nm]\n1,inf\n", "separation .nm. is 'inf' in row 1; allowed: numb"),
         ("load [N];separation [nm]\n1.000;0,1\n", "with a point; allowed: one decimal sign"),
         ("load [N],separation [nm]\n1,5,1\n", "a.csv has 3 cells in the row '1,5,1'; allowed: 2"),
-        ("load [N],separation [nm]\n,1\n", "load_N is nan; allowed: positive finite numbers"),
+        ("load [N],separation [nm]\n,1\n", r"load \[N\] is '' in row 1; allowed: numbers"),
+        ("load [N],separation [nm]\n1,\n2,NA\n", "separation .nm. has no numbers; allowed: one"),
+        ("load [N],separation [nm],separation [nm]\n1,1,1\n", "the column 'separation .*, once"),
         ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness_nm is given twice"),
         ("load [N],speed [m/s],separation [nm]\n1,1,1\n", "speed_m_per_s is None; allowed: a num"),
     ],

@@ -1,5 +1,6 @@
 """``compare``: measurements compared with the model, with ensemble ranges and residuals."""
 
+import codecs
 import csv
 import re
 from dataclasses import asdict, dataclass
@@ -12,8 +13,9 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
+from thirdbody.answers.bearing import USUAL as BEARING
 from thirdbody.conditions import (
-    check_number,
+    check_numbers,
     checked_parameters,
     in_si,
     warn_outside,
@@ -26,13 +28,16 @@ from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 from thirdbody.tabular import Tabular
-from thirdbody.units import ENGINEERING, UNITS, decimal, registry
+from thirdbody.units import ENGINEERING, UNITS, decimal, registry, unit_of
 
 # a unit of each condition, and the column and unit of each measured quantity, by heading
 CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
 CONDITIONS["speed"] = "m/s"
 UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
-USUAL = {column: (least, most, "1") for column, _, least, most in MEASURED.values()}
+# least and most usual value
+USUAL = {name: ends for name, (_, _, *ends) in MEASURED.items()}
+USUAL["speed"] = BEARING["speed_m_per_s"][:2]
+MISSING = "", "nan", "na", "n/a", "none", "<na>", "nat"  # cells without a measurement
 CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
@@ -60,18 +65,20 @@ class Comparison(Tabular):
         """Mean and root mean square residuals, and numbers of measurements within the ensemble range."""
         rows, notes = [], []
         for name in self.variables:
-            known = self.table.dropna(subset=f"{name}_residual")
+            known = self.table[np.isfinite(self.table[f"{name}_residual"])]
             residual = known[f"{name}_residual"]
             unit = UNITS_OF[name].replace("dimensionless", "1")
-            rows.append(Row(f"{name}_mean", f"{name}: mean residual", residual.mean(), unit))
-            size = float(np.sqrt((residual**2).mean()))
+            sizes = float(residual.mean()), float(np.sqrt((residual**2).mean()))
+            mean, size = sizes if len(known) else (None, None)
+            rows.append(Row(f"{name}_mean", f"{name}: mean residual", mean, unit))
             rows.append(Row(f"{name}_rms", f"{name}: root mean square residual", size, unit))
             if f"{name}_low" in known:
                 inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"])
                 count = f"{inside.sum()} of {len(known)}"
                 notes.append(f"{name} is within the 90 % range in {count} measurements")
         title = f"{len(self.table)} measurements beside the model, along {self.along}"
-        return Answer(title, tuple(rows), (*notes, *self.notes))
+        found = any(row.value is not None for row in rows)
+        return Answer(title, tuple(rows), (*notes, *self.notes), found)
 
     def to_dataframe(self) -> pd.DataFrame:
         """``table``."""
@@ -137,7 +144,7 @@ def compare(
         message = f"speed_m_per_s is {format_value(speed_m_per_s)}"
         raise ValueError(f"{message}; allowed: a number with a column of speeds, else none")
     if speed_m_per_s is not None:
-        check_number("speed_m_per_s", speed_m_per_s)
+        check_numbers({"speed_m_per_s": speed_m_per_s}, BEARING)
     table = _conditions(columns, conditions, parameters)
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
@@ -151,7 +158,6 @@ def compare(
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
         if name in FORMULAS:
             notes.append(f"{name} is an estimate: {FORMULAS[name].format(**asdict(assumed))}")
-    warn_outside({name: table[name] for name in observed}, USUAL)
     if not members:
         notes.append(NO_ENSEMBLE)
     unsolved = int(table[f"{name}_model"].isna().sum())
@@ -166,7 +172,7 @@ def _read(measured):
     if not len(table):
         raise ValueError("measured has no rows; allowed: one or more below the headings")
     columns = {}
-    for heading in table:
+    for heading, column in table.items():
         words, *units = HEADING.match(str(heading)).groups()
         name, unit = words.lower().replace("_", " "), next(filter(None, units), "")
         if name in columns or not (name in MEASURED or name in CONDITIONS):
@@ -174,7 +180,7 @@ def _read(measured):
             raise ValueError(
                 f"measured has the column {format_value(heading)}; allowed: {known}, once each"
             )
-        columns[name] = _quantity(heading, name, unit, table[heading])
+        columns[name] = _quantity(heading, name, unit, column)
     return columns
 
 
@@ -185,8 +191,9 @@ def _read_csv(path):
         content = Path(path).read_bytes()
     except OSError as error:
         raise type(error)(f"{name} cannot be read ({error.strerror})") from None
+    wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
-        text = content.decode("utf-8-sig")
+        text = content.decode("utf-16" if wide else "utf-8-sig")
     except UnicodeDecodeError:
         text = content.decode("cp1252", "replace")  # of spreadsheets
     lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
@@ -208,18 +215,22 @@ def _read_csv(path):
 
 
 def _quantity(heading, name, unit, column):
-    """The numbers of a column, nan in empty cells, with their unit, which only dimensionless
-    quantities may omit; for F_t* it is 1."""
+    """The numbers of a column, nan in cells without a measurement, with their unit, which only
+    dimensionless quantities may omit; for F_t* it is 1."""
     numbers = np.full(len(column), np.nan)
     for index, cell in enumerate(column):
+        if name in MEASURED and str(cell).strip().lower() in MISSING:
+            continue
         try:
-            numbers[index] = float(cell) if str(cell).strip() else np.nan
-            if isinstance(cell, bool | np.bool_) or np.isinf(numbers[index]):
+            numbers[index] = float(cell)
+            if isinstance(cell, bool | np.bool_) or not np.isfinite(numbers[index]):
                 raise ValueError
         except (TypeError, ValueError, OverflowError):
             message = f"{heading} is {format_value(cell)} in row {index + 1}"
             allowed = "numbers, finite and with a decimal point"
             raise ValueError(f"{message}; allowed: {allowed}") from None
+    if np.isnan(numbers).all():
+        raise ValueError(f"{heading} has no numbers; allowed: one or more")
     wanted = CONDITIONS.get(name) or MEASURED[name][1]
     unit = unit or ("dimensionless" if name in MEASURED else "")
     try:
@@ -231,19 +242,19 @@ def _quantity(heading, name, unit, column):
         raise ValueError(
             f"the unit of {format_value(heading)} is not known; allowed: as '{name} [{wanted}]'"
         )
+    if name in USUAL:
+        ends = registry().Quantity(USUAL[name], wanted).to(quantity.units).magnitude
+        warn_outside({name: numbers}, {name: (*ends, unit.replace("dimensionless", "1"))})
     return quantity
 
 
 def _conditions(columns, conditions, parameters):
     """The conditions of each measurement in engineering units, with the speed if there is one."""
-    given = {}
-    for name, key in ENGINEERING.items():
-        column = columns.get(name.replace("_", " "))
-        if column is not None:
-            key = name if name == "load" and column.unitless else key
-            given[key] = column.to(UNITS[key].text).magnitude
-            if key in conditions:
-                raise ValueError(f"{key} is given twice; allowed: a column, or one number")
+    names = zip(CONDITIONS, ENGINEERING)
+    given = {name: columns[words] for words, name in names if words in columns}
+    for key in conditions:
+        if unit_of(key).condition in given:
+            raise ValueError(f"{key} is given twice; allowed: a column, or one number")
     found = in_si(given | conditions, parameters)
     table = {
         key: decimal(UNITS[key].from_si(found[name], parameters.newtons_per_load))

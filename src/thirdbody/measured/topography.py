@@ -7,11 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions import check_number, checked_parameters
+from thirdbody.conditions import check_number, checked_parameters, warn_outside
 from thirdbody.extras import require
 from thirdbody.messages import format_path
 from thirdbody.model.parameters import Parameters
 from thirdbody.tabular import Tabular
+from thirdbody.units import CONDITIONS
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ def surface(
         raise ValueError("paths is empty; allowed: one file or more")
     topographies = [_read(path, curved, options) for path in paths]
     spacing = max(max(each.pixel_size) for each in topographies)
-    scale = spacing
+    scale = float(spacing)
     if scale_nm is not None:
         check_number("scale_nm", scale_nm)
         scale = 1e-9 * scale_nm
@@ -89,8 +90,10 @@ def surface(
         raise ValueError(f"scale_nm is {scale_nm:g}; allowed: {1e9 * spacing:.6g} or more")
     found = [_moments(path, each, scale) for path, each in zip(paths, topographies)]
     m_0, m_2, m_4 = np.sum(found, axis=0).tolist()
+    roughness = math.sqrt(m_0)
+    warn_outside({"roughness": roughness}, {"roughness": (*CONDITIONS["roughness"]["usual"], "m")})
     return MeasuredSurface(
-        roughness=math.sqrt(m_0),
+        roughness=roughness,
         summit_density=m_4 / (6.0 * math.sqrt(3.0) * math.pi * m_2),
         summit_radius=0.375 * math.sqrt(math.pi / m_4),
         slope=math.sqrt(m_2),
