@@ -277,22 +277,25 @@ def test_the_sizes_behind_x_a_are_given(explorer, defaults):
 
 
 DROP = """const data = new DataTransfer();
-data.items.add(new File([arguments[0]], 'mine.csv', { type: 'text/csv' }));
+data.items.add(new File([new Uint8Array(arguments[0])], 'mine.csv', { type: 'text/csv' }));
 dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));"""
-MEASURED = """load [N];viscosity [cSt];solid load fraction [%];run
+MEASURED = """# of my rig
+load [N];viscosity [mm²/s];solid load fraction [%];run
 0,5;0;99,5;a
 2;120;22;b
+3;120;NA;b
 5;120;20;c
 """
 
 
-def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer):
+@pytest.mark.parametrize("encoding", ["utf-8", "cp1252", "utf-16"])
+def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer, encoding):
     explorer.open("figure=fig11")
     before = explorer.curve("dry", 1)
-    explorer.run(DROP, MEASURED)
+    explorer.run(DROP, [*MEASURED.encode(encoding)])
     explorer.wait("return document.querySelectorAll('circle.measured').length === 3")
     assert len(explorer.all("#charts figure:nth-child(2) .measured")) == 3
-    assert "3 rows" in explorer.one("#measured").text and "run" in explorer.one("#measured").text
+    assert "4 rows" in explorer.one("#measured").text and "run" in explorer.one("#measured").text
     rows = list(csv.DictReader(io.StringIO(downloaded(explorer, "#save-csv"))))
     drawn = [float(row["y"]) for row in rows if row["curve"] == "measured"]
     assert drawn == pytest.approx([0.995, 0.22, 0.20])
@@ -307,13 +310,14 @@ def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer):
         ("load [lbf],solid load fraction\n1,2", "load [lbf]"),
         ("load,solid load fraction\n1,2", "N, mN, kN"),
         ("time,place\n1,2", "two columns"),
+        ("", "two columns"),
         ("load [N];solid load fraction\n1.000;0,5", "decimal commas and decimal points"),
         ("load [N],solid load fraction\n10,none", "“none” is no number"),
     ],
 )
 def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, text, named):
     explorer.open("figure=fig11")
-    explorer.run(DROP, text)
+    explorer.run(DROP, [*text.encode()])
     explorer.wait("return !document.getElementById('measured').hidden")
     assert named in explorer.one("#measured").text
     assert not explorer.all(".measured") and explorer.console() == []

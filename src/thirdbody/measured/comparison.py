@@ -37,7 +37,7 @@ UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
 # least and most usual value
 USUAL = {name: ends for name, (_, _, *ends) in MEASURED.items()}
 USUAL["speed"] = BEARING["speed_m_per_s"][:2]
-MISSING = "", "nan", "na", "n/a", "none", "<na>", "nat"  # cells without a measurement
+MISSING = "", "nan", "na", "n/a"  # cells without a measurement
 CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
@@ -219,7 +219,7 @@ def _quantity(heading, name, unit, column):
     dimensionless quantities may omit; for F_t* it is 1."""
     numbers = np.full(len(column), np.nan)
     for index, cell in enumerate(column):
-        if name in MEASURED and str(cell).strip().lower() in MISSING:
+        if name in MEASURED and (pd.isna(cell) or str(cell).strip().lower() in MISSING):
             continue
         try:
             numbers[index] = float(cell)

@@ -196,7 +196,7 @@ function showToolbar() {
 
 async function addMeasured([file]) {
   if (!file) return;
-  $("measured-text").textContent = readMeasured(file.name, await file.text());
+  $("measured-text").textContent = readMeasured(file.name, await file.arrayBuffer());
   $("measured").hidden = false;
   ask();
 }

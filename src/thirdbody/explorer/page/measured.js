@@ -6,6 +6,7 @@ import { numberIn } from "./text.js";
 
 const LENGTH = { nm: 1e-9, um: 1e-6, "µm": 1e-6, "μm": 1e-6, mm: 1e-3, m: 1 };
 const NUMBER = { "": 1, 1: 1, "%": 0.01 };
+const MISSING = /^(nan?|n\/a)?$/i; // cells without a measurement
 // Headings, variables, and units in SI. The same heading can stand for two variables.
 const COLUMNS = [
   ["load", "normal_load", { N: 1, mN: 1e-3, kN: 1e3 }],
@@ -35,17 +36,24 @@ function columnOf(heading) {
   throw new Error(`“${heading}”: the unit is one of ${allowed.join(", ")}`);
 }
 
+// The text of a file in UTF-8, or as spreadsheets write it: in UTF-16 or in the code page of Windows.
+function textOf(bytes) {
+  if (new Uint8Array(bytes.slice(0, 2)).join() === "255,254") return new TextDecoder("utf-16le").decode(bytes);
+  const text = new TextDecoder().decode(bytes);
+  return text.includes("\uFFFD") ? new TextDecoder("windows-1252").decode(bytes) : text;
+}
+
 // Read a table; returns a line that says what was read, or why nothing was.
-export function readMeasured(file, text) {
-  const [first] = text.split("\n", 1);
-  const separator = [";", "\t"].find((each) => first.includes(each)) ?? ",";
-  const [headings, ...lines] = d3.dsvFormat(separator).parseRows(text.replace(/^\uFEFF/, "").trim());
+export function readMeasured(file, bytes) {
+  const written = textOf(bytes).split(/\r\n?|\n/).filter((line) => line.trim() && !line.startsWith("#"));
+  const separator = [";", "\t"].find((each) => written[0]?.includes(each)) ?? ",";
+  const [headings = [], ...lines] = d3.dsvFormat(separator).parseRows(written.join("\n"));
   try {
     const columns = headings.map((heading, place) => ({ heading, place, ...columnOf(heading.trim()) }));
     const [used, ignored] = [columns.filter(({ name }) => name), columns.filter(({ name }) => !name)];
     if (used.length < 2) throw new Error("needs two columns such as “load [N]” and “solid load fraction [%]”");
     const valueIn = (cells) => ({ name, place, size }) => [name, numberIn(cells[place] ?? "") * size];
-    const texts = lines.flatMap((cells) => used.map(({ place }) => (cells[place] ?? "").trim()).filter(Boolean));
+    const texts = lines.flatMap((cells) => used.map(({ place }) => (cells[place] ?? "").trim()).filter((text) => !MISSING.test(text)));
     const [comma, point] = [",", "."].map((sign) => texts.some((text) => text.includes(sign)));
     if (comma && point) throw new Error("has decimal commas and decimal points");
     const wrong = texts.find((text) => !Number.isFinite(numberIn(text)));
