@@ -4,14 +4,14 @@ import { conditionAxes, content } from "./state.js";
 import { VARIABLES, spaced } from "./names.js";
 import { numberIn } from "./text.js";
 
-const LENGTH = { nm: 1e-9, um: 1e-6, "µm": 1e-6, "μm": 1e-6, mm: 1e-3, m: 1 };
+const LENGTH = { nm: 1e-9, um: 1e-6, "μm": 1e-6, mm: 1e-3, m: 1 };
 const NUMBER = { "": 1, 1: 1, "%": 0.01 };
 const MISSING = /^(nan?|n\/a)?$/i; // cells without a measurement
 // Headings, variables, and units in SI. The same heading can stand for two variables.
 const COLUMNS = [
   ["load", "normal_load", { N: 1, mN: 1e-3, kN: 1e3 }],
   ["load", "load", { 1: 1 }],
-  ["viscosity", "viscosity", { cSt: 1e-6, "mm2/s": 1e-6, "mm²/s": 1e-6, "m2/s": 1 }],
+  ["viscosity", "viscosity", { cSt: 1e-6, "mm2/s": 1e-6, "m2/s": 1 }],
   ["particle diameter", "particle_diameter", LENGTH],
   ["particle size", "particle_diameter", LENGTH],
   ["roughness", "roughness", LENGTH],
@@ -26,7 +26,8 @@ let rows = []; // values in SI by the names of variables
 
 // The variable of a heading such as "load [N]" and the size of its unit; undefined if no heading is called so.
 function columnOf(heading) {
-  const [, words, unit = ""] = heading.match(/^(.*?)(?:\s*[[(]\s*(.*?)\s*[)\]])?\s*$/);
+  const [, words, typed = ""] = heading.match(/^(.*?)(?:\s*[[(]\s*(.*?)\s*[)\]])?\s*$/);
+  const unit = typed.normalize("NFKC").replaceAll("^", ""); // mm² and mm^2 as mm2, the micro sign as μ
   const name = words.trim().toLowerCase().replaceAll("_", " ").replace(/^normal /, "");
   const known = COLUMNS.filter(([each]) => each === name);
   const column = known.find(([, , units]) => Object.hasOwn(units, unit));
@@ -52,6 +53,8 @@ export function readMeasured(file, bytes) {
     const columns = headings.map((heading, place) => ({ heading, place, ...columnOf(heading.trim()) }));
     const [used, ignored] = [columns.filter(({ name }) => name), columns.filter(({ name }) => !name)];
     if (used.length < 2) throw new Error("needs two columns such as “load [N]” and “solid load fraction [%]”");
+    const twice = used.find(({ name }, place) => used.slice(0, place).some((each) => each.name === name));
+    if (twice) throw new Error(`has more than one column of ${VARIABLES[twice.name].words.toLowerCase()}`);
     const valueIn = (cells) => ({ name, place, size }) => [name, numberIn(cells[place] ?? "") * size];
     const texts = lines.flatMap((cells) => used.map(({ place }) => (cells[place] ?? "").trim()).filter((text) => !MISSING.test(text)));
     const [comma, point] = [",", "."].map((sign) => texts.some((text) => text.includes(sign)));

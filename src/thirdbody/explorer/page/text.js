@@ -10,7 +10,9 @@ export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.cha
 // The number that a person types, with a decimal point or comma; NaN where it is none, or where a comma
 // may stand before thousands: 1,000.
 export function numberIn(text) {
-  const plain = text.replace(/[\s'’]/g, "").replaceAll("−", "-").replace(/(?:[×·*]|(?<=\d)x)10\^?/, "e");
+  const raised = text.replace(/(?<=10)[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/, (power) => `^${power.normalize("NFKC")}`); // 10¹¹
+  const signs = raised.replace(/[\s'’]/g, "").replaceAll("−", "-");
+  const plain = signs.replace(/(?:[×·*]|(?<=\d)x)10\^?/, "e").replace(/^10\^/, "1e");
   if (plain === "" || /^-?[1-9]\d{0,2},\d{3}$/.test(plain)) return NaN;
   return Number(plain.includes(".") ? plain : plain.replace(",", "."));
 }
