@@ -131,6 +131,8 @@ def _of_pint(unit: Unit, given: Any) -> Any:
     """Convert a quantity of another package to pint."""
     if getattr(given, "uncertainty", None) is not None:
         raise ValueError(f"{unit.key} is a {type(given).__name__}; allowed: {PLAIN}")
+    if np.any(getattr(given, "mask", False)):  # which an array would not keep
+        raise ValueError(f"{unit.key} has masked values; allowed: numbers at every point")
     text = _unit_text(given)
     known = registry()
     try:

@@ -59,6 +59,11 @@ def test_an_unknown_unit_and_an_uncertainty_are_refused_by_name(solved):
     uncertain = pytest.importorskip("quantities").UncertainQuantity(10, "N", 1)
     with pytest.raises(ValueError, match="^load is a UncertainQuantity; allowed: plain numbers, "):
         solved(load=uncertain)
+    masked = SimpleNamespace(unit="N", mask=[True])  # as quantities of astropy
+    with pytest.raises(
+        ValueError, match="^load has masked values; allowed: numbers at every point"
+    ):
+        solved(load=masked)
 
 
 def test_every_entry_takes_quantities(parameters):
