@@ -149,10 +149,8 @@ def checked_parameters(parameters: Any) -> Parameters:
     if parameters is None:
         return _published_parameters()
     if not isinstance(parameters, Parameters):
-        kind = type(parameters).__name__
-        raise ValueError(
-            f"parameters is a {kind}; allowed: Parameters, as returned by load_parameters()"
-        )
+        allowed = "Parameters, as returned by load_parameters()"
+        raise ValueError(f"parameters is a {type(parameters).__name__}; allowed: {allowed}")
     return parameters
 
 

@@ -129,19 +129,16 @@ def _unit_text(given: Any) -> str | None:
 
 def _of_pint(unit: Unit, given: Any) -> Any:
     """Convert a quantity of another package to pint."""
-    if getattr(given, "uncertainty", None) is not None:
-        raise ValueError(f"{unit.key} is a {type(given).__name__}; allowed: {PLAIN}")
-    if np.any(getattr(given, "mask", False)):  # which an array would not keep
-        raise ValueError(f"{unit.key} has masked values; allowed: numbers at every point")
+    if getattr(given, "uncertainty", None) is not None or np.any(getattr(given, "mask", False)):
+        raise ValueError(f"{unit.key} has uncertainties or masked values; allowed: {PLAIN}")
     text = _unit_text(given)
     known = registry()
     try:
         return known.Quantity(np.asarray(given), known.Unit(text or "dimensionless"))
     except Exception:  # pint raises many types
+        allowed = CONDITIONS[unit.condition]["dimension"][1]
         message = f"{unit.key} has the unknown unit {format_value(text)}"
-        raise ValueError(
-            f"{message}; allowed: {CONDITIONS[unit.condition]['dimension'][1]}"
-        ) from None
+        raise ValueError(f"{message}; allowed: {allowed}") from None
 
 
 @cache

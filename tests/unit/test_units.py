@@ -57,13 +57,10 @@ def test_an_unknown_unit_and_an_uncertainty_are_refused_by_name(solved):
     with pytest.raises(ValueError, match=message):
         solved(load=UNIT.Quantity(uncertain, "N"))
     uncertain = pytest.importorskip("quantities").UncertainQuantity(10, "N", 1)
-    with pytest.raises(ValueError, match="^load is a UncertainQuantity; allowed: plain numbers, "):
-        solved(load=uncertain)
     masked = SimpleNamespace(unit="N", mask=[True])  # as quantities of astropy
-    with pytest.raises(
-        ValueError, match="^load has masked values; allowed: numbers at every point"
-    ):
-        solved(load=masked)
+    for given in (uncertain, masked):
+        with pytest.raises(ValueError, match="^load has uncertainties or masked values; allowed: "):
+            solved(load=given)
 
 
 def test_every_entry_takes_quantities(parameters):

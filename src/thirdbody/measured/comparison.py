@@ -217,18 +217,14 @@ def _read_csv(path):
 def _quantity(heading, name, unit, column):
     """The numbers of a column, nan in cells without a measurement, with their unit, which only
     dimensionless quantities may omit; for F_t* it is 1."""
-    numbers = np.full(len(column), np.nan)
-    for index, cell in enumerate(column):
-        if name in MEASURED and (pd.isna(cell) or str(cell).strip().lower() in MISSING):
-            continue
-        try:
-            numbers[index] = float(cell)
-            if isinstance(cell, bool | np.bool_) or not np.isfinite(numbers[index]):
-                raise ValueError
-        except (TypeError, ValueError, OverflowError):
-            message = f"{heading} is {format_value(cell)} in row {index + 1}"
-            allowed = "numbers, finite and with a decimal point"
-            raise ValueError(f"{message}; allowed: {allowed}") from None
+    texts = column.astype(str).str.strip()
+    numbers = pd.to_numeric(texts, errors="coerce").to_numpy(float)
+    wrong = ~np.isfinite(numbers)
+    if name in MEASURED:
+        wrong &= ~(column.isna() | texts.str.lower().isin(MISSING)).to_numpy(bool)
+    for index in np.flatnonzero(wrong):
+        message = f"{heading} is {format_value(column.iloc[index])} in row {index + 1}"
+        raise ValueError(f"{message}; allowed: numbers, finite and with a decimal point")
     if np.isnan(numbers).all():
         raise ValueError(f"{heading} has no numbers; allowed: one or more")
     wanted = CONDITIONS.get(name) or MEASURED[name][1]
