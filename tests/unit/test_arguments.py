@@ -14,6 +14,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.solver.solution import QUANTITIES, VARIABLES, WHOLE
 
+UNIT = pint.UnitRegistry()
 LOADS = xr.DataArray([1e-6, 1e-5], dims="load", coords={"load": [1e-6, 1e-5]})
 OILS = xr.DataArray([0.0, 90e-6], dims="oil", coords={"oil": ["none", "VG 90"]})
 
@@ -43,23 +44,15 @@ def assert_same(found, expected):
         assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-12, err_msg=name)
 
 
-@pytest.fixture(scope="module")
-def unit():
-    return pint.UnitRegistry()
-
-
-def test_quantities_in_arrays_and_lists_are_converted(solve, parameters, unit):
-    expected = solve(roughness=[3e-7, 5e-7])
-    quantities = np.array([300, 500]) * unit.nm
-    for given in (quantities, [300 * unit.nm, 0.5 * unit.um]):
-        assert_same(solve(roughness=given), expected)
+def test_quantities_in_arrays_are_converted(solve, parameters):
+    quantities = np.array([300, 500]) * UNIT.nm
     named = solve(roughness=xr.DataArray(quantities, dims="surface"))
     assert named.separation.dims == ("surface",)
-    assert_same(named, expected)
+    assert_same(named, solve(roughness=[3e-7, 5e-7]))
     grid = tb.grid(**POINT | {"roughness": quantities}, parameters=parameters)
     assert grid.roughness.values.tolist() == [3e-7, 5e-7]  # the decimal numbers
     message = "load has quantities and plain numbers; allowed: either of them"
-    assert refusal(solve, load=[10 * unit.N, 20.0]) == message
+    assert refusal(solve, load=[10 * UNIT.N, 20.0]) == message
     assert refusal(solve, load=[True, 2]) == "load is [True, 2]; allowed: numbers"
 
 
@@ -73,9 +66,9 @@ WRONG_UNITS = {
 
 
 @pytest.mark.parametrize("name", POINT)
-def test_a_quantity_of_another_dimension_is_refused_by_name_and_unit(solve, unit, name):
+def test_a_quantity_of_another_dimension_is_refused_by_name_and_unit(solve, name):
     given, wanted = WRONG_UNITS[name]
-    message = refusal(solve, **{name: 3.0 * unit(given)})
+    message = refusal(solve, **{name: 3.0 * UNIT(given)})
     assert message == f"{name} is in {given}; allowed: {wanted}"
 
 
@@ -185,9 +178,6 @@ def test_so_is_a_bearing_in_another_unit(parameters):
     light = {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 0.87}
     expected = "oil_density_kg_per_m3 is 0.87 kg m-3; usual: 500 to 3000 kg m-3"
     assert warning(tb.bearing, parameters, **light) == expected
-
-
-def test_so_is_a_ball_in_another_unit_that_is_smaller_than_the_interface(parameters):
     message = "ball_radius_mm is 0.006 mm; usual: 0.1 to 1000 mm"
     with (
         pytest.warns(tb.OutOfRangeWarning, match=message),

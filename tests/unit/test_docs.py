@@ -59,8 +59,6 @@ def test_the_calls_of_the_questions_run(capsys):
         ("takes 1.2 µs", "takes  3.5 µs", True),
         ("takes 1.2 µs", "takes 3.7 µs", False),
         ("takes 1.2 µs", "took 1.2 µs", False),
-        ("1e-05 of 0", "2e-05 of 0", True),
-        ("1e-05 of 0", "1e-04 of 0", False),
         ("1e-05 of 0", "1e-05 of 1", False),
         ("1 and 2", "1 and", False),
     ],

@@ -92,8 +92,6 @@ def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
 
 REST = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
 OIL = {"viscosity_cSt": 90}
-
-
 DATA = pd.DataFrame({"load [N]": [5, 10], "solid load fraction": [0.9, 0.7]})
 
 

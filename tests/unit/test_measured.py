@@ -143,11 +143,6 @@ def test_what_is_no_topography_is_refused_in_one_line(waves, tmp_path):
         tb.surface(path, unit="m")
 
 
-def test_no_solution_is_a_residual_that_does_not_occur():
-    found = tb.compare(data(), **REST | {"particle_diameter_nm": 9e5})
-    assert not found.answer.found and "NaN" not in json.dumps(found.answer.as_dict())
-
-
 WITHOUT_VISCOSITY = {key: value for key, value in REST.items() if key != "viscosity_cSt"}
 
 
@@ -202,6 +197,8 @@ def test_a_curve_is_there_where_one_condition_varies(tmp_path):
     assert one.along == "load_N" and len(one.curve) == 80
     two = tb.compare(data(**{"viscosity [cSt]": [0, 50, 90]}), **WITHOUT_VISCOSITY)
     assert len(two.curve) == 0
+    none = tb.compare(data(), **REST | {"particle_diameter_nm": 9e5}).answer
+    assert not none.found and "NaN" not in json.dumps(none.as_dict())
     for found in (one, two):
         figure = found.plot()
         figure.savefig(tmp_path / "a.png")  # in the resolution of its style

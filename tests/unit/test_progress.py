@@ -36,9 +36,8 @@ def clock(monkeypatch):
 def stream(request, monkeypatch):
     """The standard error stream, for which every call is long."""
     stream = request.param()
-    monkeypatch.setattr(
-        progress, "sys", SimpleNamespace(stderr=stream)
-    )  # pytest takes the true one
+    # pytest takes the true one
+    monkeypatch.setattr(progress, "sys", SimpleNamespace(stderr=stream))
     for name in ("FIRST_BAR", "NEXT_BAR", "LINE"):
         monkeypatch.setattr(progress, name, 0.0)
     return stream

@@ -57,8 +57,7 @@ def test_an_unknown_unit_and_an_uncertainty_are_refused_by_name(solved):
     with pytest.raises(ValueError, match=message):
         solved(load=UNIT.Quantity(uncertain, "N"))
     uncertain = pytest.importorskip("quantities").UncertainQuantity(10, "N", 1)
-    masked = SimpleNamespace(unit="N", mask=[True])  # as quantities of astropy
-    for given in (uncertain, masked):
+    for given in (uncertain, SimpleNamespace(unit="N", mask=[True])):  # as Masked of astropy
         with pytest.raises(ValueError, match="^load has uncertainties or masked values; allowed: "):
             solved(load=given)
 

@@ -3,8 +3,6 @@
 What else is refused is in ``unit/test_configuration.py``, which reads files as the Snakefile does.
 """
 
-import re
-
 import pytest
 
 CONFIG = "config/config.yaml"
@@ -61,5 +59,5 @@ def test_it_is_refused_in_one_line_that_names_key_value_and_what_is_allowed(
 @pytest.mark.parametrize("target", ["figures", "results/figures/fig99.png"])
 def test_an_unknown_target_is_refused_with_those_that_there_are(sources, tmp_path, target):
     run = sources.copied_to(tmp_path / "thirdbody").snakemake("-n", target)
-    line = rf"ValueError: target is {target}; allowed: accuracy, all, .*write_sums; .*fig03, "
-    assert run.returncode != 0 and re.search(line, run.stdout + run.stderr)
+    line = f"target is {target}; allowed: accuracy, all, atlas, "
+    assert run.returncode != 0 and line in run.stdout + run.stderr

@@ -34,14 +34,7 @@ from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular
-from thirdbody.units import (
-    ENGINEERING,
-    SEARCHED,
-    UNITS,
-    Unit,
-    is_labelled,
-    unit_of,
-)
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, is_labelled, unit_of
 
 if TYPE_CHECKING:
     import pandas as pd

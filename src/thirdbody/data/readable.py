@@ -114,6 +114,7 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
         | {"verdict": row["verdict"], "remark": row["remark"] or ""}
         for row in rows
     ]
+    title += ", as printed and recomputed"
     return [Sheet(title, "Recomputed from the other printed values where possible.", lines)]
 
 
@@ -208,10 +209,8 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
 
 
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
-    "table1": partial(
-        _paper_table, "Table 1. Properties of the materials, as printed and recomputed"
-    ),
-    "table2": partial(_paper_table, "Table 2. Operating conditions, as printed and recomputed"),
+    "table1": partial(_paper_table, "Table 1. Properties of the materials"),
+    "table2": partial(_paper_table, "Table 2. Operating conditions"),
     "tpca_loads": _turning_points,
     "tpca_windows": _windows,
     "transitions": _transitions,

@@ -34,8 +34,7 @@ from thirdbody.units import ENGINEERING, UNITS, decimal, registry, unit_of
 CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
 CONDITIONS["speed"] = "m/s"
 UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
-# least and most usual value
-USUAL = {name: ends for name, (_, _, *ends) in MEASURED.items()}
+USUAL = {name: ends for name, (_, _, *ends) in MEASURED.items()}  # least and most
 USUAL["speed"] = BEARING["speed_m_per_s"][:2]
 MISSING = "", "nan", "na", "n/a"  # cells without a measurement
 CURVE = 80  # points of the model's curve where one condition varies
@@ -111,12 +110,11 @@ def compare(
     Parameters
     ----------
     measured : path or pandas.DataFrame
-        CSV with a heading, separated by commas, semicolons (also with decimal commas) or tabs.
-        Headings have units in brackets, such as ``load [N]``, ``viscosity [cSt]``, ``speed [m/s]``,
-        ``particle diameter [um]``, ``roughness [nm]``, ``particle density [1/mm^2]``, and measured
-        quantities: ``friction coefficient``, ``contact resistance [ohm]``, ``film thickness [nm]``,
-        ``separation [nm]``, ``real contact area [mm^2]``, ``real contact area fraction [%]``,
-        ``solid load fraction`` or ``fluid load fraction``.  A cell without a measurement is empty.
+        CSV separated by commas, semicolons (also with decimal commas) or tabs.  Headings have units
+        in brackets: ``load [N]``, ``viscosity [cSt]``, ``speed [m/s]``, ``particle diameter [um]``,
+        ``roughness [nm]``, ``particle density [1/mm^2]``; and the measured quantities of
+        ``estimates.toml``, such as ``friction coefficient`` and ``film thickness [nm]``.  A cell
+        without a measurement is empty or NA.
     speed_m_per_s : float, optional
         The rolling speed of ``parameters`` [m/s]; required if and only if there is a column of speeds.
     assumed : Assumed, optional
@@ -177,9 +175,8 @@ def _read(measured):
         name, unit = words.lower().replace("_", " "), next(filter(None, units), "")
         if name in columns or not (name in MEASURED or name in CONDITIONS):
             known = ", ".join([*CONDITIONS, *MEASURED])
-            raise ValueError(
-                f"measured has the column {format_value(heading)}; allowed: {known}, once each"
-            )
+            message = f"measured has the column {format_value(heading)}"
+            raise ValueError(f"{message}; allowed: {known}, once each")
         columns[name] = _quantity(heading, name, unit, column)
     return columns
 
@@ -235,9 +232,8 @@ def _quantity(heading, name, unit, column):
     except Exception:  # pint raises many types
         known = False
     if not unit or not known:
-        raise ValueError(
-            f"the unit of {format_value(heading)} is not known; allowed: as '{name} [{wanted}]'"
-        )
+        message = f"the unit of {format_value(heading)} is not known"
+        raise ValueError(f"{message}; allowed: as '{name} [{wanted}]'")
     if name in USUAL:
         ends = registry().Quantity(USUAL[name], wanted).to(quantity.units).magnitude
         warn_outside({name: numbers}, {name: (*ends, unit.replace("dimensionless", "1"))})

@@ -175,10 +175,9 @@ def _scale_numbers(code):
     numbers = [int(text) if text.isdecimal() else None for text in texts]
     known = [number for number in numbers if number is not None]
     if not found or known != sorted(known, reverse=True) or max(known, default=0) > LARGEST:
-        allowed = (
-            f"three numbers up to {LARGEST}, none above that of smaller particles, as 18/16/13"
-        )
-        raise ValueError(f"code is {format_value(code)}; allowed: {allowed}, or - for one")
+        allowed = f"three numbers up to {LARGEST}, none above that of smaller particles"
+        message = f"code is {format_value(code)}; allowed: {allowed}"
+        raise ValueError(f"{message}, as 18/16/13, or - for one")
     return numbers
 
 
