@@ -95,7 +95,7 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
         ({"count": 1}, "count is 1; allowed: whole numbers from 2 to 1000000"),
         ({"load_N": -5.0}, "load_N is -5; allowed: positive finite numbers"),
         ({"level": 90}, "level of solid_load_fraction is 90; allowed: 0 to 1"),
-        ({"load_N": xr.DataArray([1.0])}, "load_N has named dimensions; allowed: its .values"),
+        ({"load_N": xr.DataArray([1.0])}, "load_N has named dimensions; allowed: its .values in N"),
     ],
 )
 def test_what_cannot_be_searched_is_refused(parameters, change, message):

@@ -334,7 +334,8 @@ def queries(
     them flat, in SI."""
     for key, values in conditions.items():
         if is_labelled(values):
-            raise ValueError(f"{key} has named dimensions; allowed: its .values")
+            allowed = f"its .values in {unit_of(key).text}"
+            raise ValueError(f"{key} has named dimensions; allowed: {allowed}")
     given = more | in_si(conditions, parameters, without=along)
     check_points(given)
     columns = np.broadcast_arrays(*given.values())

@@ -71,11 +71,8 @@ def grid(
     progress : bool, optional
         Whether a long call reports its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
-        The five axes, increasing, as numbers or quantities: ``load`` [1] or ``load_N``, ``viscosity``
-        [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
-        ``roughness`` [m] or ``roughness_nm``, ``particle_density`` [m-2] or
-        ``particle_density_per_m2``.  Viscosity 0 is dry contact; diameter or density 0 is two-body
-        contact.
+        The five axes, increasing, as numbers or quantities, by any of their names in
+        ``thirdbody.solve``.  Viscosity 0 is dry contact; diameter or density 0 is two-body contact.
 
     Returns
     -------

@@ -26,6 +26,7 @@ from thirdbody.figures.curves import (
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.scales import SCALES, note
+from thirdbody.units import UNITS
 
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
 
@@ -45,10 +46,10 @@ def plot(
     data : xarray.Dataset or path
         Dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the workflow.
     over : str, optional
-        The axis along x: "load", "viscosity", "particle_diameter", "roughness" or
-        "particle_density".  Over the load, one of viscosity, particle diameter and density may
-        vary, in addition to dry and lubricated contact, and any number of roughnesses.  Over
-        another axis, all others may vary: each combination is a curve.
+        The axis along x, by any of its names, such as "load" or "viscosity_cSt".  Over the load,
+        one of viscosity, particle diameter and density may vary, in addition to dry and lubricated
+        contact, and any number of roughnesses.  Over another axis, all others may vary: each
+        combination is a curve.
     like : str, optional
         Draw the panels of this figure of the paper, "fig03" to "fig13"; only over the load.
     turning_points : sequence of mapping, or path, optional
@@ -85,8 +86,9 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity ν (cSt)'
     """
-    if over not in DIMENSIONS:
-        raise ValueError(f"over is {over!r}; allowed: {', '.join(DIMENSIONS)}")
+    if over not in [*UNITS]:
+        raise ValueError(f"over is {over!r}; allowed: {', '.join(UNITS)}")
+    over = UNITS[over].condition
     if like is not None and like not in CURVE_FIGURES:
         raise ValueError(f"like is {like!r}; allowed: {', '.join(CURVE_FIGURES)}")
     complete = _with_all_dimensions("data", data)
@@ -197,4 +199,4 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     if other:
         allowed = "load, viscosity, particle_diameter, roughness and particle_density"
         raise ValueError(f"{name} has the dimension {other[0]!r}; allowed: {allowed}")
-    return data.transpose(*DIMENSIONS)
+    return data.transpose(*DIMENSIONS).sortby([*DIMENSIONS])
