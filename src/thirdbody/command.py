@@ -300,11 +300,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         try:
             asked = questions(arguments, prog_name="thirdbody", standalone_mode=False)
         except typer.TyperException as error:
-            return _refuse(name, error.format_message())
+            asked = error.format_message()
         except (ValueError, OSError, ModuleNotFoundError) as error:
-            return _refuse(name, str(error))
+            asked = str(error)
     for message in dict.fromkeys(str(each.message) for each in caught):
         _tell(name, f"warning: {_plain(message)}")
+    if isinstance(asked, str):  # refused
+        _tell(name, _plain(asked))
+        return BAD_INPUT
     if asked == STOPPED:
         _tell(name, "stopped; run the same command again to start over")
     if isinstance(asked, int):
@@ -322,11 +325,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _tell(name: str, message: str) -> None:
     with suppress(OSError):
         print(f"{name}: {message}", file=sys.stderr)
-
-
-def _refuse(name: str, message: str) -> int:
-    _tell(name, _plain(message))
-    return BAD_INPUT
 
 
 def _plain(message: str) -> str:

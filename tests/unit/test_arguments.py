@@ -178,14 +178,6 @@ def test_so_is_a_bearing_in_another_unit(parameters):
     light = {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 0.87}
     expected = "oil_density_kg_per_m3 is 0.87 kg m-3; usual: 500 to 3000 kg m-3"
     assert warning(tb.bearing, parameters, **light) == expected
-    message = "ball_radius_mm is 0.006 mm; usual: 0.1 to 1000 mm"
-    with (
-        pytest.warns(tb.OutOfRangeWarning, match=message),
-        pytest.raises(
-            ValueError, match="derived from ball_radius_mm: .* the cross-section of a ball"
-        ),
-    ):
-        tb.bearing(parameters, ball_radius_mm=0.006)
 
 
 def test_what_interfaces_have_is_solved_without_a_word(solve):

@@ -74,6 +74,13 @@ def test_bad_input_is_one_line(text, capsys):
     assert printed.out == "" and line.startswith("thirdbody") and REFUSED[text] in line
 
 
+def test_a_number_in_another_unit_is_told_before_what_it_makes_impossible(capsys):
+    assert run("bearing --ball-radius-mm 0.006") == BAD_INPUT
+    warned, refused = capsys.readouterr().err.splitlines()
+    assert "warning: --ball-radius-mm is 0.006 mm; usual: 0.1 to" in warned
+    assert "derived from --ball-radius-mm: " in refused and "cross-section of a ball" in refused
+
+
 def test_what_does_not_occur_has_an_exit_code_of_its_own(capsys):
     assert run(f"size {DRY}") == NONE_FOUND
     assert "none" in capsys.readouterr().out
