@@ -26,7 +26,6 @@ ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit 
 TEXTS = toml_beside(__file__)
 QUESTIONS = TEXTS["questions"]
 COMMANDS = {name: f"thirdbody {name} {each['example']}" for name, each in QUESTIONS.items()}
-# of the ten questions
 EXAMPLES = {name: each for name, each in COMMANDS.items() if name != "compare-data"}
 MATERIALS = "steel, silicon-nitride, alumina, or GPa,1,GPa: modulus, Poisson's ratio and hardness"
 

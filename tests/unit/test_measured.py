@@ -64,7 +64,8 @@ def test_a_code_counts_the_particles_in_the_film():
     assert answer.value("least_above_4_um") == pytest.approx(1300e6 * 1e-6)  # per m3, m
     assert answer.value("most_above_4_um") == pytest.approx(2500e6 * 1e-6)
     assert answer.value("most_above_14_um") == pytest.approx(80.0)
-    half = tb.cleanliness("-/16/13", gap_nm=500, enrichment=2.0)
+    half = tb.cleanliness("ISO 4406:2021 */16/13", gap_nm=500, enrichment=2.0)
+    assert half.title == "ISO -/16/13 in a film of 500 nm"
     assert half.value("most_above_6_um") == pytest.approx(answer.value("most_above_6_um"))
 
 

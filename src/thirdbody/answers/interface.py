@@ -160,10 +160,9 @@ class Interface:
     ) -> Answer:
         """Questions 2 to 6: the values of one condition at which regime or mode changes.
 
-        ``along`` is ``load``, ``viscosity``, ``particle_diameter``, ``roughness`` or
-        ``particle_density``; the value of the interface for it is ignored.  ``flags`` are
-        ``lubrication_regime``, ``contact_mode`` or both.  ``between`` are the ends of the search in
-        the unit of the interface, by default those of ``thirdbody.find``.
+        ``along`` is an axis by any of its names; the value of the interface for it is ignored.
+        ``flags`` are ``lubrication_regime``, ``contact_mode`` or both.  ``between`` are the ends of
+        the search in the unit of the interface, by default those of ``thirdbody.find``.
 
         The answer has a row for each change, with increasing values, and one for each limit that is
         not crossed; ``found`` is whether there is a change.  Changes where the equations are not

@@ -26,7 +26,9 @@ ZERO = 273.15  # K
 # ASTM D2270: rows of seven numbers, described in the file
 INDEX = np.loadtxt(Path(__file__).with_suffix(".csv"), delimiter=",")
 SIZES = 4, 6, 14  # um(c), the sizes counted in a code of ISO 4406:2021
-CODE = re.compile(r"(?:ISO)? *" + "/".join([r" *(\d\d?|[-*]) *"] * len(SIZES)))
+CODE = re.compile(
+    r"(?:ISO(?: *4406)?(?::\d{4})?:?)? *" + "/".join([r" *(\d\d?|[-*]) *"] * len(SIZES))
+)
 # its Table 1: most particles per mL for scale numbers 0 to 9, times 1000 for each 10 more
 MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
 LARGEST = 28
@@ -155,7 +157,8 @@ def cleanliness(
     check_number("enrichment", enrichment)
     check_numbers({"gap_nm": gap_nm}, USUAL)
     rows, notes = [], []
-    for size, number in zip(SIZES, _scale_numbers(code)):
+    numbers = _scale_numbers(code)
+    for size, number in zip(SIZES, numbers):
         if number is not None:
             for end, scale_number in (("least", number - 1), ("most", number)):
                 # per m3, times a height in m
@@ -164,7 +167,8 @@ def cleanliness(
                 rows.append(Row(f"{end}_above_{size}_um", text, density, "m-2"))
             notes += few_particles(density, parameters.apparent_area, f"particles above {size} um")
     notes.append("particles below 4 um, which ISO 4406 does not count, are more")
-    title = f"ISO {code} in a film of {gap_nm:g} nm"
+    counted = "/".join("-" if number is None else str(number) for number in numbers)
+    title = f"ISO {counted} in a film of {gap_nm:g} nm"
     return Answer(title, tuple(rows), tuple(notes), bool(rows))
 
 
