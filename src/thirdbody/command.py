@@ -293,19 +293,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in QUESTIONS)])
     printed = io.StringIO()  # of --help and --version
+    refusal = None
     with warnings.catch_warnings(record=True) as caught, redirect_stdout(printed):
         warnings.simplefilter("ignore")
         warnings.simplefilter("default", UserWarning)  # other warnings are for developers
         try:
             asked = questions(arguments, prog_name="thirdbody", standalone_mode=False)
         except typer.TyperException as error:
-            asked = error.format_message()
+            refusal = error.format_message()
         except (ValueError, OSError, ModuleNotFoundError) as error:
-            asked = str(error)
+            refusal = str(error)
     for message in dict.fromkeys(str(each.message) for each in caught):
         _tell(name, f"warning: {_plain(message)}")
-    if isinstance(asked, str):  # refused
-        _tell(name, _plain(asked))
+    if refusal is not None:
+        _tell(name, _plain(refusal))
         return BAD_INPUT
     if asked == STOPPED:
         _tell(name, "stopped; run the same command again to start over")
