@@ -1,4 +1,4 @@
-"""Tables of smooth functions: piecewise quintic Hermite interpolation on a uniform grid."""
+"""Tables of functions on a uniform grid: quintic Hermite interpolation, and linear for guesses."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ class HermiteTable:
         places, step = np.linspace(start, end, 2 * pieces + 1, retstep=True)
         sampled = function(places)
         self._per_piece = pieces / (end - start)
-        self._rows = _quintics(sampled[..., ::2], 2.0 * step)
-        middle = self._rows @ 0.5 ** np.arange(6)
+        self._powers = _quintics(sampled[..., ::2], 2.0 * step).reshape(6, -1)
+        middle = (0.5 ** np.arange(6) @ self._powers).reshape(-1, pieces)
         self.error = ELSEWHERE * np.abs(middle - sampled[:, 0, 1::2]).max(axis=-1)
 
     def covers(self, x: NDArray) -> NDArray:
@@ -60,7 +60,7 @@ class HermiteTable:
         """Combine tables on the same interval and pieces: all functions of the first, then of the
         second, and so on."""
         found = copy(tables[0])
-        found._rows = np.concatenate([table._rows for table in tables])
+        found._powers = np.concatenate([table._powers for table in tables], axis=1)
         found.error = np.concatenate([table.error for table in tables])
         return found
 
@@ -70,16 +70,33 @@ class HermiteTable:
         piece = position.astype(np.intp)
         x = position - piece
         piece = piece + self.pieces * which
-        rows = self._rows.reshape(-1, 6).take(piece, axis=0, mode="clip")
-        value, slope = rows[..., 5] * x + rows[..., 4], rows[..., 5]
-        for power in (3, 2, 1, 0):
+        *lower, fourth, fifth = self._powers.take(piece, axis=1, mode="clip")
+        value, slope = fifth * x + fourth, fifth
+        for power in reversed(lower):
             slope = slope * x + value
-            value = value * x + rows[..., power]
+            value = value * x + power
         return value, slope * self._per_piece
 
 
+class Guesses:
+    """Approximate values of a function known at increasing ``x``, interpolated linearly between
+    ``count`` values at equal distances: much faster than ``numpy.interp``, which searches."""
+
+    def __init__(self, x: NDArray, values: NDArray, count: int):
+        places, self._step = np.linspace(x[0], x[-1], count, retstep=True)
+        self._start, self._values = x[0], np.interp(places, x, values)
+
+    def __call__(self, x: NDArray) -> NDArray:
+        """Values at an array ``x``; those of the ends outside."""
+        last = self._values.size - 1
+        position = np.minimum(np.maximum((x - self._start) / self._step, 0.0), last)
+        step = np.minimum(position.astype(np.intp), last - 1)
+        low, high = (self._values.take(step + end, mode="clip") for end in (0, 1))
+        return low + (position - step) * (high - low)
+
+
 def _quintics(nodes, step):
-    """Coefficients in powers of the position (0 to 1) in each piece: (functions, pieces, 6)."""
+    """Coefficients in powers of the position (0 to 1) in each piece: (6, functions, pieces)."""
     y, y_1, y_2 = nodes[:, 0, :-1], nodes[:, 1, :-1] * step, nodes[:, 2, :-1] * step**2
     z, z_1, z_2 = nodes[:, 0, 1:], nodes[:, 1, 1:] * step, nodes[:, 2, 1:] * step**2
     rise, rise_1, rise_2 = z - y - y_1 - 0.5 * y_2, z_1 - y_1 - y_2, z_2 - y_2
@@ -91,4 +108,4 @@ def _quintics(nodes, step):
         -15.0 * rise + 7.0 * rise_1 - rise_2,
         6.0 * rise - 3.0 * rise_1 + 0.5 * rise_2,
     )
-    return np.stack(powers, axis=-1)
+    return np.stack(powers)

@@ -118,9 +118,9 @@ class SummitPopulation:
         w_1 = self.yield_interference
         start = np.maximum(-below - WIDEST, 0.0)
         end = WIDEST**2 / (above + np.hypot(above, WIDEST)) - below
-        inner = (np.minimum(np.maximum(w, start), end) for w in (w_1, w_1 * self.plastic_ratio))
+        changes = np.asarray(w_1)[..., None] * [0.0, 1.0, self.plastic_ratio, np.inf]
         # with w = root^2, half powers of w are smooth
-        edges = np.sqrt(np.stack(np.broadcast_arrays(start, *inner, end), axis=-1))
+        edges = np.sqrt(np.minimum(np.maximum(changes, start[..., None]), end[..., None]))
         width = (edges[..., 1:] - edges[..., :-1])[..., None]
         root = edges[..., :-1, None] + width * NODES
         w = root * root

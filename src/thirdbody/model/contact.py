@@ -85,9 +85,9 @@ class Contact:
             log_area_slope = log_area_slope / self.summits.deviation
         else:
             log_summits, slope = self.summits.log_load(t)
-        slope = np.where(t < FARTHEST, slope / self.summits.deviation, 0.0)
-        rounding_of_d = EPSILON * np.abs(slope) * (np.abs(separation) + np.abs(self.summits.offset))
-        rounding = EPSILON * (24.0 + 4.0 * np.abs(log_summits)) + 2.0 * rounding_of_d
+        slope = slope / self.summits.deviation * (t < FARTHEST)
+        rounding_of_d = np.abs(slope) * (separation + self.summits.offset)
+        rounding = EPSILON * (24.0 + 4.0 * np.abs(log_summits) + 2.0 * rounding_of_d)
         if self.particles is None:
             has_load, zero = log_summits > NOTHING, np.zeros_like(slope)
             limits = np.where(has_load, -slope, 0.0), rounding, np.where(has_load, rounding, 0.0)

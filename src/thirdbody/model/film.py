@@ -126,8 +126,8 @@ class Film:
     def take(self, chosen) -> Film:
         """The film at the points selected by an index or mask ``chosen``."""
         columns = self.smooth, self.rough, self.smooth_size, self.rough_size
-        picked = (column[chosen] for column in columns)
-        return Film(*picked, self.exponents, self.turning_ratio, self.greatest)
+        others = self.exponents, self.turning_ratio, self.greatest
+        return Film(*(each[chosen] for each in columns), *others)
 
     def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
         """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an array over the points."""

@@ -22,12 +22,13 @@ In both cases the weights of the two moments are e and 1 - e.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.interpolation import Guesses
 from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.parameters import Parameters
 
@@ -40,7 +41,7 @@ FARTHEST = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
 NEXT_TO_LARGEST = 0.25  # width in alpha; less where phi decays by more than e over it
 NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that width
-SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
+SHAPE_SAMPLES, GUESSES = np.geomspace(1e-5, 1.0, 199), 1001
 
 
 @dataclass(frozen=True)
@@ -99,8 +100,7 @@ class ParticleLayer:
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points selected by an index or mask ``chosen``."""
         columns = self.mean, self.spread, self.depth, self.factor, self.log_bare
-        picked = (column[chosen] for column in columns)
-        return ParticleLayer(*picked, self.moment, self.parameters)
+        return ParticleLayer(*(each[chosen] for each in columns), self.moment, self.parameters)
 
     @property
     def reach(self) -> NDArray:
@@ -116,14 +116,13 @@ class ParticleLayer:
         """
         limits = self.parameters.interpretation.elastic_limits
         alpha = (separation - self.mean) / self.spread
-        both = np.stack([alpha, alpha + limits.side * self.depth])
+        both = np.array([alpha, alpha + limits.side * self.depth])
         (here, there), (here_slope, there_slope) = self.moment(both)  # here: I(d, X_max) over c_1
         own, other = self.parameters.elastic_weights
-        moment = np.maximum(own * here + other * there, 0.0)
         area_factor = self.factor * self.parameters.hardness_surface_2
         load_factor = self.factor * self.parameters.hardness_surface_1
         return (
-            area_factor * moment,  # Eq. 5
+            area_factor * np.maximum(own * here + other * there, 0.0),  # Eq. 5
             area_factor / self.spread * (own * here_slope + other * there_slope),
             load_factor * here,
             load_factor / self.spread * here_slope,
@@ -135,11 +134,9 @@ class ParticleLayer:
         weights = sum(map(abs, self.parameters.elastic_weights))
         terms = (8.0 + self.moment.largest**2) * weights
         terms = terms * self.moment.cancellation * area
-        rounding_of_d = (
-            2.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
-        )
-        lost = EPSILON * (terms + rounding_of_d) + LEAST
-        return np.where(area > 0.0, lost / np.maximum(area, LEAST), 0.0)
+        rounding_of_d = 2.0 * np.abs(slope) * (separation + self.mean + self.depth * self.spread)
+        # TINY for the digits lost below it; as divisors, LEAST and 0 would be slow
+        return EPSILON * ((terms + rounding_of_d + TINY) / np.where(area > 0.0, area, np.inf))
 
     def log_bare_load(self, bare: tuple[NDArray, NDArray]) -> tuple[NDArray, ArrayLike]:
         """ln of the bare fraction in the summit load, the bracket of Eq. 4, and its slope d/dd
@@ -166,11 +163,11 @@ class Moment:
         self.constant, self.linear = constant, linear
         self.smallest, self.largest = smallest, largest
         self.near_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
-        self.of_largest = float(self._untruncated(np.array(largest))[0])
+        self.of_largest = float(self._untruncated(np.array([largest]))[0][0])
         nearest = max(self.near_largest, smallest)
         # largest magnification of the rounding of M in the moment
-        self.cancellation = 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
-        self.of_all = float(self(np.array(-np.inf))[0])
+        of_nearest, of_all = self(np.array([nearest, -np.inf]))[0].tolist()
+        self.cancellation, self.of_all = 1.0 + 2.0 * self.of_largest / of_nearest, of_all
 
     def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
         """The moment and its slope d/dalpha [1] at an array ``alpha``.
@@ -179,27 +176,32 @@ class Moment:
         """
         clipped = np.minimum(np.maximum(alpha, self.smallest), self.largest)
         value, slope = self._untruncated(clipped)
+        moment = np.maximum(value - self.of_largest, 0.0)
         within = (alpha > self.smallest) & (alpha < self.largest)
-        moment = np.array(np.maximum(value - self.of_largest, 0.0))
-        near = within & (alpha > self.near_largest)
-        if near.any():
-            length = self.largest - alpha[near]
-            _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
-            moment[near] = -length * (WEIGHTS * slopes).sum(-1)
-        return moment, np.where(within, slope, 0.0)
+        near = np.flatnonzero(within & (alpha > self.near_largest))
+        if near.size:
+            length = self.largest - alpha.reshape(-1)[near]
+            slopes, *_ = self._slope(self.largest - length * NODES[:, None])
+            moment.reshape(-1)[near] = -length * (WEIGHTS[:, None] * slopes).sum(0)
+        return moment, slope * within
 
-    def samples(self) -> tuple[NDArray, NDArray]:
-        """Moments [1], increasing from zero, and their alpha [1]."""
+    @cached_property
+    def inverse(self) -> Guesses:
+        """alpha [1] over ln of the moment [1]."""
         lowest = max(self.smallest, LOWEST)
         alpha = self.largest - SHAPE_SAMPLES * (self.largest - lowest)
-        return self(alpha)[0], alpha
+        return Guesses(np.log(self(alpha)[0]), alpha, GUESSES)
 
     def _untruncated(self, alpha):
         """M(alpha) and dM/dalpha."""
-        density = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)  # phi(alpha)
-        polynomial = self.constant + self.linear * alpha
-        slope = -density * (1.0 - self.linear + polynomial * alpha)
+        slope, polynomial, density = self._slope(alpha)
         return scipy.special.ndtr(-alpha) + polynomial * density, slope
+
+    def _slope(self, alpha):
+        """dM/dalpha, c_2 + c_3 alpha and phi(alpha)."""
+        density = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
+        polynomial = self.constant + self.linear * alpha
+        return -density * (1.0 - self.linear + polynomial * alpha), polynomial, density
 
 
 _moment = lru_cache(maxsize=64)(Moment)
@@ -224,19 +226,16 @@ def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
     return diameter * diameter * density > TINY
 
 
-def separation_carrying(area: ArrayLike, layer: ParticleLayer) -> NDArray:
-    """Approximate separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
+def separation_carrying(log_area: ArrayLike, layer: ParticleLayer) -> NDArray:
+    """Approximate separation d [m] at which particles alone have the area ``log_area``, ln(A_sa/A_n) [1].
 
     It is the larger of the separations at which the sizes above d, or above the other limit of the
     elastic integral, alone have this area; minus infinity if all particles together have less.
     """
     parameters = layer.parameters
-    wanted = area / (layer.factor * parameters.hardness_surface_2)
-    sampled = layer.moment.samples()
-    limits = parameters.interpretation.elastic_limits
-    alpha, shifted = (
-        np.interp(wanted / weight, *sampled, right=-np.inf) if weight > 0.0 else -np.inf
-        for weight in parameters.elastic_weights
-    )
+    wanted = log_area - np.log(layer.factor * parameters.hardness_surface_2)
+    of_all, limits = np.log(layer.moment.of_all), parameters.interpretation.elastic_limits
+    logs = (wanted - np.log(weight) for weight in parameters.elastic_weights)  # nan if negative
+    alpha, shifted = (np.where(x <= of_all, layer.moment.inverse(x), -np.inf) for x in logs)
     shifted = shifted - limits.side * layer.depth
     return layer.mean + layer.spread * np.maximum(alpha, shifted)

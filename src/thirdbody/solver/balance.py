@@ -116,9 +116,8 @@ def first_separation(points: Points) -> NDArray:
     t = surfaces.first_separation(points.log_load + SUMMIT_EXCESS)
     guess = surfaces.offset + surfaces.deviation * t
     if particles is not None:
-        load = np.exp(points.log_load + PARTICLE_EXCESS)
-        area = load / points.parameters.particle_pressure
-        guess = np.maximum(guess, separation_carrying(area, particles))
+        log_area = points.log_load + PARTICLE_EXCESS - np.log(points.parameters.particle_pressure)
+        guess = np.maximum(guess, separation_carrying(log_area, particles))
     return np.maximum(guess, 0.0)
 
 

@@ -108,28 +108,21 @@ class Points:
         """Eq. 1 at ``separation`` d [m]: F_s (Eqs. 2 and 4) and, where films share the load, F_f of a
         film of thickness d (Eqs. 7 and 8)."""
         solids = self.contact.log_solid_load(separation, with_areas)
-        log_solid = solids.value - self.log_load
+        excess = log_solid = solids.value - self.log_load
         noise = solids.noise + self.contact.summits.error + 2.0 * EPSILON * np.abs(self.log_load)
+        slope, solid_noise, log_fluid = solids.slope, noise, np.full(excess.shape, -np.inf)
         steepest = np.maximum(solids.steepest, 1.0 / separation)
         rounding = solids.rounding + self.contact.summits.error
-        others = noise, solids.slope, *solids[5:9]  # to log_beside
-        if not self.shares_load:
-            nothing = np.full(separation.shape, -np.inf)
-            excess = log_solid, solids.slope, noise
-            return Forces(separation, *excess, steepest, rounding, log_solid, nothing, *others)
-        log_fluid, film_slope, film_noise = self.log_film_load(separation)
-        value, fraction = log_sum(log_solid, log_fluid)
-        return Forces(
-            separation,
-            value,
-            fraction * solids.slope + (1.0 - fraction) * film_slope,
-            fraction * noise + (1.0 - fraction) * film_noise + 4.0 * EPSILON,
-            np.maximum(steepest, np.abs(film_slope)),
-            np.maximum(rounding, film_noise),
-            log_solid,
-            log_fluid,
-            *others,
-        )
+        if self.shares_load:
+            log_fluid, film_slope, film_noise = self.log_film_load(separation)
+            excess, fraction = log_sum(log_solid, log_fluid)
+            slope = fraction * slope + (1.0 - fraction) * film_slope
+            noise = fraction * noise + (1.0 - fraction) * film_noise + 4.0 * EPSILON
+            steepest = np.maximum(steepest, np.abs(film_slope))
+            rounding = np.maximum(rounding, film_noise)
+        total = excess, slope, noise, steepest, rounding
+        solid = log_solid, log_fluid, solid_noise, solids.slope, *solids[5:9]  # to log_beside
+        return Forces(separation, *total, *solid)
 
     def log_film_load(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """ln(F_f/F_t) of films as thick as ``separation`` d [m], its slope d/dd [m-1], and its noise."""

@@ -116,10 +116,8 @@ def _samples(points, start, end):
     """Separations [m] to sample, increasing from ``start`` to ``end``: a row for each point."""
     surfaces, particles = points.contact.summits, points.contact.particles
     alphas = [particles.moment.largest, particles.moment.smallest, *SIZE_KNOTS]
-    shift = points.parameters.interpretation.elastic_limits.side * particles.depth
-    kinks = [alpha + np.zeros_like(shift) for alpha in alphas]
-    kinks += [alpha - shift for alpha in alphas]
-    samples = [particles.mean + alpha * particles.spread for alpha in kinks]
+    shifts = 0.0, points.parameters.interpretation.elastic_limits.side * particles.depth
+    samples = [particles.mean + (a - shift) * particles.spread for a in alphas for shift in shifts]
     samples += [surfaces.offset + t * surfaces.deviation + 0.0 * start for t in SUMMIT_KNOTS]
     edges = np.sort(np.clip(np.stack([start, *samples, end], axis=1), start[:, None], end[:, None]))
     part = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2

@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.interpolation import HermiteTable
+from thirdbody.interpolation import Guesses, HermiteTable
 from thirdbody.model.asperity import SummitPopulation, area_growth
 from thirdbody.model.parameters import Parameters, Surface
 
@@ -16,6 +16,7 @@ TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
 # Pieces of tables: the error, which falls with their sixth power, is at most a hundredth of rtol,
 # so that few points magnify it beyond rtol; the largest number reaches the rounding error.
 PIECES_AT_ONE, FEWEST_PIECES, MOST_PIECES = 11.0, 45, 720
+GUESSES = 1601  # steps of half a unit of ln F_ss*
 QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 
@@ -23,8 +24,8 @@ QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 class RoughSurfaces:
     """The summits at each of many points, in the form that ``thirdbody.model.contact`` needs.
 
-    ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index at each point.
-    ``table`` has ln F_ss* and ln A_ss* over t for each roughness in turn, or is None for quadrature.
+    ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index, for all points
+    or each.  ``table`` has ln F_ss* and ln A_ss* over t for each in turn, or is None for quadrature.
     """
 
     surfaces: Surface
@@ -41,7 +42,8 @@ class RoughSurfaces:
 
         Raises ``ValueError`` if the summit parameter leaves no summit variance.
         """
-        values, which = np.unique(roughness, return_inverse=True)
+        values = np.unique(roughness)
+        which = np.searchsorted(values, roughness) if values.size > 1 else np.zeros((), int)
         surfaces = parameters.surface(values)
         table = None
         if table_rtol is not None:
@@ -50,7 +52,7 @@ class RoughSurfaces:
 
     def take(self, chosen) -> RoughSurfaces:
         """The surfaces of the points selected by an index or mask ``chosen``."""
-        return replace(self, which=self.which[chosen])
+        return replace(self, which=self.which[chosen]) if self.which.ndim else self
 
     @cached_property
     def offset(self):
@@ -77,9 +79,7 @@ class RoughSurfaces:
 
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
-        if self.table is None:
-            return self.here.log_load(t)
-        return self._read(t, 0)
+        return self.here.log_load(t) if self.table is None else self._read(t, 0)
 
     def log_load_and_area(self, t: NDArray) -> tuple:
         """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt, at summit separations ``t`` [1]."""
@@ -101,13 +101,13 @@ class RoughSurfaces:
         """Approximate t [1] at which the summits carry ``log_load`` ln F_t*."""
         summits = self.here
         wanted = log_load - np.log(summits.hardness_ratio * summits.summit_parameter)
-        t, loads = _plastic_summits()
-        found = np.interp(wanted, loads, t)
+        plastic = _plastic_summits()
+        found = plastic(wanted)
         for _ in range(2):  # correct by a typical summit, which is not fully plastic
             ratio = 3.0 / (np.maximum(found, 0.0) + 1.5) / summits.yield_interference
             growth = area_growth(ratio, summits.plastic_ratio)
             softer = np.log(0.5 * growth * summits.pressure(ratio))
-            found = np.interp(wanted - softer, loads, t)
+            found = plastic(wanted - softer)
         return found
 
 
@@ -128,7 +128,7 @@ def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteT
 
 @lru_cache
 def _plastic_summits():
-    """t, and increasing ln F_ss* of fully plastic summits of unit hardness and density."""
-    t = np.linspace(*TABLE_RANGE, 91)[::-1]
+    """t over ln F_ss* of fully plastic summits of unit hardness and density."""
+    t = np.linspace(*TABLE_RANGE, 181)[::-1]
     loads, _ = SummitPopulation(1.0, 1e300, 1.0, 1.0, 1.0).log_load(t)
-    return t, loads
+    return Guesses(loads, t, GUESSES)
