@@ -14,38 +14,38 @@ from thirdbody.model.particles import EPSILON, separation_carrying
 from thirdbody.solver.points import Forces, Points
 from thirdbody.solver.several import bracket_largest, may_have_several
 
-MAX_ITERATIONS = 200
 FILM_MARGIN = 1e-3  # a film thinner by this fraction certainly carries more than the load
-STEP_LEFT = 0.05  # of the tolerance: error allowed after the next Newton step
+STEP_LEFT = 1.0  # of the tolerance: error expected, with a large margin, after the next Newton step
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 # added to ln F_t*, so that the first separation lies below the root at nearly all points
 SUMMIT_EXCESS, PARTICLE_EXCESS = 0.2, 0.002
-GROWTH = 4.0  # growth of an interval without a change of sign
+GROWTH = 4.0  # growth of an interval whose signs rounding hides
 
 
 class Brackets(NamedTuple):
     """Bracket [m] of the root of the force balance at each point.
 
     The root is between ``low`` and ``high``, near ``guess``; ``low`` is nan if there is none.
-    ``sure`` means that the forces at ``low`` are certainly too large.  Where a film whose thickness
-    F_t sets (Eq. 8 as printed) is ``held``, every separation in the bracket is a solution.
-    ``count`` is the number of roots, of which the largest is bracketed, and ``certain`` whether
-    this holds despite rounding.
+    Where a film whose thickness F_t sets (Eq. 8 as printed) is ``held``, every separation in the
+    bracket is a solution.  ``count`` is the number of roots, of which the largest is bracketed, and
+    ``certain`` whether this holds despite rounding.
     """
 
     guess: NDArray
     low: NDArray
     high: NDArray
-    sure: NDArray
     held: NDArray
     count: NDArray
     certain: NDArray
 
 
 class Balance(NamedTuple):
-    """The ``forces`` at two separations around the root, of shape (2, points), and whether their
-    change of sign is ``certain``; ``count`` is the number of roots."""
+    """The ``points`` in the order of ``places``, and the ``forces`` at two separations around the root
+    of each, of shape (2, points).  ``certain`` is whether their sum changes its sign despite rounding,
+    and ``count`` the number of roots."""
 
+    points: Points
+    places: NDArray
     forces: Forces
     certain: NDArray
     count: NDArray
@@ -65,21 +65,21 @@ def bracket(points: Points) -> Brackets:
         alone, rounded = points.film_separation()
         guess = np.maximum(guess, alone)
     high = _upper_bounds(points, guess)
-    sure, held = np.ones(guess.shape, bool), np.zeros(guess.shape, bool)
+    exists, held = np.ones(guess.shape, bool), np.zeros(guess.shape, bool)
     low = start = alone * (1.0 - FILM_MARGIN)
     if not points.shares_load:
         start = alone * (1.0 + rounded)
         guess = np.maximum(guess, start)
         forces = points.forces(guess)
-        sure = forces.excess > forces.noise
-        low = np.where(sure, guess, start)
+        exists = forces.excess > forces.noise
+        low = np.where(exists, guess, start)
         newton = guess - forces.excess / forces.slope
-        guess = np.where(sure & (newton < high), newton, guess)
-    exists, several = sure.copy(), may_have_several(points)
-    left = np.flatnonzero(~sure | several & ~points.shares_load)
+        guess = np.where(exists & (newton < high), newton, guess)
+    several = may_have_several(points)
+    left = np.flatnonzero(~exists | several & ~points.shares_load)
     if left.size:
         forces = points.take(left).forces(start[left])
-        sure[left], exists[left] = forces.excess > forces.noise, forces.excess >= -forces.noise
+        exists[left] = forces.excess >= -forces.noise
         held[left] = (forces.excess < 0.0) & (points.film is not None)
         exists &= ~held
     count, certain = (exists | held).astype(int), np.ones(guess.shape, bool)
@@ -96,14 +96,14 @@ def bracket(points: Points) -> Brackets:
             # on a plateau at the load, no root may be found beyond the film
             held[several] = ~beyond & (held[several] | undecided)
             count[several] = np.maximum(count[several], undecided)
-        exists[several], sure[several] = beyond, True
+        exists[several] = beyond
         certain[several] = ~undecided
         there = several[beyond]
         low[there], high[there] = near[beyond], far[beyond]
         guess[there] = 0.5 * (near + far)[beyond]
     low = np.where(held, alone * (1.0 - rounded), np.where(exists, low, np.nan))
-    high = np.where(held, alone * (1.0 + rounded), high)
-    return Brackets(guess, low, high, sure, held, count, certain)
+    high = np.where(held, alone * (1.0 + rounded), np.where(exists, high, np.nan))
+    return Brackets(guess, low, high, held, count, certain)
 
 
 def first_separation(points: Points) -> NDArray:
@@ -129,69 +129,74 @@ def _upper_bounds(points, guess):
     return 2.0 * far + 10.0 * points.contact.summits.deviation
 
 
-def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
+def enclose(points: Points, brackets: Brackets, tolerance: float, iterations: int) -> Balance:
     """Narrow the brackets by Newton's method until the variables converge to ``tolerance``.
 
     When the next step would converge, the signs on both sides of it are checked; if rounding could
-    hide them, the interval is widened.
+    hide them, the interval is widened.  After so many ``iterations``, the rest is not ``certain``.
     """
-    guess, low, high, sure, held, count, certain = brackets
-    ends = np.full((len(Forces._fields), 2, guess.size), np.nan)
-    fixed = np.flatnonzero(held)
+    d, low, high, held, count, certain = brackets
+    found = []  # indices of finished points, forces at both ends, and whether a sign changes
+    fixed = np.flatnonzero(held | np.isnan(low))
     if fixed.size:
-        film = points.take(fixed)
-        ends[:, 0, fixed] = _held_by_film(film.forces(low[fixed], with_areas=True))
-        ends[:, 1, fixed] = _held_by_film(film.forces(high[fixed], with_areas=True))
-    certain = certain.copy()
+        both = _at_both(points, fixed, low[fixed], high[fixed])
+        found.append((fixed, _held_by_film(both), np.ones(fixed.size, bool)))
     active = np.flatnonzero(~held & ~np.isnan(low))
-    points = points.take(active)
-    d, low, high, sure = guess[active], low[active], high[active], sure[active]
+    remaining = points.take(active)
+    d, low, high = (x[active] for x in (d, low, high))
     last, doubt = np.full(d.shape, np.inf), np.ones(d.shape)
-    for iteration in range(MAX_ITERATIONS):
+    for iteration in range(iterations):
         if not active.size:
             break
-        forces = points.forces(d)
-        size, steepness = np.abs(forces.excess), np.abs(forces.slope)
-        more, less = forces.excess > forces.noise, forces.excess < -forces.noise
-        low, high, sure = np.where(more, d, low), np.where(less, d, high), sure | more
-        step = size / steepness
+        forces = remaining.forces(d)
+        noise, size, steepness = forces.noise, np.abs(forces.excess), np.abs(forces.slope)
+        low = np.where(forces.excess > noise, d, low)
+        high = np.where(forces.excess < -noise, d, high)
         new = d - forces.excess / forces.slope
         # Newton's step is taken while steps halve the excess; otherwise the bracket is halved
-        halved = size <= np.maximum(0.5 * last, 2.0 * forces.noise)
-        newton = (new >= low) & (new <= high) & halved
-        change = step * forces.steepest
-        left = change * change * (1.0 + forces.steepest / steepness)
-        close = newton & ((left <= STEP_LEFT * tolerance) | (size <= 2.0 * forces.noise))
-        final = (high - low <= NARROW * d) | (iteration == MAX_ITERATIONS - 1)
+        settled = size <= 2.0 * noise
+        newton = (new >= low) & (new <= high) & (settled | (size <= 0.5 * last))
+        ratio = forces.steepest / steepness
+        left = (size * ratio) ** 2 * (1.0 + ratio)
+        close = newton & (settled | (left <= STEP_LEFT * tolerance))
+        final = (high - low <= NARROW * d) | (iteration == iterations - 1)
         d = np.where(newton, new, 0.5 * (low + high))
         last = np.where(newton, size, np.inf)
-        (close,) = np.nonzero(close | final)
+        close = np.flatnonzero(close | final)
         if not close.size:
             continue
-        width = np.maximum(tolerance / (8.0 * forces.steepest), 1.2 * forces.noise / steepness)
+        width = np.maximum(tolerance / (8.0 * forces.steepest), 1.2 * noise / steepness)
         width = doubt * np.maximum(width, NARROW * d)
         a = np.where(final, low, np.fmax(d - width, low))[close]
         b = np.where(final, high, np.fmin(d + width, high))[close]
-        both = points.take(np.tile(close, 2)).forces(np.append(a, b), with_areas=True)
-        both = Forces(*(each.reshape(2, -1) for each in both))
+        both = _at_both(remaining, close, a, b)
         above, below = both.excess > both.noise, both.excess < -both.noise
-        holds = (above[0] | (sure[close] & (a == low[close]))) & (below[1] | (b == high[close]))
-        done = holds | final[close]
-        finished = active[close[done]]
-        for end, each in zip(ends, both, strict=True):
-            end[0][finished], end[1][finished] = each[0][done], each[1][done]
-        certain[finished] &= holds[done]
-        # where a sign is wrong, iterate from there
-        doubt[close] *= GROWTH
-        lower, higher = ~done & below[0], ~done & above[1]
-        high[close[lower]], low[close[higher]], sure[close[higher]] = a[lower], b[higher], True
-        d[close[lower]] = np.fmax(2.0 * a - b, low[close])[lower]
-        d[close[higher]] = np.fmin(2.0 * b - a, high[close])[higher]
+        holds = above[0] & below[1]
+        done = np.flatnonzero(holds | final[close])
+        both = Forces(*(each.take(done, axis=1) for each in both))
+        found.append((active[close[done]], both, holds[done]))
         kept = np.ones(d.size, bool)
         kept[close[done]] = False
-        points, active = points.take(kept), active[kept]
-        d, low, high, sure, last, doubt = (x[kept] for x in (d, low, high, sure, last, doubt))
-    return Balance(Forces(*ends), certain, count)
+        if done.size < close.size:  # where both signs are the same, iterate from there
+            lower, higher = kept[close] & below[0], kept[close] & above[1]
+            doubt[close[~(lower | higher)]] *= GROWTH
+            high[close[lower]], low[close[higher]] = a[lower], b[higher]
+            d[close[lower]] = np.fmax(2.0 * a - b, low[close])[lower]
+            d[close[higher]] = np.fmin(2.0 * b - a, high[close])[higher]
+        kept = np.flatnonzero(kept)
+        remaining, active = remaining.take(kept), active[kept]
+        d, low, high, last, doubt = (x[kept] for x in (d, low, high, last, doubt))
+    places, forces, holds = zip(*found, strict=True)
+    places = np.concatenate(places)
+    forces = Forces(*(np.concatenate(each, axis=1) for each in zip(*forces, strict=True)))
+    certain = certain[places] & np.concatenate(holds)
+    return Balance(points.take(places), places, forces, certain, count[places])
+
+
+def _at_both(points, chosen, low, high):
+    """The forces of the ``chosen`` points at ``low`` and ``high``, of shape (2, chosen)."""
+    forces = points.take(np.tile(chosen, 2)).forces(np.append(low, high), with_areas=True)
+    return Forces(*(each.reshape(2, -1) for each in forces))
 
 
 def _held_by_film(forces):
@@ -199,4 +204,4 @@ def _held_by_film(forces):
     fluid = -np.expm1(np.minimum(forces.log_solid, 0.0))
     less = np.exp(forces.log_solid) / fluid  # F_s/F_f, which magnifies the rounding of F_s
     rounding = forces.rounding + forces.solid_noise * less
-    return np.stack(forces._replace(log_fluid=np.log(fluid), rounding=rounding))
+    return forces._replace(log_fluid=np.log(fluid), rounding=rounding)

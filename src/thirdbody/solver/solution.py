@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import expit
 
 from thirdbody.model.film import THICKEST, Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
@@ -22,7 +21,6 @@ from thirdbody.model.regimes import (
     lubrication_regime,
 )
 from thirdbody.solver.balance import Balance
-from thirdbody.solver.points import Points
 from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
@@ -191,14 +189,12 @@ def type_of(variable: str) -> type:
     return np.int8 if variable in WHOLE else float
 
 
-def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray]:
-    """The variables of ``Solution`` at points, by name, as 1-D arrays; ``rtol`` was requested."""
-    ends = balance.forces
+def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
+    """Variables of ``Solution`` by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
+    points, ends = balance.points, balance.forces
     has_particles = points.contact.particles is not None
-    solid = expit(ends.log_solid - ends.log_fluid)  # Eq. 9, at both ends
-    fluid = expit(ends.log_fluid - ends.log_solid)
-    particle_ratio = expit(np.log(ends.area) - ends.log_beside)  # Eq. 10
-    summit_ratio = expit(ends.log_beside - np.log(ends.area))
+    solid, fluid = _fractions(ends.log_solid - ends.log_fluid)  # Eq. 9, at both ends
+    particle_ratio, summit_ratio = _fractions(np.log(ends.area) - ends.log_beside)  # Eq. 10
     total_area = ends.area + np.exp(ends.log_beside)  # Eq. 3
     thickness = ends.separation / points.parameters.ball_radius
     both = total_area, particle_ratio, summit_ratio, solid, fluid, ends.separation, thickness
@@ -208,17 +204,13 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
     found |= {"error_bound": error, "separation_count": balance.count}
     unsolved = np.isnan(found["separation"])
     covered = has_particles and points.contact.particles.cover_all(ends.coverage[1])
-    add_flags(
-        found,
-        points.film,
-        points.log_load,
-        points.parameters,
-        has_particles,
-        several_separations=balance.count > 1,
-        not_converged=~(error <= rtol),
-        coverage_exceeded=covered,
-        load_exceeded=unsolved & (balance.count == 0),
-    )
+    statuses = {
+        "several_separations": balance.count > 1,
+        "not_converged": ~(error <= rtol),
+        "coverage_exceeded": covered,
+        "load_exceeded": unsolved & (balance.count == 0),
+    }
+    add_flags(found, points.film, points.log_load, points.parameters, has_particles, **statuses)
     unsolved |= covered
     if unsolved.any():
         for name, values in found.items():
@@ -250,6 +242,11 @@ def add_flags(
         meaningful &= found["film_thickness"] <= THICKEST
         statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)
     found["solution_status"] = gravest_status(**statuses)
+
+
+def _fractions(log_odds):
+    """Of a sum, its first and its second part, for ln of their ratio."""
+    return 1.0 / (1.0 + np.exp(-log_odds)), 1.0 / (1.0 + np.exp(log_odds))
 
 
 def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):

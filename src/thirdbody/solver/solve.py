@@ -32,6 +32,7 @@ LEAST_RTOL = 1e-12  # of points limited only by rounding
 TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
 CHUNK = 65536  # points solved together
 QUADRATURE_CHUNK = 512  # by quadrature, where each point has about a hundred nodes
+FEW_ITERATIONS, MOST_ITERATIONS = 5, 200  # the few points that need more are solved together
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
@@ -152,37 +153,37 @@ def solve_arrays(
     # points that cannot be computed get a status
     with np.errstate(all="ignore"), Progress(load.size, "points", progress) as bar:
         three_body = has_particles(diameter, density)
+        several = three_body & (load > greatest_single_load(parameters))
         kinds = 2 * has_film(viscosity) + three_body
-        single = ~three_body | (load <= greatest_single_load(parameters))
-        by_table = single & _worth_a_table(roughness, single, rtol)
-        left = ~by_table
-        rounds = (rtol, CHUNK, rtol), (None, QUADRATURE_CHUNK, LEAST_RTOL)
-        for table_rtol, size, tolerance in rounds:
-            for piece in _pieces(left if table_rtol is None else by_table, kinds, roughness, size):
+        by_table = ~several & _worth_a_table(roughness, ~several, rtol)
+        left = np.ones(load.shape, bool)
+        rounds = [(rtol, CHUNK, rtol, most) for most in (FEW_ITERATIONS, MOST_ITERATIONS)]
+        rounds += [(None, QUADRATURE_CHUNK, LEAST_RTOL, MOST_ITERATIONS)]
+        for table_rtol, size, *limits in rounds:
+            chosen = left & by_table if table_rtol else left
+            for piece in _pieces(chosen, kinds, roughness, size):
                 some = (column[piece] for column in columns)
                 points = Points.of(some, parameters, table_rtol)
-                balance = enclose(points, bracket(points), tolerance)
-                found = describe(points, balance, rtol)
+                balance = enclose(points, bracket(points), *limits)
+                found, piece = describe(balance, rtol), piece[balance.places]
                 for name, values in result.items():
                     values[piece] = found[name]
-                if table_rtol is not None:
-                    left[piece] = found["solution_status"] == NOT_CONVERGED
-                bar.add(piece.size - np.count_nonzero(left[piece]) * (table_rtol is not None))
+                left[piece] = table_rtol and found["solution_status"] == NOT_CONVERGED
+                bar.add(piece.size - np.count_nonzero(left[piece]))
     solved = {name: values.reshape(shape) for name, values in result.items()}
-    newtons = parameters.newtons_per_load
-    return Solution(**solved, conditions=dict(arrays), newtons_per_load=newtons)
+    return Solution(**solved, conditions=dict(arrays), newtons_per_load=parameters.newtons_per_load)
 
 
 def _worth_a_table(roughness, counted, rtol):
     """Whether enough ``counted`` points share the roughness of each point to tabulate its summits."""
-    _, which = np.unique(roughness, return_inverse=True)
+    which = np.searchsorted(np.unique(roughness), roughness)
     return np.bincount(which, counted)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
 def _pieces(chosen, kinds, roughness, size):
     """Yield indices of ``chosen`` points, sorted by roughness, of one kind and at most ``size`` at
     a time."""
-    for kind in np.unique(kinds[chosen]):
+    for kind in np.flatnonzero(np.bincount(kinds[chosen])):
         places = np.flatnonzero(chosen & (kinds == kind))
         places = places[np.argsort(roughness[places], kind="stable")]
         yield from (places[start : start + size] for start in range(0, places.size, size))
