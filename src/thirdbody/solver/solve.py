@@ -31,7 +31,8 @@ DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points limited only by rounding
 TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
 CHUNK = 65536  # points solved together
-QUADRATURE_CHUNK = 512  # by quadrature, where each point has about a hundred nodes
+QUADRATURE_CHUNK = 2048  # by quadrature, where each point has about a hundred nodes
+SEVERAL_CHUNK = 64  # where each has hundreds of separations, too
 FEW_ITERATIONS, MOST_ITERATIONS = 5, 200  # the few points that need more are solved together
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
@@ -154,7 +155,7 @@ def solve_arrays(
     with np.errstate(all="ignore"), Progress(load.size, "points", progress) as bar:
         three_body = has_particles(diameter, density)
         several = three_body & (load > greatest_single_load(parameters))
-        kinds = 2 * has_film(viscosity) + three_body
+        kinds = 4 * several + 2 * has_film(viscosity) + three_body
         by_table = ~several & _worth_a_table(roughness, ~several, rtol)
         left = np.ones(load.shape, bool)
         rounds = [(rtol, CHUNK, rtol, most) for most in (FEW_ITERATIONS, MOST_ITERATIONS)]
@@ -181,9 +182,9 @@ def _worth_a_table(roughness, counted, rtol):
 
 
 def _pieces(chosen, kinds, roughness, size):
-    """Yield indices of ``chosen`` points, sorted by roughness, of one kind and at most ``size`` at
-    a time."""
+    """Yield indices of ``chosen`` points of one kind, by roughness, at most ``size`` at a time."""
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
         places = np.flatnonzero(chosen & (kinds == kind))
         places = places[np.argsort(roughness[places], kind="stable")]
-        yield from (places[start : start + size] for start in range(0, places.size, size))
+        most = SEVERAL_CHUNK if kind >= 4 else size
+        yield from (places[start : start + most] for start in range(0, places.size, most))
