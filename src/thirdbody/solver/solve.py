@@ -169,7 +169,7 @@ def solve_arrays(
                 found, piece = describe(balance, rtol), piece[balance.places]
                 for name, values in result.items():
                     values[piece] = found[name]
-                left[piece] = table_rtol and found["solution_status"] == NOT_CONVERGED
+                left[piece] = (found["solution_status"] == NOT_CONVERGED) & bool(table_rtol)
                 bar.add(piece.size - np.count_nonzero(left[piece]))
     solved = {name: values.reshape(shape) for name, values in result.items()}
     return Solution(**solved, conditions=dict(arrays), newtons_per_load=parameters.newtons_per_load)
