@@ -49,8 +49,8 @@ def cells(rows: Iterable[Mapping], columns: Sequence[Column], digits: int) -> It
     """The cells of each row, numbers with ``digits`` significant digits; None is an empty cell."""
     formats = {column.name: f".{digits}g" if column.kind == "number" else "" for column in columns}
     for row in rows:
-        cells = ((row[name], form) for name, form in formats.items())
-        yield ["" if value is None else format(value, form) for value, form in cells]
+        fields = ((row[name], form) for name, form in formats.items())
+        yield ["" if value is None else format(value, form) for value, form in fields]
 
 
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:

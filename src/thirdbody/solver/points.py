@@ -120,9 +120,9 @@ class Points:
             noise = fraction * noise + (1.0 - fraction) * film_noise + 4.0 * EPSILON
             steepest = np.maximum(steepest, np.abs(film_slope))
             rounding = np.maximum(rounding, film_noise)
-        total = excess, slope, noise, steepest, rounding
-        solid = log_solid, log_fluid, solid_noise, solids.slope, *solids[5:9]  # to log_beside
-        return Forces(separation, *total, *solid)
+        solid = log_solid, log_fluid, solid_noise, solids.slope
+        areas = solids.area, solids.area_slope, solids.coverage, solids.log_beside
+        return Forces(separation, excess, slope, noise, steepest, rounding, *solid, *areas)
 
     def log_film_load(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         """ln(F_f/F_t) of films as thick as ``separation`` d [m], its slope d/dd [m-1], and its noise."""
