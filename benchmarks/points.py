@@ -62,7 +62,6 @@ def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters
         for name, key in (KEYS["body"] | KEYS["particles"]).items()
     }
     density, radius, deviation, offset = (float(model[key]) for key in KEYS["surface"].values())
-    raised = "as_rough" if deviation == roughness else True
     return tb.Parameters(
         **given,
         reference_roughness=roughness,
@@ -70,7 +69,9 @@ def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters
         summit_parameter_exponent=0.0,
         summit_radius=radius,
         summit_radius_exponent=0.0,
-        summit_offset=raised if offset != 0.0 else False,
+        summit_deviation_ratio=deviation / roughness,
+        summit_offset_ratio=offset / roughness,
+        summit_offset_exponent=0.0,
     )
 
 

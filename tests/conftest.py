@@ -28,7 +28,10 @@ INPUTS = {
     "summit_parameter_exponent": -0.80,
     "summit_radius": 29.7e-6,
     "summit_radius_exponent": 0.33,
-    "summit_offset": True,
+    # McCool (1986)
+    "summit_deviation_ratio": (1.0 - 3.717e-4 / 0.65**2) ** 0.5,
+    "summit_offset_ratio": 0.045944 / 0.65,
+    "summit_offset_exponent": 0.80,
     "size_distribution": "uncentred",
     "mean_ratio": 0.0,
     "spread_ratio": 1.60,
@@ -50,8 +53,8 @@ INTERPRETATIONS = {
     "physical_limits": {"elastic_limits": "physical", "elastic_depth_ratio": 0.0885},
     "contacting": {"coverage_limits": "contacting"},
     "film_of_the_total_load": {"film_load": "total"},
-    "no_offset": {"summit_offset": False},
-    "summit_plane": {"summit_offset": "as_rough", "particle_plane": "summit"},
+    "no_offset": {"summit_offset_ratio": 0.0, "summit_deviation_ratio": 1.0},
+    "summit_plane": {"summit_deviation_ratio": 1.2, "particle_plane": "summit"},
     "unlike_materials": {
         **{"hardness_surface_1": 3.0e9, "hardness_surface_2": 7.0e9},
         **{"elastic_modulus_particle": 2.0e11, "ellipticity": 2.5},

@@ -263,7 +263,13 @@ def input_findings(data, inputs):
     ratio = sigma / inputs["reference_roughness"]
     radius = inputs["summit_radius"] * ratio ** inputs["summit_radius_exponent"]
     parameter = inputs["summit_parameter"] * ratio ** inputs["summit_parameter_exponent"]
-    for key, expected in (("R", radius), ("eta_s", parameter / (radius * sigma))):
+    offset = inputs["summit_offset_ratio"] * ratio ** inputs["summit_offset_exponent"]
+    for key, expected in (
+        ("R", radius),
+        ("eta_s", parameter / (radius * sigma)),
+        ("sigma_s", inputs["summit_deviation_ratio"] * sigma),
+        ("y_s", offset * sigma),
+    ):
         if not close(np.array(data.model[key]), expected, SUMMIT_ROUNDING):
             yield f"{key} is not that of the configuration"
 

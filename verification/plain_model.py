@@ -100,20 +100,6 @@ def log_of_sum(first, second):
     return larger if smaller == -math.inf else larger + math.log1p(math.exp(smaller - larger))
 
 
-# --- the summits of a rough surface (McCool 1986) ---
-
-
-def surface_roughness(density, radius, deviation, offset):
-    """sigma [m] of a surface with such summits; in the interpretation without offset it is theirs."""
-    lost = 3.717e-4 / (density * radius) ** 2 if offset else 0.0
-    return math.sqrt(deviation**2 + lost)
-
-
-def summit_plane(density, radius):
-    """y_s [m], the height of the summits' plane in the interpretation with offset."""
-    return 0.045944 / (density * radius)
-
-
 # --- rough surface against rough surface (Zhao, Maietta & Chang 2000; first half of Eq. 6) ---
 
 

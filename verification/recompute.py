@@ -174,18 +174,6 @@ def solved(row, point, data):
         yield name, deviation(row[name], expected), tolerance(row)
 
 
-def surface_findings(data):
-    """What is wrong between each roughness and its summits in the model."""
-    summits = zip(*(data.model[name] for name in SUMMITS))
-    for sigma, (density, radius, spread, offset) in zip(data.axes["roughness"], summits):
-        # summits above the mean plane scatter less than the surface, or as widely (one sigma)
-        known = spread, plain_model.surface_roughness(density, radius, spread, offset)
-        if min(deviation(sigma, each) for each in known) > EVALUATION:
-            yield f"roughness {sigma:.6g} m is not that of the summits"
-        if offset and deviation(offset, plain_model.summit_plane(density, radius)) > EVALUATION:
-            yield f"y_s at roughness {sigma:.6g} m is not that of the summits"
-
-
 def check(path, config, inputs, count, rng):
     """The ``Outcome`` for the dataset ``path``: all points evaluated, ``count`` of them solved."""
     with netCDF4.Dataset(path) as file:
@@ -197,7 +185,6 @@ def check(path, config, inputs, count, rng):
     if findings:
         return Outcome(findings, 0, 0, 0.0)
     newtons = data.axes["load"] * data.model["A_n"] * data.model["E_ss"]
-    findings += surface_findings(data)
     if any(deviation(*pair) > ROUNDING for pair in zip(data.axes["normal_load"], newtons)):
         findings.append("normal_load is not load A_n E_ss")
     points = list(map(tuple, np.argwhere(data.shown)))

@@ -15,6 +15,7 @@ from thirdbody.measured.oil import cleanliness as cleanliness
 from thirdbody.measured.oil import oil_viscosity as oil_viscosity
 from thirdbody.measured.topography import surface as surface
 from thirdbody.model.parameters import Parameters as Parameters
+from thirdbody.model.parameters import mccool_summits as mccool_summits
 from thirdbody.solver.solution import Solution as Solution
 from thirdbody.solver.solve import solve as solve
 

@@ -52,10 +52,8 @@ def draw(n, seed):
     roughness = mostly(0.7, logarithmic(1e-7, 1e-6), logarithmic(1e-9, 1e-5))
     model["R"] = logarithmic(1e-7, 1e-2)
     model["eta_s"] = logarithmic(0.02, 5.0) / (model["R"] * roughness)
-    reach = 1.0 / (model["eta_s"] * model["R"])
-    model["y_s"] = mostly(0.5, 0.045944 * reach, 0.0)
-    less = np.sqrt(np.maximum(roughness**2 - 3.717e-4 * reach**2, (0.05 * roughness) ** 2))
-    model["sigma_s"] = np.where((model["y_s"] > 0.0) & (rng.random(n) < 0.5), less, roughness)
+    model["y_s"] = roughness * mostly(0.7, logarithmic(1e-2, 5.0), 0.0)
+    model["sigma_s"] = roughness * mostly(0.7, logarithmic(0.05, 5.0), 1.0)
 
     diameter = mostly(0.95, roughness * logarithmic(0.03, 30.0), 0.0)
     density = logarithmic(1e-4, 0.3) / covered_by_one(diameter, model)
@@ -102,12 +100,8 @@ def surface_of_library(first, points, model, roughness):
     the library gives a surface of this roughness."""
     given = {name: values[first].item() for name, values in model.items()}
     sigma = float(roughness[first])
-    try:
-        inputs = parameters_on_one_surface(given, sigma)
-        surface = inputs.surface(sigma)
-    except ValueError:  # no variance is left to summits so far above the surface
-        inputs = parameters_on_one_surface(given | {"y_s": 0.0}, sigma)
-        surface = inputs.surface(sigma)
+    inputs = parameters_on_one_surface(given, sigma)
+    surface = inputs.surface(sigma)
     summits = surface.summit_density, surface.summit_radius
     summits += surface.summit_deviation, surface.summit_offset
     for name, value in zip(SURFACE, summits, strict=True):

@@ -148,7 +148,7 @@ BAD_INPUTS = [
     ("truncation: wide", "truncation is 'wide'; allowed: a number"),
     ("truncation: " + "9" * 500, "truncation is 999"),
     ("film_load: solid", "film_load is 'solid'; allowed: fluid, total"),
-    ("summit_offset: 1", "summit_offset is 1; allowed: True, as_rough, False"),
+    ("summit_offset_ratio: true", "summit_offset_ratio is True; allowed: a number from 0 to 5"),
     ("{ball_radius: 5.0e-4, apparent_area: 4.0e-6}", "at most 7.85e-07 m2, the cross-section of a"),
     ("ball_radius: 6.35", "ball_radius is 6.35; allowed: a number from 1e-06 to 1 m"),
     ("ball_radius: {value: 6.35, unit: mm}", "ball_radius"),
@@ -250,15 +250,6 @@ def test_bad_settings_are_refused_in_one_line_that_names_the_key(
 ):
     message = refusal(workflow_settings, changed(shipped, key, value), CONFIG)
     assert expected in message and len(message) < 500
-
-
-def test_inputs_that_a_surface_cannot_have_are_refused(from_root):
-    for member, changes in (
-        ("inputs: summit_parameter is 0.0", {"summit_parameter": 0.0195}),
-        ("inputs in member ", {"summit_parameter": 0.0299}),
-    ):
-        message = refusal(read_settings, {"inputs": {"summit_offset": True} | changes}, CONFIG)
-        assert member in message and "allowed: above 0.019" in message
 
 
 CALIBRATED = read_yaml(CONFIG / "config.yaml")["calibrated"]

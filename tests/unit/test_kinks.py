@@ -15,7 +15,8 @@ import thirdbody as tb
 from benchmarks.points import read_rows
 
 INPUTS = {
-    **{"apparent_area": 2.61754e-06, "reference_roughness": 3e-07, "summit_offset": False},
+    **{"apparent_area": 2.61754e-06, "reference_roughness": 3e-07},
+    **{"summit_offset_ratio": 0.0, "summit_deviation_ratio": 1.0},
     **{"summit_parameter": 1.5168, "summit_parameter_exponent": 0.40724},
     **{"summit_radius": 6.92447e-06, "summit_radius_exponent": -0.760942},
     **{"size_distribution": "centred", "mean_ratio": 0.893311, "spread_ratio": 1.98554},

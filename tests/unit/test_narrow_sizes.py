@@ -87,7 +87,8 @@ def test_a_crest_that_summits_and_particles_bear_together_is_found(soft, method)
 @pytest.mark.parametrize(("diameter", "least"), [(2.59e-6, 1e-9), (2.75e-6, 8e-11)])
 def test_a_crest_that_stands_out_by_little_more_than_rounding_is_found(soft, diameter, least):
     """Where the last sizes yield, and summits that bear next to nothing decide which way F_s goes."""
-    inputs = replace(soft, particle_plane="surface", summit_offset=False, elastic_depth_ratio=0.05)
+    inputs = replace(soft, particle_plane="surface", elastic_depth_ratio=0.05)
+    inputs = replace(inputs, summit_offset_ratio=0.0, summit_deviation_ratio=1.0)
     inputs = replace(inputs, mean_ratio=0.7, spread_ratio=2e-5, truncation=7.3, participation=1e-3)
     inputs = replace(inputs, elastic_modulus_particle=5e9, coverage_limits="contacting")
     inputs = replace(inputs, hardness_surface_1=2.5e9, hardness_surface_2=3.5e8)
@@ -141,7 +142,8 @@ def test_separations_at_which_particles_cover_everything_do_not_count(narrow, me
 def test_nor_do_they_where_a_crest_elsewhere_bears_the_load(parameters):
     inputs = replace(
         parameters,
-        **{"coverage_limits": "contacting", "elastic_limits": "physical", "summit_offset": True},
+        **{"coverage_limits": "contacting", "elastic_limits": "physical"},
+        **tb.mccool_summits(1.4),
         **{"size_distribution": "uncentred", "spread_ratio": 0.3, "truncation": 5.4},
         **{"particle_plane": "surface", "participation": 0.87, "elastic_depth_ratio": 1.3},
         **{"elastic_modulus_surfaces": 1.1e10, "elastic_modulus_particle": 8e11},

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+import thirdbody as tb
 from benchmarks.points import parameters_on_one_surface
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
@@ -29,13 +30,6 @@ def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):
 
 def test_the_elastic_factor_to_the_printed_digits(parameters):
     assert float(f"{parameters.elastic_factor:.3g}") == 0.0885
-
-
-@pytest.mark.parametrize("scale", [0.5, 0.998])
-def test_summits_that_would_keep_no_variance_are_refused_by_name(parameters, scale):
-    inputs = replace(parameters, summit_parameter=0.0193, summit_parameter_exponent=1.0)
-    with pytest.raises(ValueError, match=r"summit_parameter is 0\.0.*allowed: above 0\.01928"):
-        inputs.surface(scale * parameters.reference_roughness)
 
 
 def test_sizes_too_narrow_to_resolve_are_refused_unless_the_gap_spreads_them(parameters):
@@ -59,7 +53,7 @@ def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name):
 def test_each_number_of_the_attribute_is_its_own_input(parameters):
     most = [bounds.most for bounds in BOUNDS.values()]
     distinct = dict(zip(BOUNDS, most * np.linspace(1.0, 0.97, len(most)), strict=True))
-    model = attribute(replace(parameters, **distinct, summit_offset=False))
+    model = attribute(replace(parameters, **distinct))
     names = runpy.run_path(str(CONTRACT))["INPUTS"]
     assert set(model) == {*names, *LISTS}
     given = {key: distinct[name] for key, name in names.items() if name in distinct}
@@ -81,17 +75,29 @@ def test_the_attribute_is_read_back_as_it_was_written(interpretation, index):
 @pytest.mark.parametrize("scale", [0.4, 1.0, 5.0])
 def test_summits_follow_their_laws_about_the_reference_roughness(parameters, scale):
     inputs, roughness = parameters, scale * parameters.reference_roughness
-    surface = replace(inputs, summit_offset=True).surface(roughness)
+    surface = inputs.surface(roughness)
     radius = inputs.summit_radius * scale**inputs.summit_radius_exponent
     product = inputs.summit_parameter * scale**inputs.summit_parameter_exponent
     assert_allclose(surface.summit_radius, radius, rtol=1e-14)
     assert_allclose(surface.summit_density * radius * roughness, product, rtol=1e-14)
+    offset = inputs.summit_offset_ratio * scale**inputs.summit_offset_exponent
+    assert_allclose(surface.summit_offset, offset * roughness, rtol=1e-15)
+    assert_allclose(surface.summit_deviation, inputs.summit_deviation_ratio * roughness, rtol=1e-15)
+
+
+def test_summits_after_mccool_lie_above_the_mean_plane_and_scatter_less(parameters):
+    summits = tb.mccool_summits(0.05)
+    surface = replace(parameters, **summits, summit_parameter=0.05).surface(300e-9)
     length = 1.0 / (surface.summit_density * surface.summit_radius)
-    variance = roughness**2 - 3.717e-4 * length**2
-    assert_allclose(surface.summit_offset, 0.045944 * length, rtol=1e-15)
-    assert_allclose(surface.summit_deviation, math.sqrt(variance), rtol=1e-15)
-    plain = replace(inputs, summit_offset=False).surface(roughness)
-    assert (plain.summit_offset, plain.summit_deviation) == (0.0, roughness)
+    assert_allclose(surface.summit_offset, 0.045944 * length, rtol=1e-14)
+    variance = 300e-9**2 - 3.717e-4 * length**2
+    assert_allclose(surface.summit_deviation, math.sqrt(variance), rtol=1e-14)
+
+
+@pytest.mark.parametrize("bad", [0.0192, 0.0, -1.0, math.nan])
+def test_no_surface_has_fewer_or_sharper_summits(bad):
+    with pytest.raises(ValueError, match=r"summit_parameter is .*; allowed: above 0\.01928$"):
+        tb.mccool_summits(bad)
 
 
 def test_equal_inputs_are_equal_whatever_their_numbers_are_made_of(parameters):

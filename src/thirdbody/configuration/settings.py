@@ -5,13 +5,10 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
 from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
 
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
@@ -34,7 +31,6 @@ def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> di
         raise ValueError(f"changes is {format_value(changes)}; allowed: the path of a YAML file")
     merged = _merged(_merged(paper, changed), {} if changes is None else read_yaml(changes))
     settings = workflow_settings(merged, folder)
-    _require_surfaces(settings)
     run = merged.pop("run", None)
     paper.pop("run", None)
     return settings | {"run": run, "config": merged, "is_paper": merged == paper}
@@ -80,16 +76,3 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
         "atlas": read_valid(found(config["atlas"]), "atlas"),
         "software": {name: version(name) for name in SOFTWARE},
     }
-
-
-def _require_surfaces(settings: Mapping) -> None:
-    """Raise ``ValueError`` unless every surface is valid with the inputs and those of each member."""
-    groups = (group for scene in settings["scenes"].values() for group in scene["curves"])
-    roughness = 1e-9 * np.unique(np.hstack([group["roughness_nm"] for group in groups]))
-    members = [settings["parameters"] | member for member in settings["ensemble"]]
-    for number, values in enumerate([settings["parameters"], *members]):
-        try:
-            Parameters(**values).surface(roughness)
-        except ValueError as error:
-            place = f"inputs in member {number} of {settings['calibrated']}" if number else "inputs"
-            raise ValueError(f"configuration: {place}: {error}") from None

@@ -10,7 +10,7 @@ import numpy as np
 from thirdbody.conditions import check_number, checked_parameters, warn_outside
 from thirdbody.extras import require
 from thirdbody.messages import format_path
-from thirdbody.model.parameters import Parameters
+from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
 from thirdbody.units import CONDITIONS
 
@@ -37,11 +37,13 @@ class MeasuredSurface(Tabular):
 
         At another roughness than this one, summits follow the power laws of the inputs.
         """
+        summit_parameter = self.summit_density * self.summit_radius * self.roughness
         return replace(
             checked_parameters(parameters),
             reference_roughness=self.roughness,
             summit_radius=self.summit_radius,
-            summit_parameter=self.summit_density * self.summit_radius * self.roughness,
+            summit_parameter=summit_parameter,
+            **mccool_summits(summit_parameter),
         )
 
 

@@ -1,6 +1,6 @@
 """Interpretations of what the paper leaves open, each as an object.
 
-Six places of the paper have several interpretations.  ``INTERPRETATIONS`` maps the words of the
+Five places of the paper have several interpretations.  ``INTERPRETATIONS`` maps the words of the
 configuration to them.  Only this module uses these words; all others use the objects in
 ``Parameters.interpretation``.
 
@@ -11,7 +11,6 @@ and implement it in the independent codes: ``verification/plain_model.py``,
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import TYPE_CHECKING
@@ -23,52 +22,6 @@ from thirdbody.model.bounds import LEAST_SPREAD
 
 if TYPE_CHECKING:
     from thirdbody.model.parameters import Parameters
-
-# ASSUME: summits have their own plane, which is not in the paper.  McCool (1986): its height and
-# the loss of variance, in units of 1/(eta_s R)
-SUMMIT_PLANE = 0.045944
-SUMMIT_VARIANCE = 3.717e-4
-
-
-# --- the summits of a rough surface ---
-
-
-class SummitsAtTheMeanPlane:
-    """Summit heights have the mean plane and the standard deviation of the surface."""
-
-    def deviation_and_offset(
-        self, roughness: ArrayLike, density: ArrayLike, radius: ArrayLike
-    ) -> tuple[ArrayLike, ArrayLike]:
-        """sigma_s and y_s [m] for sigma [m], eta_s [m-2] and R [m], scalars or of one shape.
-
-        Raises ``ValueError`` if this leaves no summit variance.
-        """
-        return roughness, 0.0 * roughness
-
-
-class SummitsAboveTheMeanPlaneAsRough(SummitsAtTheMeanPlane):
-    """Summits lie above the mean plane, with the standard deviation of the surface."""
-
-    def deviation_and_offset(self, roughness, density, radius):
-        return roughness, SUMMIT_PLANE / (density * radius)
-
-
-class SummitsAboveTheMeanPlane(SummitsAtTheMeanPlane):
-    """Summits lie above the mean plane, with a smaller standard deviation (McCool 1986)."""
-
-    def deviation_and_offset(self, roughness, density, radius):
-        curvature_length = 1.0 / (density * radius)
-        variance = roughness**2 - SUMMIT_VARIANCE * curvature_length**2
-        if not np.all(variance > 0.0):
-            bad = np.argmin(variance > 0.0)
-            parameter, sigma = (np.ravel(x)[bad] for x in (roughness / curvature_length, roughness))
-            raise ValueError(
-                f"summit_parameter is {parameter:.4g} at roughness "
-                f"{sigma:g} m; allowed: above {math.sqrt(SUMMIT_VARIANCE):.5f}, where summits "
-                "have a variance"
-            )
-        return np.sqrt(variance), SUMMIT_PLANE * curvature_length
-
 
 # --- third-body particles ---
 # ASSUME: X_min is 0, and X_max ``truncation`` deviations above the mean: Eqs. 4 and 5 print no values.
@@ -207,11 +160,6 @@ class FilmLoad:
 # --- all of them ---
 
 INTERPRETATIONS = {
-    "summit_offset": {
-        True: SummitsAboveTheMeanPlane(),
-        "as_rough": SummitsAboveTheMeanPlaneAsRough(),
-        False: SummitsAtTheMeanPlane(),
-    },
     "size_distribution": {
         "uncentred": Uncentred(),
         "centred": Centred(),

@@ -42,8 +42,8 @@ class Parameters:
 
     ``config/inputs.yaml`` describes each field and the source of its value,
     ``thirdbody.model.bounds`` the allowed numbers; ``thirdbody.load_parameters`` returns the
-    calibrated values.  Fields that are words, and ``summit_offset``, select interpretations of the
-    paper, which ``interpretation`` holds as objects.
+    calibrated values.  Fields that are words select interpretations of the paper, which
+    ``interpretation`` holds as objects.
 
     Raises
     ------
@@ -86,7 +86,9 @@ class Parameters:
     summit_parameter_exponent: float
     summit_radius: float
     summit_radius_exponent: float
-    summit_offset: bool | str
+    summit_deviation_ratio: float
+    summit_offset_ratio: float
+    summit_offset_exponent: float
     size_distribution: str
     mean_ratio: float
     spread_ratio: float
@@ -144,8 +146,8 @@ class Parameters:
     def surface(self, roughness: float | NDArray) -> Surface:
         """Summits of one surface or several.
 
-        eta_s R sigma and R are assumed to follow power laws of the roughness; the interpretation
-        ``summit_offset`` gives the standard deviation and height of the summits.
+        eta_s R sigma, R and y_s/sigma are assumed to follow power laws of the roughness, sigma_s to
+        be proportional to it.
 
         Parameters
         ----------
@@ -160,17 +162,15 @@ class Parameters:
         Raises
         ------
         ValueError
-            If ``summit_parameter`` leaves no summit variance, and for a roughness that is not
-            between 1e-30 and 1e30 m, where its power laws may overflow.
+            For a roughness that is not between 1e-30 and 1e30 m, where its power laws may overflow.
 
         Examples
         --------
         >>> import thirdbody
         >>> from dataclasses import replace
-        >>> inputs = replace(thirdbody.load_parameters(), summit_offset=False)
-        >>> surface = inputs.surface(300e-9)
-        >>> surface.summit_deviation, surface.summit_offset
-        (3e-07, 0.0)
+        >>> inputs = replace(thirdbody.load_parameters(), summit_offset_ratio=0.5)
+        >>> inputs.surface(300e-9).summit_offset
+        1.5e-07
         """
         inside = (roughness >= LEAST_ROUGHNESS) & (roughness <= MOST_ROUGHNESS)
         if np.count_nonzero(inside) < np.size(inside):
@@ -181,11 +181,58 @@ class Parameters:
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
-        plane = self.interpretation.summit_offset
         return Surface(
-            roughness, density, radius, *plane.deviation_and_offset(roughness, density, radius)
+            roughness=roughness,
+            summit_density=density,
+            summit_radius=radius,
+            summit_deviation=self.summit_deviation_ratio * roughness,
+            summit_offset=self.summit_offset_ratio * scale**self.summit_offset_exponent * roughness,
         )
 
     def as_dict(self) -> dict:
         """All inputs as a dict."""
         return asdict(self)
+
+
+# McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R)
+SUMMIT_PLANE = 0.045944
+SUMMIT_VARIANCE = 3.717e-4
+
+
+def mccool_summits(summit_parameter: float) -> dict[str, float]:
+    """Deviation and height of the summits of an isotropic surface with Gaussian heights.
+
+    The paper prints neither.  McCool (1986) derives both from the product of density, radius and
+    roughness: the summits lie above the mean plane and scatter less than the surface.
+
+    Parameters
+    ----------
+    summit_parameter : float
+        eta_s R sigma [1] of the surface.
+
+    Returns
+    -------
+    dict
+        ``summit_deviation_ratio`` sigma_s/sigma and ``summit_offset_ratio`` y_s/sigma [1] of that
+        surface, inputs of ``Parameters``.
+
+    Raises
+    ------
+    ValueError
+        For 0.01928 or less, which leaves the summits no variance.
+
+    Examples
+    --------
+    >>> import thirdbody
+    >>> from dataclasses import replace
+    >>> inputs = thirdbody.load_parameters(summit_parameter=0.05)
+    >>> replace(inputs, **mccool_summits(0.05)).summit_offset_ratio
+    0.91888
+    """
+    least = math.sqrt(SUMMIT_VARIANCE)
+    if not summit_parameter > least:
+        raise ValueError(f"summit_parameter is {summit_parameter:g}; allowed: above {least:.5f}")
+    return {
+        "summit_deviation_ratio": math.sqrt(1.0 - (least / summit_parameter) ** 2),
+        "summit_offset_ratio": SUMMIT_PLANE / summit_parameter,
+    }

@@ -39,8 +39,6 @@ class RoughSurfaces:
     ) -> RoughSurfaces:
         """The surfaces of points with ``roughness`` sigma [m], 1-D; ``table_rtol`` is the relative
         error of the tables, or None for quadrature.
-
-        Raises ``ValueError`` if the summit parameter leaves no summit variance.
         """
         values = np.unique(roughness)
         which = np.searchsorted(values, roughness) if values.size > 1 else np.zeros((), int)

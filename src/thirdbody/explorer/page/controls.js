@@ -10,7 +10,6 @@ const BACK = '<button type="button" class="back" title="back to the default">↺
 // engineering units of inputs that are given in SI
 const SHOWN_IN = { Pa: ["GPa", 1e9], m: ["µm", 1e-6], m2: ["mm²", 1e-6], "s m-2": ["s m⁻²", 1], 1: ["", 1] };
 const PRINTED = ["published", "deduced", "assumed"];
-const OFFSETS = { true: "above, scatter less", as_rough: "above, as rough", false: "at the mean plane" };
 
 const updates = [];
 export const updateControls = () => updates.forEach((update) => update());
@@ -147,7 +146,7 @@ function wordControl(name) {
     ...inputControl(name),
     label: inputWords(name),
     hint: `${inputWords(name)} (${source}): one interpretation of the paper`,
-    options: allowed.map((word) => [word, OFFSETS[word] ?? spaced(word)]),
+    options: allowed.map((word) => [word, spaced(word)]),
     value: () => currentInputs()[name],
     choose: (word) => setInputs({ [name]: word && inputNamed(name, word) }),
   });

@@ -24,7 +24,6 @@ const FILM_COUNTS = 1e-3; // L_f below which the film does not matter
 const PARTS = d3.range(1, 97).map((n) => d3.easeSinInOut(d3.easeSinInOut(n / 96)));
 
 export const LIMITS = { boundary: 0.9, full_film: 0.03, particle: 0.95, surface: 0.05 };
-export const NO_SUMMITS = "no_summits"; // the library refuses such inputs
 
 // A function that keeps its results, up to `most` of them.
 export function remembered(find, most = 600) {
@@ -56,19 +55,13 @@ function tabulated(exact, { step, first, last }) {
   };
 }
 
-// McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R).
-const SUMMIT_PLACES = {
-  true: (sigma, length) => [Math.sqrt(sigma ** 2 - 3.717e-4 * length ** 2), 0.045944 * length],
-  as_rough: (sigma, length) => [sigma, 0.045944 * length],
-  false: (sigma) => [sigma, 0],
-};
-
 function surfaceOf(inputs, roughness) {
   const scale = roughness / inputs.reference_roughness;
   const parameter = inputs.summit_parameter * scale ** inputs.summit_parameter_exponent;
   const radius = inputs.summit_radius * scale ** inputs.summit_radius_exponent;
   const density = parameter / (radius * roughness);
-  const [deviation, offset] = SUMMIT_PLACES[inputs.summit_offset](roughness, 1 / (density * radius));
+  const deviation = inputs.summit_deviation_ratio * roughness;
+  const offset = inputs.summit_offset_ratio * scale ** inputs.summit_offset_exponent * roughness;
   return { roughness, density, radius, deviation, offset };
 }
 
@@ -311,7 +304,6 @@ export function modelOf(inputs) {
     // The state under a load F_t*: of several separations the largest, which closing surfaces meet first.
     // It is searched for between `near` and `far` first, where these are given.
     function solve(load, far, near) {
-      if (!(surface.deviation > 0)) return nothing(load, NO_SUMMITS);
       let low = film ? inputs.ball_radius * film.thickness(Math.log(load * wRatio)) : 0;
       const held = film && inputs.film_load === "total" && solids(low).load < load;
       const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);

@@ -1,7 +1,7 @@
 // What conditions and variables are called, their units as shown, and their usual scales.
 
 import { axes, content } from "./state.js";
-import { LIMITS, NO_SUMMITS } from "./model.js";
+import { LIMITS } from "./model.js";
 import { readable } from "./text.js";
 
 const FRACTION = { fraction: true, log: false };
@@ -60,6 +60,5 @@ export const conditionWords = (point, ...without) =>
 export const spaced = (word) => word.replaceAll("_", " ");
 export const MODE_TEXT = ["two-body", "surface-surface", "hybrid", "particle-surface"];
 export const REGIME_TEXT = ["boundary", "mixed", "full film"];
-const MEANINGS = { ...content.statuses, [NO_SUMMITS]: "the summit parameter leaves no variance to the summits" };
-export const statusText = (status) => (status === "converged" ? "" : `${spaced(status)}: ${MEANINGS[status]}`);
+export const statusText = (status) => (status === "converged" ? "" : `${spaced(status)}: ${content.statuses[status]}`);
 export const inputWords = (name) => spaced(name[0].toUpperCase() + name.slice(1));
