@@ -34,7 +34,10 @@ def make_claim(kind, quantity="", published=None, size=0.1, relative=False, give
     usual = dict.fromkeys(claims.KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
     fields |= {"quantity": quantity, "published": published}
     conditions = usual | (given or {})
-    return Claim("id", "Figure 4A", "words", kind, conditions, size, relative, "reason", **fields)
+    tolerance_kind = "relative" if relative else "absolute"
+    return Claim(
+        "id", "Figure 4A", "words", kind, conditions, size, tolerance_kind, "reason", **fields
+    )
 
 
 def least(published, size=0.1, kind="value", **fields):

@@ -31,7 +31,7 @@ rule scatter_inputs:
 rule search_inputs:
     input:
         claims=f"{CONFIG}/claims.yaml",
-        scattered="<results>/calibration/{interpretation}/scattered.csv",
+        start=start_of,
     output:
         evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
     log:
@@ -71,7 +71,7 @@ checkpoint shortlist:
     input:
         evaluations=expand(
             "<results>/calibration/{interpretation}/seed{seed}.csv",
-            interpretation=FEW_UNKNOWNS,
+            interpretation=SEARCHED_WIDELY,
             seed=SEEDS[0],
         ),
     output:

@@ -4,11 +4,8 @@ import json
 CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
-FEW_UNKNOWNS = [
-    name
-    for name, each in CALIBRATION["interpretations"].items()
-    if len({*CALIBRATION["always"], *each.get("unknowns", ())} - set(each["fixed"]))
-    <= CALIBRATION["shortlist"]["unknowns"]
+SEARCHED_WIDELY = [
+    name for name, each in CALIBRATION["interpretations"].items() if "nearby" not in each
 ]
 FOUND = "<results>/calibration/{{interpretation}}"
 SEARCHED = expand(f"{FOUND}/seed{{seed}}.csv", seed=SEEDS)
@@ -16,10 +13,24 @@ SEARCHED = expand(f"{FOUND}/seed{{seed}}.csv", seed=SEEDS)
 
 def settings_of(wildcards):
     """The settings for one interpretation, independent of the others."""
-    name = wildcards.interpretation
-    interpretation = dict(CALIBRATION["interpretations"][name])
-    budget = CALIBRATION["budget"] | interpretation.pop("budget", {})
-    return {**CALIBRATION, "budget": budget, "interpretations": {name: interpretation}}
+    names = [wildcards.interpretation, *nearby(wildcards)]
+    return {
+        **CALIBRATION,
+        "interpretations": {name: CALIBRATION["interpretations"][name] for name in names},
+    }
+
+
+def nearby(wildcards):
+    """The interpretation from whose best inputs that of a job is searched, if there is one."""
+    entry = CALIBRATION["interpretations"][wildcards.interpretation]
+    return [entry["nearby"]] if "nearby" in entry else []
+
+
+def start_of(wildcards):
+    """The file with the inputs from which a search starts."""
+    for name in nearby(wildcards):
+        return f"{RESULTS}/calibration/{name}/seed{SEEDS[0]}.csv"
+    return f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"
 
 
 def is_shortlisted(wildcards):

@@ -29,7 +29,16 @@ CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (
 PRINTED, TOLERANCE, RANGE = "printed; ", "tolerance; ", "band; "
 STATED = (  # fields of a statement that the page needs to evaluate and show it
     *("id", "place", "statement", "quote", "kind", "quantity", "published", "direction", "along"),
-    *("extreme", "against", "open_end", "any_curve", "must_be_reached", "tolerance", "relative"),
+    *(
+        "extreme",
+        "against",
+        "open_end",
+        "any_curve",
+        "must_be_reached",
+        "tolerance",
+        "tolerance_kind",
+        "relative",
+    ),
     *("step", "limits", "source", "reason", "aside"),
 )
 

@@ -116,7 +116,9 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
         text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
         found = Verdict(text, distance, np.nan, tested=claim.must_be_reached)
     if claim.source == "turning_point":
-        every = (evidence.turning_points[each] for each in claim.curves + claim.references)
+        # of any curve, the one that agrees best must have a turning point
+        curves = [claim.curves[found.worst]] if claim.any_curve else claim.curves
+        every = (evidence.turning_points[each] for each in (*curves, *claim.references))
         least = np.min([point.prominence for point in every])
         height = least / evidence.effort.window.prominence
         # smooth: 1 where it is just visible, 0 from twice that height on
@@ -240,7 +242,8 @@ def _against_published(claim, computed, text) -> Verdict:
         # is far too small, so that a calibration has a slope.
         ratio = np.maximum(np.ravel(computed / published), TINY)
         deviation = ratio - 1.0
-        distance = np.log(ratio) / np.log1p(np.copysign(claim.tolerance, deviation))
+        low, high = claim.interval(1.0)
+        distance = np.log(ratio) / np.log(np.where(ratio < 1.0, low, high))
     worst = int(np.argmax(distance))
     numbers = tuple(np.ravel(computed).tolist())
     return Verdict(text, float(distance[worst]), float(deviation[worst]), numbers, worst)

@@ -6,7 +6,7 @@ A claim has a quantity, conditions, the statement of the paper on it, and a tole
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 from pathlib import Path
@@ -55,8 +55,9 @@ STATES = {
 
 @dataclass(frozen=True)
 class Claim:
-    """One statement: an entry of ``config/claims.yaml``, whose head explains the fields.  ``tolerance`` is a
-    fraction of the quantity [1] if ``relative``, otherwise in its unit."""
+    """One statement: an entry of ``config/claims.yaml``, whose head explains the fields.  ``tolerance`` is in
+    the unit of the quantity if ``tolerance_kind`` is "absolute", a fraction of it [1] if "relative", and a
+    factor on both sides [1] if "factor"."""
 
     id: str
     place: str
@@ -64,8 +65,9 @@ class Claim:
     kind: str
     conditions: Mapping[str, Any]
     tolerance: float
-    relative: bool
+    tolerance_kind: str
     reason: str
+    fine_tolerance: float = 0.0  # relative, if loads were read on a fine axis; 0 if it is the same
     quantity: str = ""
     published: float | Sequence | None = None
     direction: str = ""
@@ -130,9 +132,27 @@ class Claim:
         return "turning_point" if self.quantity in TURNING_POINT_QUANTITIES else "curve"
 
     @property
+    def relative(self) -> bool:
+        """Whether logarithms are compared."""
+        return self.tolerance_kind != "absolute"
+
+    @property
     def step(self) -> float:
-        """The tolerance [unit of the quantity]; ln(1 + tolerance) [1] if logarithms are compared."""
-        return np.log1p(self.tolerance) if self.relative else self.tolerance
+        """The tolerance [unit of the quantity]; the logarithm of its upper end [1] if logarithms are compared."""
+        return float(np.log(self.interval(1.0)[1])) if self.relative else self.tolerance
+
+    def on_a_fine_axis(self) -> "Claim":
+        """The same statement, if loads were read on a fine axis."""
+        if not self.fine_tolerance:
+            return self
+        return replace(self, tolerance=self.fine_tolerance, tolerance_kind="relative")
+
+    def interval(self, value: float) -> tuple[float, float]:
+        """Both ends of the tolerance about a published ``value`` [unit of the quantity]."""
+        if self.tolerance_kind == "factor":
+            return value / self.tolerance, value * self.tolerance
+        margin = abs(value) * self.tolerance if self.relative else self.tolerance
+        return value - margin, value + margin
 
 
 def figures_named(place: str) -> frozenset[int]:
@@ -145,10 +165,11 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
     """Read the statements of the paper, in order; ``ValueError`` in one line for an invalid file."""
     claims = []
     for entry in read_valid(path, "claims"):
-        relative = "relative" in entry["tolerance"]
-        size = entry["tolerance"]["relative" if relative else "absolute"]
-        reason = entry["tolerance"]["reason"]
-        claims.append(Claim(**entry | {"tolerance": size, "relative": relative, "reason": reason}))
+        given = dict(entry["tolerance"])
+        reason, fine = given.pop("reason"), given.pop("on_a_fine_axis", 0.0)
+        ((kind, size),) = given.items()
+        fields = {"tolerance": size, "tolerance_kind": kind, "reason": reason}
+        claims.append(Claim(**entry | fields, fine_tolerance=fine))
     return tuple(claims)
 
 
@@ -187,7 +208,7 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
         if claim.quantity == "total_contact_area_reversal_load":
             curves = curves[len(curves) // 2 :][:1]
         for condition, (extreme, quantity, value) in product(curves, _numbers(claim)):
-            margin = abs(value) * claim.tolerance if claim.relative else claim.tolerance
+            low, high = claim.interval(value)
             known = {n: None if np.isnan(v) else v for n, v in condition.columns.items()}
             rows.append(
                 {
@@ -201,8 +222,8 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
                     "quantity": quantity,
                     "extreme": extreme,
                     "value": value,
-                    "low": value - margin,
-                    "high": value + margin,
+                    "low": low,
+                    "high": high,
                 }
             )
     return rows

@@ -1,4 +1,9 @@
-"""Search for the inputs that explain most of the paper, and samples of those that explain about as much."""
+"""Search for the inputs that explain most of the paper, and samples of those that explain about as much.
+
+The objective has many narrow valleys.  A search therefore goes from scattered sets of inputs to the
+nearest valleys by least squares, first with a loss that has a slope far from a statement too, and
+then follows the deepest valley by an evolution strategy.
+"""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -8,11 +13,17 @@ import numpy as np
 from emcee import EnsembleSampler, State
 from emcee.moves import DEMove, DESnookerMove
 from numpy.typing import NDArray
+from scipy.optimize import least_squares
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.study.calibration import Interpretation
+from thirdbody.study.calibration import SLOPE_OF_LOSS, Interpretation, Objective
 
-FIRST_STEP = 0.05  # standard deviation of the first steps of a search, in the unit cube
+DIFFERENCES = 0.01, 0.004  # steps of the slopes in both rounds of a descent, in the unit cube
+SCREENING, DESCENT = 6, 20  # iterations of least squares from every start, and from the best
+FIRST_STEPS = (
+    0.03,
+    0.01,
+)  # standard deviations of the first steps of both evolutions, in the unit cube
 SAME_HEIGHT = 0.03  # a search has converged when objectives differ by no more [1]
 START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, per unknown
 # Steps by the difference of two walkers; full-length steps move between valleys.
@@ -31,12 +42,104 @@ def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArra
     return places
 
 
+def find_inputs(
+    interpretation: Interpretation,
+    objective: Objective,
+    starts: NDArray,
+    budget: Mapping[str, Any],
+    seed: int,
+) -> NDArray:
+    """Search the unknowns for the least objective from several ``starts``, shape (starts, unknowns): all
+    positions with the objective [1] in the last column.
+
+    Least squares descend from every start, and from the best ``budget["descents"]`` of what they find; two
+    evolutions follow from the best of all.
+    """
+    rows = []
+    ends = []
+    for start in starts:
+        found = descend(interpretation, objective, start, SCREENING, _wide_loss, DIFFERENCES[0])
+        ends.append(best_of(found))
+        rows.append(found)
+    for end in sorted(ends, key=lambda row: row[-1])[: budget["descents"]]:
+        for loss_of, difference in zip((_wide_loss, _loss), DIFFERENCES):
+            found = descend(interpretation, objective, end[:-1], DESCENT, loss_of, difference)
+            rows.append(found)
+            end = best_of(np.vstack([found, end]))
+    for step in FIRST_STEPS:
+        best = best_of(np.vstack(rows))[:-1]
+        rows.append(search(interpretation, objective, best, budget, seed, step))
+    return np.vstack(rows)
+
+
+def best_of(rows: NDArray) -> NDArray:
+    """The row of positions and objective with the least objective."""
+    return rows[rows[:, -1].argmin()]
+
+
+def rank_starts(objective: Objective, scores: NDArray) -> NDArray:
+    """The order of sets of inputs by their ``scores``, shape (sets, statements), the best first."""
+    return np.argsort(_wide_loss(scores**2)[0] @ objective.weights, kind="stable")
+
+
+def descend(
+    interpretation: Interpretation,
+    objective: Objective,
+    start: NDArray,
+    iterations: int,
+    loss_of: Callable[[NDArray], NDArray],
+    difference: float,
+) -> NDArray:
+    """Least squares of the scores from ``start``: all positions with the objective [1] in the last column.
+    ``loss_of`` gives the loss and its first two derivatives over the squared scores."""
+    rows = []
+
+    def scores(positions):
+        inputs = interpretation.values(positions)
+        found = objective.scores(interpretation, inputs)
+        rows.append([*positions, objective.value(interpretation.penalty(inputs), found)])
+        return found
+
+    edge = 1e-6  # least squares starts inside its bounds
+    least_squares(
+        scores,
+        np.clip(start, edge, 1.0 - edge),
+        bounds=(0.0, 1.0),
+        loss=lambda squares: objective.weights * loss_of(squares),
+        diff_step=difference,
+        x_scale=0.1,
+        ftol=1e-4,
+        max_nfev=iterations,
+    )
+    return np.array(rows)
+
+
+def _wide_loss(squares):
+    """A loss with a slope near and far, sqrt(1 + s^2) - 1, and its derivatives over s^2."""
+    root = np.sqrt(1.0 + squares)
+    return np.stack([root - 1.0, 0.5 / root, -0.25 / root**3])
+
+
+def _loss(squares):
+    """The loss of the objective, s^4/(1 + s^4) + 0.1 s, and its derivatives over s^2."""
+    squares = np.maximum(squares, 1e-12)
+    fourth, score = squares**2, np.sqrt(squares)
+    return np.stack(
+        [
+            fourth / (1.0 + fourth) + SLOPE_OF_LOSS * score,
+            2.0 * squares / (1.0 + fourth) ** 2 + 0.5 * SLOPE_OF_LOSS / score,
+            (2.0 - 6.0 * fourth) / (1.0 + fourth) ** 3 - 0.25 * SLOPE_OF_LOSS / score**3,
+        ]
+    )
+
+
 def search(
     interpretation: Interpretation,
     objective: Callable[[Interpretation, NDArray], float],
     start: NDArray,
     budget: Mapping[str, Any],
     seed: int,
+    first_step: float = FIRST_STEPS[0],
 ) -> NDArray:
     """Search the unknowns, at least two, for the least objective, by a CMA evolution strategy with a quadratic
     surrogate (Hansen 2019, doi:10.1145/3321707.3321842): all positions with the objective [1] in the last
@@ -56,7 +159,7 @@ def search(
         "seed": seed,
         "verbose": -9,
     }
-    cma.fmin_lq_surr(function, start, FIRST_STEP, options)
+    cma.fmin_lq_surr(function, start, first_step, options)
     least = min(row[-1] for row in rows)
     print(f"{interpretation.name} seed {seed}: {len(rows)} evaluations, least {least:.3f}")
     return np.array(rows)

@@ -36,7 +36,7 @@ class Judged:
     """All statements, evaluated for all sets of inputs.
 
     ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file
-    whose inputs ``verdicts`` are for.  ``faint`` is for turning points from ``FAINT`` on; ``predicted``
+    whose inputs ``verdicts`` are for.  ``faint`` is for turning points from ``FAINT`` on, ``fine`` for loads read on a fine axis; ``predicted``
     has the statements whose figure was left out, and ``comparison`` is the table from ``compare``.
     """
 
@@ -45,6 +45,7 @@ class Judged:
     default: Mapping[str, Any]
     verdicts: Verdicts
     faint: Verdicts
+    fine: Verdicts
     members: tuple[Verdicts, ...]
     interpretations: dict[str, Verdicts]
     predicted: Verdicts
@@ -68,7 +69,6 @@ class Judged:
                     "value": verdict.value,
                     "range_low": low,
                     "range_high": high,
-                    "tolerance_kind": "relative" if claim.relative else "absolute",
                     "verdict": outcome(claim, verdict),
                     "predicted": outcome(claim, predicted) if predicted else "",
                     "contradicts": " ".join(claim.contradicts),
@@ -98,6 +98,7 @@ def judge_everything(
         default,
         judge_all(inputs),
         judge_all(inputs, FAINT_EFFORT),
+        judge_all(inputs, claims=[claim.on_a_fine_axis() for claim in judge_all.claims]),
         tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]),
         interpretations,
         predicted.get(default["interpretation"], {}),
@@ -310,8 +311,9 @@ def claims_json(judged: Judged) -> str:
 
 
 def score_sentence(judged: Judged) -> str:
-    """Numbers of statements that hold: predicted, fitted, and with fainter turning points."""
-    sets = {"fitted": judged.verdicts, "predicted": judged.predicted, "faint": judged.faint}
+    """Numbers of statements that hold: predicted, fitted, with fainter turning points, and on a fine axis."""
+    sets = {"fitted": judged.verdicts, "predicted": judged.predicted}
+    sets |= {"faint": judged.faint, "fine": judged.fine}
     counts = {name: count_once(judged.claims, verdicts) for name, verdicts in sets.items()}
     texts = ENVIRONMENT.get_template("claims.macros.j2").module
     return texts.score(**counts, prominence=PROMINENCE, faint_prominence=FAINT)

@@ -107,7 +107,9 @@ export function judge(claim, evidence, changes = {}) {
   const curves = curvesOf(claim, changes);
   const given = { ...claim, curves, references: referencesOf(claim, curves) };
   const { numbers = [], distance, tested } = measure(given, evidence);
-  const points = claim.source === "turning_point" ? [...curves, ...given.references].map(evidence.turningPoint) : [];
+  // of any curve, the one that agrees best must have a turning point
+  const judged = claim.any_curve && numbers.length ? [curves[d3.leastIndex(numbers, (n) => fromPublished(claim, [n]))]] : curves;
+  const points = claim.source === "turning_point" ? [...judged, ...given.references].map(evidence.turningPoint) : [];
   const turns = points.every(({ prominence }) => prominence >= PROMINENCE);
   const found = { numbers, distance: turns ? distance : NaN };
   if (claim.aside) return { ...found, verdict: "contradicted by the paper itself" };
@@ -199,7 +201,9 @@ function fromPublished(claim, values) {
     if (wanted === null || Number.isNaN(value)) return NaN;
     if (!claim.relative) return Math.abs(value - wanted) / claim.tolerance;
     const ratio = Math.max(value / wanted, TINY);
-    return Math.log(ratio) / Math.log1p(ratio < 1 ? -claim.tolerance : claim.tolerance);
+    const size = claim.tolerance;
+    const [low, high] = claim.tolerance_kind === "factor" ? [1 / size, size] : [1 - size, 1 + size];
+    return Math.log(ratio) / Math.log(ratio < 1 ? low : high);
   });
   return most(distances);
 }

@@ -107,7 +107,8 @@ function item(claim) {
 
 function details(claim) {
   const { measured, numbers, distance } = verdicts.get(claim.id);
-  const tolerance = claim.relative ? `${readable(100 * claim.tolerance)} %` : readable(claim.tolerance);
+  const size = readable(claim.tolerance_kind === "relative" ? 100 * claim.tolerance : claim.tolerance);
+  const tolerance = { relative: `${size} %`, factor: `a factor of ${size}`, absolute: size }[claim.tolerance_kind];
   const conditions = replacedText(claim);
   const lines = [
     measured && `Computed: ${measured}`,
