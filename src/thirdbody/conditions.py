@@ -6,7 +6,9 @@ names.  An error is one line; unusual numbers cause an ``OutOfRangeWarning``.
 
 import sys
 import warnings
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import replace
 from functools import lru_cache
 from itertools import zip_longest
@@ -38,6 +40,7 @@ MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 # least and most usual value of numbers by name, and their unit
 Usual = Mapping[str, tuple[float, float, str]]
+_CHECKED = ContextVar("whether conditions have been checked", default=False)
 
 
 class OutOfRangeWarning(UserWarning):
@@ -241,6 +244,8 @@ def check_count(name: str, count: Any) -> None:
 
 def warn_outside(given: Mapping[str, ArrayLike], usual: Usual) -> None:
     """Issue one ``OutOfRangeWarning`` for all values outside their usual range; 0 means none."""
+    if _CHECKED.get():
+        return
     found = []
     for name, values in given.items():
         least, most, unit = usual[name]
@@ -254,9 +259,14 @@ def warn_outside(given: Mapping[str, ArrayLike], usual: Usual) -> None:
         warnings.warn(", and ".join(found), OutOfRangeWarning, stacklevel=_outside_of_package())
 
 
-def without_warnings() -> warnings.catch_warnings:
-    """A context without warnings of conditions that have been checked."""
-    return warnings.catch_warnings(action="ignore", category=OutOfRangeWarning)
+@contextmanager
+def without_warnings() -> Iterator[None]:
+    """A context without warnings of conditions that have been checked; of other threads it changes nothing."""
+    token = _CHECKED.set(True)
+    try:
+        yield
+    finally:
+        _CHECKED.reset(token)
 
 
 def _outside_of_package() -> int:

@@ -14,16 +14,25 @@ from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.results import acceptable, mixed_ensemble, price_front, shortlist, summary
-from thirdbody.study.search import posterior_sample, search
+from thirdbody.study.search import (
+    _loss,
+    _wide_loss,
+    best_of,
+    find_inputs,
+    posterior_sample,
+    rank_starts,
+    search,
+)
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
 SETTINGS = read_yaml(CONFIG / "calibration.yaml")
-DEFAULT = "uncentred_summit_wide_full_total"
+DEFAULT = "fluid_natural"
 LINEAR = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), False)
 RADIUS = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 TWO = Interpretation("two", {}, (LINEAR, RADIUS))
 BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5, "walkers": 16, "steps": 300}
+BUDGET |= {"starts": 3, "descents": 1}
 
 
 def valley(interpretation, positions):
@@ -83,10 +92,16 @@ def test_an_interpretation_searches_what_it_does_not_fix():
     for name in SETTINGS["interpretations"]:
         interpretation = Interpretation.of(name, SETTINGS)
         assert not {unknown.name for unknown in interpretation.unknowns} & set(interpretation.fixed)
-    natural = Interpretation.of("uncentred_summit_wide_full_natural", SETTINGS)
-    assert len(natural.unknowns) == 5
-    values = {"apparent_area": 3.57e-6, "spread_ratio": 0.3, "truncation": 3.0}
+    natural = Interpretation.of("fluid_natural", SETTINGS)
+    assert len(natural.unknowns) == 8
+    values = {"apparent_area": 4.5e-6, "participation": 0.63662, "truncation": 4.0}
     assert values.items() <= natural.fixed.items()
+
+
+def test_an_exponent_may_follow_from_another_input():
+    two = replace(TWO, opposites={"summit_offset_exponent": "gap_ratio"})
+    assert two.values([0.25, 0.5])["summit_offset_exponent"] == -1.0
+    assert two.positions(two.values([0.25, 0.5])) == pytest.approx([0.25, 0.5])
 
 
 def test_no_fold_sees_what_it_is_judged_on(parameters):
@@ -116,6 +131,56 @@ def test_a_search_finds_what_minimises_the_objective():
     assert len(rows) < (2 * BUDGET["evaluations"] + 20)  # the last generation may exceed it
     assert np.array_equal(rows, searched())  # the seed fixes every evaluation
     assert not np.array_equal(rows[:9], searched(2)[:9])
+
+
+class Valley:
+    """Two statements, whose scores vanish at 1.5 and 1e-4, and a third that never holds."""
+
+    weights = np.array([1.0, 1.0, 1.0])
+
+    def scores(self, interpretation, inputs):
+        second = np.log10(inputs["summit_radius"]) + 4.0
+        return np.abs([8.0 * (inputs["gap_ratio"] - 1.5), 3.0 * second, 10.0])
+
+    def value(self, penalty, scores):
+        return float(penalty + self.weights @ loss(scores))
+
+    def __call__(self, interpretation, positions):
+        inputs = interpretation.values(positions)
+        return self.value(0.0, self.scores(interpretation, inputs))
+
+
+def test_descents_and_evolutions_find_the_deepest_valley():
+    starts = np.array([[0.05, 0.9], [0.9, 0.1], [0.5, 0.95]])
+    found = find_inputs(TWO, Valley(), starts, BUDGET, 1)
+    best = TWO.values(best_of(found)[:-1])
+    assert best["gap_ratio"] == pytest.approx(1.5, abs=0.01)
+    assert np.log10(best["summit_radius"]) == pytest.approx(-4.0, abs=0.02)
+    assert np.array_equal(found, find_inputs(TWO, Valley(), starts, BUDGET, 1))
+
+
+def test_starts_are_ranked_by_the_statements_that_a_search_may_see(parameters):
+    every = Objective.of(CLAIMS, SETTINGS, parameters.as_dict())
+    fitted = make_folds(CLAIMS, SETTINGS["folds"])[0].fitted
+    objective = Objective.of(fitted, SETTINGS, parameters.as_dict())
+    scores = np.random.default_rng(1).random((5, len(every.claims)))
+    seen = objective.take(every, scores)
+    assert seen.shape == (5, len(objective.claims))
+    hidden = [claim.id not in {each.id for each in objective.claims} for claim in every.claims]
+    scores[:, hidden] = 9.0
+    assert np.array_equal(seen, objective.take(every, scores))
+    ranking = rank_starts(objective, np.outer([3.0, 1.0, 2.0], np.ones(len(objective.claims))))
+    assert ranking.tolist() == [1, 2, 0]
+
+
+@pytest.mark.parametrize("loss_of", [_loss, _wide_loss])
+def test_losses_of_least_squares_have_their_derivatives(loss_of):
+    squares, step = np.geomspace(1e-4, 90.0, 40), 1e-6
+    _, first, second = loss_of(squares)
+    ahead, behind = loss_of(squares * (1.0 + step)), loss_of(squares * (1.0 - step))
+    assert_allclose((ahead[0] - behind[0]) / (2.0 * step * squares), first, rtol=1e-5)
+    assert_allclose((ahead[1] - behind[1]) / (2.0 * step * squares), second, rtol=1e-4, atol=1e-7)
+    assert_allclose(_loss(squares)[0], loss(np.sqrt(squares)), rtol=1e-12)
 
 
 def test_the_shortlist_has_the_least_objectives_and_not_too_many():

@@ -122,6 +122,24 @@ def test_turning_point_quantities(quantity, value):
     assert judged(claim, **at_load(1e-5)).score == pytest.approx(0, abs=1e-9)
 
 
+def test_a_factor_is_the_same_tolerance_on_both_sides():
+    claim = make_claim("value", "turning_point_load", 1e-5, size=1.41)
+    claim = replace(claim, tolerance_kind="factor", fine_tolerance=0.05)
+    for load, distance in ((1.41e-5, 1.0), (1e-5 / 1.41, 1.0), (1.41**0.5 * 1e-5, 0.5)):
+        assert judged(claim, **at_load(load)).distance == pytest.approx(distance)
+    assert claim.interval(2.0) == pytest.approx((2.0 / 1.41, 2.82))
+    assert judged(claim, **at_load(1.2e-5)).holds
+    assert not judged(claim.on_a_fine_axis(), **at_load(1.2e-5)).holds
+
+
+def test_of_any_curve_the_one_that_agrees_must_have_a_turning_point():
+    claim = make_claim("value", "turning_point_load", 1e-5, relative=True, given=viscosities(2))
+    claim = replace(claim, any_curve=True)
+    for heights, holds in (((0.1, 0.0), True), ((0.0, 0.1), False)):
+        points = dict(zip(claim.curves, map(turning, (1e-5, 2e-5), heights)))
+        assert judged(claim, turning_point=points.__getitem__).holds is holds
+
+
 def test_load_where_a_quantity_falls_to_a_level():
     solid, level = 10 ** (-0.3 * DECADES), {"solid_load_fraction": 10**-0.3}
     claim = make_claim("value", "load", 1e-6, 1e-6, relative=True, given=level)

@@ -28,8 +28,7 @@ def test_each_variable_has_the_labels_of_the_data_contract(solved, parameters):
     assert set(dataset.data_vars) == {*grid.data_vars, "separation_count"}
     for name, variable in grid.data_vars.items():
         np.testing.assert_allclose(dataset[name].values, variable.values.squeeze(), rtol=1e-9)
-        expected = {key: each for key, each in variable.attrs.items() if key != "_FillValue"}
-        np.testing.assert_equal(dataset[name].attrs, expected)
+        np.testing.assert_equal(dataset[name].attrs, variable.attrs)
     for name in AXES:
         np.testing.assert_array_equal(dataset[name].values, grid[name].values.squeeze())
         assert dataset[name].attrs == grid[name].attrs

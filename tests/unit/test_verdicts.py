@@ -45,7 +45,7 @@ def by_id(found):
 
 def judged(main, members=(), predicted=None, headline=()):
     settings = {"headline": headline, "headline_tolerances": {}}
-    found = by_id(main), by_id(main), tuple(map(by_id, members)), {}
+    found = by_id(main), by_id(main), by_id(main), tuple(map(by_id, members)), {}
     return verdicts.Judged(CLAIMS, settings, DEFAULT, *found, predicted or {}, pd.DataFrame())
 
 

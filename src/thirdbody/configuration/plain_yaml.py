@@ -1,5 +1,6 @@
 """Reading plain YAML: no Python tags, no duplicate keys."""
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,7 @@ import yaml
 from thirdbody.messages import format_path, format_value
 
 KINDS = {dict: "keys with values", list: "a list"}
+OTHER_BASES = re.compile(r"[-+]?(0[0-9xb_]|.*:)")
 
 
 class _KeysOnce(yaml.CSafeLoader):
@@ -23,6 +25,18 @@ class _KeysOnce(yaml.CSafeLoader):
                 raise _fault(place, f"duplicate key {key!r}")
             seen.add(key)
         return super().construct_mapping(node, deep)
+
+
+def _decimal(loader, node):
+    """An integer as typed: YAML 1.1 reads 0300 as 192, and 1:30 as 90."""
+    if OTHER_BASES.match(node.value):
+        raise _fault(node, f"number {node.value}; allowed: decimal numbers, or text in quotes")
+    construct = getattr(loader, f"construct_yaml_{node.tag.rpartition(':')[2]}")
+    return construct(node)
+
+
+for kind in ("int", "float"):
+    _KeysOnce.add_constructor(f"tag:yaml.org,2002:{kind}", _decimal)
 
 
 def read_yaml(path: str | Path, kind: type = dict) -> Any:

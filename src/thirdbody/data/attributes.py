@@ -36,7 +36,7 @@ def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
 
 
 def variable_attributes(quantity: Quantity) -> dict:
-    """Attributes of a variable, including the fill value of points that a figure does not show."""
+    """Attributes of a variable."""
     attributes = coordinate_attributes(quantity) | {"equation": quantity.equation}
     if quantity.meanings:
         named = dict(enumerate(quantity.meanings))
@@ -48,11 +48,14 @@ def variable_attributes(quantity: Quantity) -> dict:
     else:
         attributes["ancillary_variables"] = STATUS
         attributes["coverage_content_type"] = "modelResult"
-    if quantity.name in NUMBERS:
-        attributes["_FillValue"] = FILL_FLOAT
     if quantity.comment:
         attributes["comment"] = quantity.comment
     return attributes
+
+
+def variable_encoding(quantity: Quantity) -> dict:
+    """How files store a variable: with the fill value of points that a figure does not show."""
+    return {"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {}
 
 
 def identity(origin: str) -> dict[str, str]:
@@ -83,7 +86,9 @@ def described_grid(
     """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
     attributes.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
     variables = {
-        name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
+        name: Variable(
+            DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
+        )
         for name, quantity in VARIABLES.items()
         if name in values
     }

@@ -32,9 +32,7 @@ def labelled_dataset(
             coordinates[name] = *_placed(values, dimensions, shape), attributes
     described = {}
     for name, values in variables.items():
-        attributes = variable_attributes(VARIABLES[name])
-        attributes.pop("_FillValue", None)  # no point is missing
-        described[name] = (dimensions, np.asarray(values), attributes)
+        described[name] = dimensions, np.asarray(values), variable_attributes(VARIABLES[name])
     dataset = xr.Dataset(described, coordinates)
     newtons = dataset["load"].variable * newtons_per_load
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)

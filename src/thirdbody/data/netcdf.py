@@ -21,12 +21,17 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# attributes that say how a file stores numbers
+OF_THE_FILE = "_FillValue", "missing_value", "scale_factor", "add_offset", "_Unsigned"
+
+
 class Variable(NamedTuple):
-    """An array with named dimensions and attributes, in a form that xarray accepts."""
+    """An array with named dimensions, attributes and encoding, in a form that xarray accepts."""
 
     dims: tuple[str, ...]
     values: NDArray
     attrs: Mapping[str, Any] = {}
+    encoding: Mapping[str, Any] = {}  # of a file: its fill value
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,29 +107,27 @@ def declare(
 
 def _added(file, name, variable, **storage) -> netCDF4.Variable:
     """Add a variable to a file that has its dimensions."""
-    attributes = dict(variable.attrs)
-    fill = attributes.pop("_FillValue", None)
-    kind = variable.values.dtype
+    kind, fill = variable.values.dtype, variable.encoding.get("_FillValue")
     added = file.createVariable(name, kind, variable.dims, fill_value=fill, **storage)
-    added.setncatts(attributes)
+    added.setncatts(variable.attrs)
     added.set_auto_maskandscale(False)
     return added
 
 
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
-    """Read a NetCDF file, with nan for the fill values of numbers; ``OSError`` in one line if it is
-    missing, damaged, or lacks ``needed`` variables."""
+    """Read a NetCDF file, with packed numbers decoded and nan for their fill values; ``OSError`` in one
+    line if it is missing, damaged, or lacks ``needed`` variables."""
     coordinates, variables = set(), {}
     try:
         with netCDF4.Dataset(path) as file:
-            file.set_auto_maskandscale(False)
             coordinates.update(file.dimensions)
             for name, stored in file.variables.items():
                 attributes = dict(stored.__dict__)
                 coordinates.update(attributes.pop("coordinates", "").split())
-                values, fill = stored[...], attributes.pop("_FillValue", None)
-                if fill is not None:
-                    values[values == fill] = np.nan
+                for each in OF_THE_FILE:
+                    attributes.pop(each, None)
+                values = np.ma.asanyarray(stored[...])
+                values = values.filled(np.nan) if values.dtype.kind == "f" else values.data
                 variables[name] = Variable(stored.dimensions, values, attributes)
             attributes = dict(file.__dict__)
     except Exception as error:  # netCDF4 raises different exceptions for different damage

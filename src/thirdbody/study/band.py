@@ -49,8 +49,9 @@ def band(
             given = dataset[name].attrs
             described = {key: given[key] for key in ("units", "symbol", "equation")}
             described["long_name"] = f"{extreme} {given['long_name']} of the ensemble"
-            described |= {"coverage_content_type": "modelResult", "_FillValue": FILL_FLOAT}
-            variables[f"{name}_{end}"] = Variable(DIMENSIONS, whole, described)
+            described["coverage_content_type"] = "modelResult"
+            filled = {"_FillValue": FILL_FLOAT}
+            variables[f"{name}_{end}"] = Variable(DIMENSIONS, whole, described, filled)
     members = json.dumps([dict(member) for member in ensemble])
     origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
     attributes = dataset.attrs | {
