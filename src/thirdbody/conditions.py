@@ -66,6 +66,7 @@ def in_si(
     The condition ``without`` must not be given.  Raises ``ValueError`` if a condition is missing,
     given twice, unknown or not allowed, and for numbers that ``solve`` refuses.
     """
+    common_index(given)
     units = {}
     for key in given:
         name = unit_of(key).condition
@@ -87,6 +88,25 @@ def in_si(
     return found
 
 
+def common_index(given: Mapping[str, Any]) -> Any:
+    """The index of the ``given`` columns of pandas, None if there are none; ``ValueError`` unless it is the same."""
+    columns = {key: each for key, each in given.items() if is_column(each)}
+    if not columns:
+        return None
+    first, *others = columns
+    index = columns[first].index
+    for other in others:
+        if not columns[other].index.equals(index):
+            message = f"{first} and {other} have different indexes"
+            raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
+    return index
+
+
+def is_column(given: Any) -> bool:
+    """Whether ``given`` is a ``Series`` or ``Index`` of pandas."""
+    return hasattr(given, "iloc") and getattr(given, "ndim", 0) == 1
+
+
 def ends_in_si(name: str, ends: Any, unit: Unit, parameters: Parameters) -> NDArray:
     """The ends of a range, two numbers in ``unit`` or quantities, in SI; ``ValueError`` unless they
     are positive and increase, and a warning like ``in_si``."""
@@ -105,15 +125,20 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
     """The unit of numbers or quantities, and a float64 copy in SI; for an array with named
     dimensions, of its values."""
     key = unit.key
-    if hasattr(given, "iloc"):
-        message = f"{key} is a {type(given).__name__} of pandas"
-        raise ValueError(f"{message}; allowed: its .to_numpy() or .to_xarray()")
+    rows = getattr(given, "index", None) if is_column(given) else None
+    if is_column(given):
+        given = given.array if hasattr(given.array, "quantity") else given.to_numpy()
     own, bare = in_own_unit(unit, given, newtons_per_load)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
     wrong = array[~((array >= least) & np.isfinite(array))]
     if wrong.size:
-        raise ValueError(f"{key} is {wrong[0]:g}; allowed: {sign} finite numbers")
+        row = (
+            ""
+            if rows is None
+            else f" in row {rows[np.argmin((array >= least) & np.isfinite(array))]}"
+        )
+        raise ValueError(f"{key} is {wrong[0]:g}{row}; allowed: {sign} finite numbers")
     return own, np.array(own.to_si(array, newtons_per_load))
 
 

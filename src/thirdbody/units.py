@@ -51,6 +51,7 @@ UNITS = {name: Unit(name, name, each["unit"]) for name, each in CONDITIONS.items
 for name, each in CONDITIONS.items():
     key, is_force = each["engineering"], name == "load"
     UNITS[key] = Unit(key, name, each["engineering_unit"], each["scale"], is_force)
+SI = {name: UNITS[name] for name in CONDITIONS}
 SEARCHED = {name: tuple(each["searched"]) for name, each in CONDITIONS.items()}
 
 
@@ -59,6 +60,12 @@ def unit_of(key: Any) -> Unit:
     if not isinstance(key, str) or key not in UNITS:
         raise ValueError(f"unknown axis {format_value(key)}; allowed: {', '.join(UNITS)}")
     return UNITS[key]
+
+
+def unit_in_tables(key: str, given: Any) -> Unit:
+    """The unit of a condition in tables: that of its name ``key``, of quantities the one in engineering units."""
+    unit = unit_of(key)
+    return UNITS[ENGINEERING[unit.condition]] if has_unit(given) else unit
 
 
 def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, Any]:

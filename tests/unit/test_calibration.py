@@ -32,7 +32,7 @@ LINEAR = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), False)
 RADIUS = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 TWO = Interpretation("two", {}, (LINEAR, RADIUS))
 BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5, "walkers": 16, "steps": 300}
-BUDGET |= {"starts": 3, "descents": 1}
+BUDGET |= {"starts": 3, "descents": 1, "hops": 1}
 
 
 def valley(interpretation, positions):

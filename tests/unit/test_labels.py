@@ -78,15 +78,15 @@ def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
     with pytest.warns(tb.OutOfRangeWarning):
         solution = solved(load=[[1e-6], [1.0]], viscosity=OILS)
     table = solution.to_dataframe()
-    assert tuple(table.columns[: len(AXES)]) == tuple(AXES)
-    assert table["load"].tolist() == [1e-6, 1e-6, 1.0, 1.0]
-    np.testing.assert_array_equal(table["separation"], solution.separation.ravel())
+    headings = "load [1]", "viscosity [m2 s-1]", "particle_diameter [m]", "roughness [m]"
+    assert {*headings, "particle_density [m-2]", "normal_load [N]"} <= {*table.columns}
+    assert table["load [1]"].tolist() == [1e-6, 1e-6, 1.0, 1.0]
+    np.testing.assert_array_equal(table["separation [m]"], solution.separation.ravel())
     statuses = [SOLUTION_STATUSES[code] for code in solution.solution_status.ravel()]
     assert table["solution_status"].tolist() == statuses
     unsolved = solution.lubrication_regime.ravel() < 0
     assert unsolved.any()
     np.testing.assert_array_equal(table["lubrication_regime"].isna(), unsolved)
-    assert table.attrs["units"]["separation"] == "m"
 
 
 REST = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
@@ -142,6 +142,45 @@ def test_the_load_stands_in_newtons_beside_the_dimensionless_one():
         np.testing.assert_allclose(dataset["normal_load"], expected, rtol=1e-12)
         assert dataset["normal_load"].attrs["units"] == "N"
         assert dataset["normal_load"].dims == dataset["load"].dims
-        np.testing.assert_allclose(found.to_dataframe()["normal_load"], expected, rtol=1e-12)
+        table = found.to_dataframe()
+        assert table["load [N]"].tolist() == loads and "normal_load [N]" not in table
     one = tb.solve(load_N=10, viscosity_cSt=[0, 90], **REST).to_dataset()
     assert one["normal_load"].item() == pytest.approx(10.0)
+
+
+TABLE = pd.DataFrame({"load": [5.0, 10.0, 20.0], "oil": [50.0, 90.0, 120.0]}, index=["a", "b", "c"])
+
+
+def test_columns_of_a_table_are_conditions_and_results_have_their_index():
+    runs = TABLE[TABLE["load"] > 5.0].rename_axis("run")
+    found = tb.solve(load_N=runs["load"], viscosity_cSt=runs["oil"], **REST)
+    expected = tb.solve(load_N=[10.0, 20.0], viscosity_cSt=[90.0, 120.0], **REST)
+    np.testing.assert_array_equal(found.separation, expected.separation)
+    table = found.to_dataframe()
+    assert table.index.equals(runs.index) and table.index.name == "run"
+    assert table["load [N]"].tolist() == [10.0, 20.0]
+    assert table["viscosity [cSt]"].tolist() == [90.0, 120.0]
+    days = runs.set_index(pd.to_datetime(["2026-01-02", "2026-01-03"]))
+    found = tb.solve(load_N=days["load"], viscosity_cSt=90, **REST).to_dataframe()
+    assert found.index.equals(days.index)
+
+
+def test_columns_with_different_indexes_are_refused():
+    others = TABLE.set_index([[1, 2, 3]])
+    with pytest.raises(ValueError, match="load_N and viscosity_cSt have different indexes"):
+        tb.solve(load_N=TABLE["load"], viscosity_cSt=others["oil"], **REST)
+
+
+def test_a_bad_row_of_a_column_is_named():
+    bad = TABLE["load"].replace(10.0, -1.0)
+    with pytest.raises(ValueError, match="load_N is -1 in row b; allowed: positive finite numbers"):
+        tb.solve(load_N=bad, viscosity_cSt=90, **REST)
+
+
+def test_a_comparison_has_the_index_of_the_measurements():
+    loads = [1.0, 2.0, 5.0, 10.0]
+    runs = pd.DataFrame({"load [N]": loads, "friction coefficient": [0.11, 0.12, 0.10, 0.09]})
+    steady = runs[runs["load [N]"] > 1.5]
+    found = tb.compare(steady, **OIL, **REST).to_dataframe()
+    assert found.index.equals(steady.index)
+    assert found["load_N"].tolist() == [2.0, 5.0, 10.0]

@@ -10,6 +10,7 @@ import xarray as xr
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
+from thirdbody.units import Unit, decimal
 
 POINT = "point"  # a dimension along which several conditions vary, or none does
 
@@ -39,18 +40,35 @@ def labelled_dataset(
     return dataset.assign_coords(normal_load=newtons)
 
 
-def labelled_frame(dataset: xr.Dataset) -> pd.DataFrame:
-    """The result of ``labelled_dataset`` as a table: one row per point, flags by name."""
+def labelled_frame(
+    dataset: xr.Dataset,
+    units: Mapping[str, Unit],
+    newtons_per_load: float | None,
+    index: pd.Index | None = None,
+) -> pd.DataFrame:
+    """The result of ``labelled_dataset`` as a table: one row per point, flags by name.
+
+    Headings have units: of conditions those in ``units`` by name, of variables SI.
+    """
     flat = dataset if dataset.sizes else dataset.expand_dims(POINT)
     labels = [name for name in flat.dims if name in flat.coords]
     others = [name for name in flat.coords if name not in labels]
     frame = flat.to_dataframe().reset_index()[[*labels, *others, *flat.data_vars]]
     for name in FLAGS.keys() & flat.data_vars.keys():
         frame[name] = pd.Categorical.from_codes(frame[name], FLAGS[name].meanings)
-    frame.attrs["units"] = {
-        name: flat[name].attrs["units"] for name in frame.columns if "units" in flat[name].attrs
+    headings = {name: flat[name].attrs.get("units") for name in frame.columns}
+    for name, unit in units.items():
+        headings[name] = unit.text
+        frame[name] = decimal(unit.from_si(frame[name], newtons_per_load))
+    if units["load"].is_force:
+        frame = frame.drop(columns=NORMAL_LOAD.name)
+    headings = {
+        name: f"{name} [{unit}]"
+        for name, unit in headings.items()
+        if unit and (unit != "1" or name == "load")
     }
-    return frame
+    frame = frame.rename(columns=headings)
+    return frame if index is None or len(index) != len(frame) else frame.set_index(index)
 
 
 def _dimensions(shape, conditions) -> list[str]:

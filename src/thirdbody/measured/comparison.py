@@ -45,8 +45,8 @@ HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 class Comparison(Tabular):
     """Measurements compared with the model.
 
-    ``table`` has one row per measurement: its conditions and, for each of the measured
-    ``variables``, the measured value, ``_model``, ``_low`` and ``_high`` of the ensemble (if there
+    ``table`` has one row per measurement, with the index of the measurements: its conditions and,
+    for each of the measured ``variables``, the measured value, ``_model``, ``_low`` and ``_high`` of the ensemble (if there
     is one) and ``_residual``, measured minus model.  ``curve`` is the model between the
     measurements, in the same columns, if one condition varies; otherwise empty.  ``along`` is the
     column that varies most, the abscissa of ``plot``; ``notes`` state the assumptions of the
@@ -144,6 +144,8 @@ def compare(
     if speed_m_per_s is not None:
         check_numbers({"speed_m_per_s": speed_m_per_s}, BEARING)
     table = _conditions(columns, conditions, parameters)
+    if isinstance(measured, pd.DataFrame):
+        table = table.set_index(measured.index)
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
     table, curve = (

@@ -22,6 +22,7 @@ from thirdbody.model.regimes import (
 )
 from thirdbody.solver.balance import Balance
 from thirdbody.tabular import Tabular
+from thirdbody.units import SI, Unit
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -60,8 +61,12 @@ class Solution(Tabular):
         rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
     conditions : mapping
         The five conditions by name, SI: arrays that broadcast to the shape.
+    units : mapping
+        The unit of each condition as it was given, by name; of quantities the one in engineering units.
     newtons_per_load : float, optional
         F_t/F_t* [N]; datasets then include the load in newtons.
+    index : pandas.Index, optional
+        That of the columns of a table, if conditions are such.
     """
 
     total_contact_area: NDArray | None = None
@@ -77,7 +82,9 @@ class Solution(Tabular):
     separation_count: NDArray | None = None
     error_bound: NDArray | None = None
     conditions: Mapping[str, Any] = field(default_factory=dict)
+    units: Mapping[str, Unit] = field(default_factory=lambda: SI)
     newtons_per_load: float | None = None
+    index: pd.Index | None = None
 
     @property
     def known(self) -> dict[str, Any]:
@@ -128,8 +135,9 @@ class Solution(Tabular):
         Returns
         -------
         pandas.DataFrame
-            Numbers are in SI, the units in ``attrs["units"]``.  Flags are categories by name, nan
-            where a point has none.
+            Headings have units: conditions are in those in which they were given, variables in SI.
+            Flags are categories by name, nan where a point has none.  The index is that of the
+            columns of a table, if conditions are such.
 
         Raises
         ------
@@ -148,12 +156,12 @@ class Solution(Tabular):
         ...     parameters=tb.load_parameters(),
         ... )
         >>> table = points.to_dataframe()
-        >>> table[["load", "lubrication_regime"]].to_dict("list")
-        {'load': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
+        >>> table[["load [1]", "lubrication_regime"]].to_dict("list")
+        {'load [1]': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
         """
         from thirdbody.data.labels import labelled_frame
 
-        return labelled_frame(self.to_dataset())
+        return labelled_frame(self.to_dataset(), self.units, self.newtons_per_load, self.index)
 
     def __repr__(self) -> str:
         known = {name: np.asarray(each) for name, each in self.known.items()}
@@ -162,7 +170,7 @@ class Solution(Tabular):
         return "\n".join([f"Solution of shape {shape}", *lines])
 
 
-OTHERS = "conditions", "newtons_per_load"
+OTHERS = "conditions", "units", "newtons_per_load", "index"
 VARIABLES = tuple(each.name for each in fields(Solution) if each.name not in OTHERS)
 FLAGS = tuple(FLAG_MEANINGS)
 WHOLE = (*FLAGS, "separation_count")

@@ -13,6 +13,7 @@ from thirdbody.conditions import (
     check_points,
     check_rtol,
     checked_parameters,
+    common_index,
     in_si,
 )
 from thirdbody.model.contact import greatest_single_load
@@ -25,7 +26,7 @@ from thirdbody.solver.balance import bracket, enclose
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
 from thirdbody.solver.summits import pieces_for
-from thirdbody.units import is_labelled, unit_of
+from thirdbody.units import is_labelled, unit_in_tables, unit_of
 
 DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points limited only by rounding
@@ -49,7 +50,8 @@ def solve(
 
     The five conditions are given by name and broadcast against each other.  Each is a number in the
     unit of its name, or a quantity of pint, astropy, unyt or quantities in any compatible unit.
-    Arrays of xarray broadcast by dimension name; their attribute ``units`` is used.
+    Arrays of xarray broadcast by dimension name; their attribute ``units`` is used.  Columns of pandas
+    must have equal indexes.
 
     Parameters
     ----------
@@ -122,15 +124,17 @@ def solve(
     check_names("variables", variables, VARIABLES)
     check_progress(progress)
     arrays = in_si(conditions, parameters)  # copies, which the caller cannot change later
+    units = {unit.condition: unit for unit in map(unit_in_tables, *zip(*conditions.items()))}
     if not any(map(is_labelled, conditions.values())):
-        return solve_arrays(arrays, parameters, rtol, variables, progress)
+        solution = solve_arrays(arrays, parameters, rtol, variables, progress)
+        return replace(solution, units=units, index=common_index(conditions))
     given = {unit_of(key).condition: each for key, each in conditions.items()}
     named, arrays, pattern = broadcast_by_name(given, arrays)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
     known = {
         name: pattern.copy(data=values).rename(name) for name, values in solution.known.items()
     }
-    return replace(solution, **known, conditions=named)
+    return replace(solution, **known, conditions=named, units=units)
 
 
 def solve_arrays(

@@ -1,8 +1,8 @@
 """Search for the inputs that explain most of the paper, and samples of those that explain about as much.
 
 The objective has many narrow valleys.  A search therefore goes from scattered sets of inputs to the
-nearest valleys by least squares, first with a loss that has a slope far from a statement too, and
-then follows the deepest valley by an evolution strategy.
+nearest valleys by least squares, first with a loss that has a slope far from a statement too.  From
+the deepest valley it hops to others nearby, and then follows the best by an evolution strategy.
 """
 
 from collections.abc import Callable, Mapping
@@ -20,6 +20,10 @@ from thirdbody.study.calibration import SLOPE_OF_LOSS, Interpretation, Objective
 
 DIFFERENCES = 0.01, 0.004  # steps of the slopes in both rounds of a descent, in the unit cube
 SCREENING, DESCENT = 6, 20  # iterations of least squares from every start, and from the best
+HOP, HOPPING = (
+    0.1,
+    (8, 10),
+)  # standard deviation of a hop, in the unit cube, and iterations of both rounds after it
 FIRST_STEPS = (
     0.03,
     0.01,
@@ -52,24 +56,34 @@ def find_inputs(
     """Search the unknowns for the least objective from several ``starts``, shape (starts, unknowns): all
     positions with the objective [1] in the last column.
 
-    Least squares descend from every start, and from the best ``budget["descents"]`` of what they find; two
-    evolutions follow from the best of all.
+    Least squares descend from every start, and from the best ``budget["descents"]`` of what they find; then
+    from ``budget["hops"]`` random steps away from the best so far.  Two evolutions follow from the best of all.
     """
     rows = []
-    ends = []
     for start in starts:
-        found = descend(interpretation, objective, start, SCREENING, _wide_loss, DIFFERENCES[0])
-        ends.append(best_of(found))
-        rows.append(found)
-    for end in sorted(ends, key=lambda row: row[-1])[: budget["descents"]]:
-        for loss_of, difference in zip((_wide_loss, _loss), DIFFERENCES):
-            found = descend(interpretation, objective, end[:-1], DESCENT, loss_of, difference)
-            rows.append(found)
-            end = best_of(np.vstack([found, end]))
+        rows.append(
+            descend(interpretation, objective, start, SCREENING, _wide_loss, DIFFERENCES[0])
+        )
+    ends = sorted(map(best_of, rows), key=lambda row: row[-1])
+    for end in ends[: budget["descents"]]:
+        rows.append(_descend_twice(interpretation, objective, end[:-1], (DESCENT, DESCENT)))
+    random = np.random.default_rng(seed)
+    for _ in range(budget["hops"]):
+        best = best_of(np.vstack(rows))[:-1]
+        place = np.clip(best + HOP * random.normal(size=best.size), 0.0, 1.0)
+        rows.append(_descend_twice(interpretation, objective, place, HOPPING))
     for step in FIRST_STEPS:
         best = best_of(np.vstack(rows))[:-1]
         rows.append(search(interpretation, objective, best, budget, seed, step))
     return np.vstack(rows)
+
+
+def _descend_twice(interpretation, objective, start, iterations):
+    """Least squares with the wide loss, then with that of the objective: rows as from ``descend``."""
+    first = descend(interpretation, objective, start, iterations[0], _wide_loss, DIFFERENCES[0])
+    place = best_of(first)[:-1]
+    second = descend(interpretation, objective, place, iterations[1], _loss, DIFFERENCES[1])
+    return np.vstack([first, second])
 
 
 def best_of(rows: NDArray) -> NDArray:
