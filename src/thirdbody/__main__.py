@@ -6,9 +6,9 @@ import sys
 
 def run() -> int:
     """Run the command in any encoding; Ctrl-C ends it quietly, even while modules are imported."""
-    sys.stdout = sys.stdout or open(os.devnull, "w")  # noqa: SIM115
     sys.stderr = sys.stderr or open(os.devnull, "w")  # noqa: SIM115
-    sys.stdout.reconfigure(errors="backslashreplace")
+    if sys.stdout:  # None if it is closed: then no answer can be written
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         from thirdbody.command import main
 

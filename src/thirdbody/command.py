@@ -41,22 +41,15 @@ def _number(given: Any) -> float:
 def _material(text: str) -> Any:
     """A material: a name, or modulus [GPa], Poisson's ratio and hardness [GPa]."""
     from thirdbody.answers.bearing import MATERIALS as KNOWN
-    from thirdbody.answers.bearing import USUAL_MATERIAL, Material
-    from thirdbody.conditions import warn_outside, without_warnings
+    from thirdbody.answers.bearing import Material
 
     try:
         if text.replace("-", " ") in KNOWN:
             return KNOWN[text.replace("-", " ")]
         modulus, ratio, hardness = map(float, text.split(","))
-        with without_warnings():
-            material = Material(1e9 * modulus, ratio, 1e9 * hardness)
+        return Material(modulus, ratio, hardness)
     except ValueError:
         raise typer.BadParameter(f"is {text!r}; allowed: {MATERIALS}, e.g. 205,0.29,5") from None
-    usual = {
-        name: (1e-9 * low, 1e-9 * high, "GPa") for name, (low, high, _) in USUAL_MATERIAL.items()
-    }
-    warn_outside({"modulus": modulus, "hardness": hardness}, usual)
-    return material
 
 
 def _options(
@@ -197,6 +190,10 @@ def _curve(given):
 @_question("compare", EACH | OTHER | _other("other_inputs", *FILE) | COMMON)
 def _compare(given):
     one = _interface(given)
+    if not _known(given, [*OTHER, "other_inputs"]):
+        raise ValueError(
+            "--other-... is missing; allowed: one or more, e.g. --other-viscosity-cSt 120"
+        )
     changes = {key.removeprefix("other_"): value for key, value in _known(given, OTHER).items()}
     if given["other_inputs"] is not None:
         changes["parameters"] = _inputs(given, "other_inputs")
@@ -316,7 +313,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     text = str(answer)
     if as_json:
         text = json.dumps(answer.as_dict())
-    elif sys.stdout.isatty() and hasattr(answer, "as_text"):
+    elif sys.stdout and sys.stdout.isatty() and hasattr(answer, "as_text"):
         text = answer.as_text(get_terminal_size().columns)  # tables fit the width
     written = _print(name, text + "\n")
     return written or (ANSWERED if getattr(answer, "found", True) else NONE_FOUND)
@@ -340,7 +337,10 @@ def _plain(message: str) -> str:
 
 
 def _print(name: str, text: str) -> int:
-    """Print a text; a closed pipe is not an error."""
+    """Print a text; a closed pipe is not an error, a closed standard output is."""
+    if sys.stdout is None:
+        _tell(name, "the answer cannot be written (standard output is closed)")
+        return NOT_WRITTEN
     try:
         print(text, end="", flush=True)
     except OSError as error:

@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
+FAINTEST = np.finfo(float).tiny  # smaller numbers have few digits in float64
+LARGEST = 1e30  # x_a [m], whose square float64 holds
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 # least and most usual value of numbers by name, and their unit
@@ -131,7 +133,11 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
     own, bare = in_own_unit(unit, given, newtons_per_load)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
-    wrong = array[~((array >= least) & np.isfinite(array))]
+    si = own.to_si(array, newtons_per_load)
+    allowed = (array >= least) & np.isfinite(array) & ((si >= FAINTEST) | (si == 0.0))
+    if unit.condition == "particle_diameter":
+        allowed &= si <= LARGEST
+    wrong = array[~allowed]
     if wrong.size:
         row = (
             ""
@@ -190,15 +196,17 @@ def _published_parameters():
     return load_parameters()
 
 
-def check_names(argument: str, given: Any, known: Collection[str]) -> None:
-    """Raise ``ValueError`` unless an ``argument`` is a collection of names from ``known``."""
+def checked_names(argument: str, given: Any, known: Collection[str]) -> Collection[str]:
+    """The names of an ``argument``, one or a collection; ``ValueError`` unless all are in ``known``."""
     allowed = f"allowed: names from {', '.join(known)}"
-    listed = isinstance(given, Collection) and getattr(given, "ndim", 1) == 1
-    if not listed or isinstance(given, str | bytes):
+    names = [given] if isinstance(given, str) else given
+    listed = isinstance(names, Collection) and getattr(names, "ndim", 1) == 1
+    if not listed or isinstance(names, bytes):
         raise ValueError(f"{argument} is {format_value(given)}; {allowed}")
-    for name in given:
+    for name in names:
         if not isinstance(name, str) or name not in known:
             raise ValueError(f"{argument} has {format_value(name)}; {allowed}")
+    return names
 
 
 def check_rtol(rtol: Any) -> None:

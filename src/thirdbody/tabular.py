@@ -29,6 +29,14 @@ class Tabular:
         """The same table over the dimension ``row``."""
         return self.to_dataframe().rename_axis("row").to_xarray()
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both are results of one kind with the same table."""
+        if type(self) is not type(other):
+            return NotImplemented
+        return self.to_dataframe().equals(other.to_dataframe())
+
+    __hash__ = None
+
     def _repr_html_(self) -> str | None:
         try:
             return self.to_dataframe().to_html(index=False, max_rows=60)

@@ -7,6 +7,7 @@ the attribute ``units``, carry their own unit.  ``units.toml`` is the table of t
 
 import re
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from functools import cache
 from typing import Any
 
@@ -58,7 +59,9 @@ SEARCHED = {name: tuple(each["searched"]) for name, each in CONDITIONS.items()}
 def unit_of(key: Any) -> Unit:
     """The unit of a name; raises ``ValueError`` if there is no such name."""
     if not isinstance(key, str) or key not in UNITS:
-        raise ValueError(f"unknown axis {format_value(key)}; allowed: {', '.join(UNITS)}")
+        near = get_close_matches(str(key), UNITS, 1)
+        meant = f"; did you mean {near[0]}?" if near else ""
+        raise ValueError(f"unknown axis {format_value(key)}; allowed: {', '.join(UNITS)}{meant}")
     return UNITS[key]
 
 
@@ -108,6 +111,16 @@ def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, 
         raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: {PLAIN}") from None
     scale = float((1.0 * quantity.units).to(wanted).magnitude)
     return Unit(unit.key, unit.condition, f"{quantity.units:~}" or "1", scale, is_force), numbers
+
+
+def plain_number(name: str, given: Any, unit: str) -> Any:
+    """A number in ``unit``, in UDUNITS spelling, of a quantity; anything else as it is."""
+    if not has_unit(given):
+        return given
+    quantity = given if is_quantity(given) else registry().Quantity(str(given))
+    if not quantity.is_compatible_with(unit):
+        raise ValueError(f"{name} is in {quantity.units:~}; allowed: a quantity in {unit}")
+    return float(quantity.to(unit).magnitude)
 
 
 def has_unit(given: Any) -> bool:

@@ -5,7 +5,7 @@
 rule sample_inputs:
     input:
         evaluations=SEARCHED,
-        claims=f"{CONFIG}/claims.yaml",
+        claims=configured("claims"),
     output:
         samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
@@ -17,7 +17,7 @@ rule sample_inputs:
     params:
         settings=settings_of,
         parameters=settings["uncalibrated"],
-        sources=sources_of("sample_inputs.py"),
+        sources=sources_of("sample_inputs.py", config=["claims"]),
     message:
         "Sampling the inputs of {wildcards.interpretation} from seed {wildcards.seed}"
     script:
@@ -29,7 +29,7 @@ rule summarise_inputs:
         evaluations=branch(is_shortlisted, then=SEARCHED, otherwise=SEARCHED[:1]),
         samples=branch(is_shortlisted, then=expand(f"{FOUND}/seed{{seed}}_samples.csv", seed=SEEDS)),
         folds=branch(is_shortlisted, then=expand(f"{FOUND}/fold{{fold}}.csv", fold=FOLDS)),
-        claims=f"{CONFIG}/claims.yaml",
+        claims=configured("claims"),
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",
     log:
@@ -39,7 +39,7 @@ rule summarise_inputs:
     params:
         settings=settings_of,
         parameters=settings["uncalibrated"],
-        sources=sources_of("summarise_inputs.py"),
+        sources=sources_of("summarise_inputs.py", config=["claims"]),
     message:
         "Summarising the calibration of {wildcards.interpretation}"
     script:
@@ -54,7 +54,7 @@ SUMMARISED = expand(
 rule choose_default:
     input:
         calibrated=SUMMARISED,
-        claims=f"{CONFIG}/claims.yaml",
+        claims=configured("claims"),
     output:
         chosen="<results>/calibration/chosen.json",
     log:
@@ -64,7 +64,7 @@ rule choose_default:
     params:
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],
-        sources=sources_of("choose_default.py"),
+        sources=sources_of("choose_default.py", config=["claims"]),
     message:
         "Choosing the default, and the cost of the headline numbers that it misses"
     script:

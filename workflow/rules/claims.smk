@@ -1,14 +1,15 @@
 # The verdict on every statement of the paper, and the cost of the missed headline numbers.
 
 CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
+CALIBRATED_SUM = digest([*CALIBRATED, settings["calibrated"]])
 
 
 rule judge_claims:
     input:
-        claims=f"{CONFIG}/claims.yaml",
-        inputs=f"{CONFIG}/inputs.yaml",
-        default=settings["calibrated"],
-        calibrated=CALIBRATED,
+        claims=configured("claims"),
+        inputs=configured("inputs"),
+        default=ancient(settings["calibrated"]),
+        calibrated=ancient(CALIBRATED),
         templates=[project_file(f"src/thirdbody/study/claims.{kind}.j2") for kind in ("md", "html")],
     output:
         table="<results>/claims/claims.csv",
@@ -28,7 +29,8 @@ rule judge_claims:
         settings=settings["calibration"],
         parameters=settings["uncalibrated"],
         laid_over=settings["inputs"],
-        sources=sources_of("judge_claims.py"),
+        calibrated=CALIBRATED_SUM,
+        sources=sources_of("judge_claims.py", config=["claims", "inputs"]),
     message:
         "Evaluating every statement of the paper"
     script:
@@ -39,7 +41,7 @@ rule judge_claims:
 SUMMARIES = {
     "claims": "<results>/claims/claims.csv",
     "sensitivity": "<results>/tables/sensitivity.csv",
-    "fronts": CALIBRATED,
+    "fronts": ancient(CALIBRATED),
 }
 
 
@@ -58,6 +60,7 @@ rule render_summary:
         "../envs/thirdbody.yaml"
     params:
         default=Path(settings["calibrated"]).stem,
+        calibrated=CALIBRATED_SUM,
         sources=lambda wildcards: sources_of(
             "render_summary.py", f"thirdbody.figures.{wildcards.summary}"
         ),

@@ -23,6 +23,14 @@ def project_file(name):
 
 # snakedeploy copies the configuration into the folder of the user's workflow
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
+
+
+def configured(name):
+    """A file of the configuration. Its content reruns a rule, as a parameter; its date, which may be in the
+    future, does not."""
+    return ancient(f"{CONFIG}/{name}.yaml")
+
+
 IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
 # priority of small jobs that no long one waits for: they fill both cores at the end of a run
 SMALL = -1
@@ -36,8 +44,9 @@ def figure_files(figure, category):
     return files | {"png": report(files["png"], caption, category=category, labels=labels)}
 
 
-def sources_of(script, *modules):
-    """SHA-256 of ``modules``, of those that a script imports, and of all their imports.
+def sources_of(script, *modules, config=()):
+    """SHA-256 of ``modules``, of those that a script imports, of all their imports, and of files of the
+    configuration.
 
     As a parameter of a rule, it reruns the rule if any of them is edited.
     """
@@ -50,7 +59,8 @@ def sources_of(script, *modules):
     for name in list(used):
         used |= IMPORTS.find_upstream_modules(name)
     packages = {name.rpartition(".")[0] for name in used}
-    return digest(file for name in used | packages for file in module_files(name))
+    modules = [file for name in used | packages for file in module_files(name)]
+    return digest([*modules, *(f"{CONFIG}/{name}.yaml" for name in config)])
 
 
 def digest(files):

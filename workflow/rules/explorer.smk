@@ -5,11 +5,11 @@ rule build_explorer:
     input:
         points=expand("<results>/figures/{figure}.csv", figure=SCENES),
         captions=expand("<results>/figures/{figure}.md", figure=SCENES),
-        claims=f"{CONFIG}/claims.yaml",
-        inputs=f"{CONFIG}/inputs.yaml",
-        tables=f"{CONFIG}/paper_tables.yaml",
+        claims=configured("claims"),
+        inputs=configured("inputs"),
+        tables=configured("paper_tables"),
         verdicts="<results>/claims/claims.json",
-        calibrated=CALIBRATED,
+        calibrated=ancient(CALIBRATED),
         page=[
             project_file(path)
             for folder in ("page", "vendor")
@@ -30,7 +30,8 @@ rule build_explorer:
         parameters=settings["parameters"],
         calibration=settings["calibration"],
         ensemble=settings["ensemble"],
-        sources=sources_of("build_explorer.py"),
+        calibrated=CALIBRATED_SUM,
+        sources=sources_of("build_explorer.py", config=["claims", "inputs", "paper_tables"]),
     message:
         "Building the explorer"
     script:

@@ -40,7 +40,7 @@ rule find_windows:
 
 rule gather_printed:
     input:
-        claims=f"{CONFIG}/claims.yaml",
+        claims=configured("claims"),
     output:
         table="<results>/extracted/printed/all.csv",
     log:
@@ -48,7 +48,7 @@ rule gather_printed:
     conda:
         "../envs/thirdbody.yaml"
     params:
-        sources=sources_of("gather_printed.py"),
+        sources=sources_of("gather_printed.py", config=["claims"]),
     message:
         "Gathering the printed numbers of the paper"
     script:
@@ -57,7 +57,7 @@ rule gather_printed:
 
 rule recompute_paper_tables:
     input:
-        printed=f"{CONFIG}/paper_tables.yaml",
+        printed=configured("paper_tables"),
     output:
         table1="<results>/extracted/table1/all.csv",
         table2="<results>/extracted/table2/all.csv",
@@ -68,7 +68,7 @@ rule recompute_paper_tables:
         "../envs/thirdbody.yaml"
     params:
         parameters=settings["parameters"],
-        sources=sources_of("recompute_paper_tables.py"),
+        sources=sources_of("recompute_paper_tables.py", config=["paper_tables"]),
     message:
         "Recomputing the tables of the paper"
     script:

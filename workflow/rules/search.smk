@@ -9,7 +9,7 @@ wildcard_constraints:
 
 rule scatter_inputs:
     input:
-        claims=f"{CONFIG}/claims.yaml",
+        claims=configured("claims"),
     output:
         scattered="<results>/calibration/{interpretation}/scattered.csv",
     log:
@@ -21,7 +21,7 @@ rule scatter_inputs:
     params:
         settings=settings_of,
         parameters=settings["uncalibrated"],
-        sources=sources_of("scatter_inputs.py"),
+        sources=sources_of("scatter_inputs.py", config=["claims"]),
     message:
         "Evaluating scattered inputs of {wildcards.interpretation}"
     script:
@@ -30,7 +30,7 @@ rule scatter_inputs:
 
 rule search_inputs:
     input:
-        claims=f"{CONFIG}/claims.yaml",
+        claims=configured("claims"),
         start=start_of,
     output:
         evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
@@ -45,7 +45,7 @@ rule search_inputs:
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
-        sources=sources_of("search_inputs.py"),
+        sources=sources_of("search_inputs.py", config=["claims"]),
     message:
         "Searching the inputs of {wildcards.interpretation} from seed {wildcards.seed}"
     script:
@@ -62,7 +62,7 @@ use rule search_inputs as search_fold with:
         parameters=settings["uncalibrated"],
         seeds=SEEDS,
         fold=lambda wildcards: int(wildcards.fold),
-        sources=sources_of("search_inputs.py"),
+        sources=sources_of("search_inputs.py", config=["claims"]),
     message:
         "Searching the inputs of {wildcards.interpretation} without the figures of fold {wildcards.fold}"
 

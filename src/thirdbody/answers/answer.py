@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.quantities import spread
+from thirdbody.messages import format_value
 from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
@@ -101,8 +102,11 @@ class Answer(Tabular):
         return pd.DataFrame(self.as_dict()["rows"])
 
     def value(self, name: str) -> Value:
-        """The value of the row with a name; ``KeyError`` if there is none."""
-        return {row.name: row.value for row in self.rows}[name]
+        """The value of the row with a name; ``ValueError`` if there is none."""
+        values = {row.name: row.value for row in self.rows}
+        if name not in values:
+            raise ValueError(f"name is {format_value(name)}; allowed: {', '.join(values)}")
+        return values[name]
 
     def as_text(self, width: int = WIDTH) -> str:
         """The title, a table and the notes, at most ``width`` columns wide."""
@@ -129,7 +133,7 @@ class Answer(Tabular):
         return self.as_text()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Curve(Tabular):
     """The result of ``Interface.curve``: a table ``values`` with a row per point.
 

@@ -15,23 +15,26 @@ from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.units import UNITS
+from thirdbody.units import UNITS, plain_number
 
 TABLES = toml_beside(__file__)
 USUAL, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
 BODIES = "ball", "flat", "particle"
+GIGA = 1e9
+USUAL_DENSITY = 850.0  # of mineral oils [kg m-3]
 
 
 @dataclass(frozen=True)
 class Material:
-    """Young's modulus [Pa], Poisson's ratio [1] and hardness [Pa] of a body."""
+    """Young's modulus [GPa], Poisson's ratio [1] and hardness [GPa] of a body."""
 
-    modulus: float
+    modulus_GPa: float
     poisson_ratio: float
-    hardness: float
+    hardness_GPa: float
 
     def __post_init__(self):
-        check_numbers({"modulus": self.modulus, "hardness": self.hardness}, USUAL_MATERIAL)
+        numbers = {"modulus_GPa": self.modulus_GPa, "hardness_GPa": self.hardness_GPa}
+        check_numbers(numbers, USUAL_MATERIAL)
         check_number("poisson_ratio", self.poisson_ratio, positive=False)
         if self.poisson_ratio > 0.5:
             raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
@@ -39,17 +42,38 @@ class Material:
     @property
     def compliance(self) -> float:
         """(1 - v^2)/E [Pa-1]."""
-        return (1.0 - self.poisson_ratio**2) / self.modulus
+        return (1.0 - self.poisson_ratio**2) / (GIGA * self.modulus_GPa)
+
+    @property
+    def hardness(self) -> float:
+        """Hardness [Pa]."""
+        return GIGA * self.hardness_GPa
 
 
 MATERIALS = {
     # Table 1; the modulus of steel that gives E_ss = 112 GPa
-    "steel": Material(STEEL_MODULUS, POISSON_RATIO, 5.0e9),
+    "steel": Material(STEEL_MODULUS / GIGA, POISSON_RATIO, 5.0),
     # common values of hot-pressed bearing balls, within the limits of ASTM F2094
-    "silicon nitride": Material(310e9, 0.27, 15.0e9),
+    "silicon nitride": Material(310.0, 0.27, 15.0),
     # common values of dense alumina
-    "alumina": Material(380e9, 0.22, 16.0e9),
+    "alumina": Material(380.0, 0.22, 16.0),
 }
+
+
+def _material(name: str, given: Material | str) -> Material:
+    """A material, or the one of this name."""
+    if isinstance(given, Material):
+        return given
+    if not isinstance(given, str) or given not in MATERIALS:
+        allowed = f"a Material, or one of {', '.join(MATERIALS)}"
+        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
+    return MATERIALS[given]
+
+
+def implied_speed(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_DENSITY) -> float:
+    """The rolling speed u [m/s] that U over the viscosity stands for, with an oil of this density."""
+    stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
+    return parameters.speed_per_viscosity * stiffness / oil_density_kg_per_m3
 
 
 def _hertz_modulus(one: Material, other: Material) -> float:
@@ -65,9 +89,9 @@ def bearing(
     dynamic_viscosity_mPa_s: float | None = None,
     viscosity_cSt: float | None = None,
     pressure_viscosity_per_GPa: float | None = None,
-    ball: Material | None = None,
-    flat: Material | None = None,
-    particle: Material | None = None,
+    ball: Material | str | None = None,
+    flat: Material | str | None = None,
+    particle: Material | str | None = None,
     apparent_area_mm2: float | None = None,
 ) -> Parameters:
     """Derive the inputs of the model for another ball, speed, oil or material.
@@ -88,8 +112,9 @@ def bearing(
         For the speed: rho of the oil [kg m-3], or mu_0 [mPa s] and nu [cSt], with rho = mu_0/nu.
     pressure_viscosity_per_GPa : float, optional
         alpha [GPa-1].
-    ball, flat, particle : Material, optional
-        Materials of both bodies and of the particles; if one is given, the others are steel.
+    ball, flat, particle : Material or str, optional
+        Materials of both bodies and of the particles, or their names: "steel", "silicon nitride",
+        "alumina"; if one is given, the others are steel.
     apparent_area_mm2 : float, optional
         A_n [mm2], the reference area of loads: at most the cross-section of the ball.
 
@@ -98,20 +123,20 @@ def bearing(
     A silicon nitride ball on steel, at 2 m/s in an oil of 850 kg/m3:
 
     >>> import thirdbody as tb
-    >>> ball = MATERIALS["silicon nitride"]
-    >>> inputs = tb.bearing(ball=ball, speed_m_per_s=2.0, oil_density_kg_per_m3=850.0)
+    >>> oil = dict(speed_m_per_s=2.0, oil_density_kg_per_m3=850.0)
+    >>> inputs = tb.bearing(ball="silicon nitride", **oil)
     >>> round(inputs.elastic_modulus_surfaces / 1e9, 1)
     134.1
     """
     arguments = {name: value for name, value in locals().items() if value is not None}
     parameters = checked_parameters(parameters)
-    numbers = {name: arguments[name] for name in USUAL if name in arguments}
+    numbers = {
+        name: plain_number(name, arguments[name], unit)
+        for name, (*_, unit) in USUAL.items()
+        if name in arguments
+    }
     check_numbers(numbers, USUAL)
-    bodies = {name: arguments[name] for name in BODIES if name in arguments}
-    for name, body in bodies.items():
-        if not isinstance(body, Material):
-            allowed = f"a Material, such as MATERIALS of {', '.join(MATERIALS)}"
-            raise ValueError(f"{name} is {format_value(body)}; allowed: {allowed}")
+    bodies = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
     modulus, changes = parameters.elastic_modulus_surfaces, {}
     if bodies:
         ball, flat, particle = (bodies.get(name, MATERIALS["steel"]) for name in BODIES)
@@ -130,13 +155,13 @@ def bearing(
             "hardness_surface_2": flat.hardness,
             "hardness_parameter": softer / modulus,
         }
-    radius = parameters.ball_radius if ball_radius_mm is None else 1e-3 * ball_radius_mm
-    density = oil_density_kg_per_m3
-    if dynamic_viscosity_mPa_s is not None and viscosity_cSt is not None:
-        density = 1e-3 * dynamic_viscosity_mPa_s / (1e-6 * viscosity_cSt)
-    if (speed_m_per_s is None) != (density is None):
+    radius = 1e-3 * numbers.get("ball_radius_mm", 1e3 * parameters.ball_radius)
+    speed, density = numbers.get("speed_m_per_s"), numbers.get("oil_density_kg_per_m3")
+    if {"dynamic_viscosity_mPa_s", "viscosity_cSt"} <= numbers.keys():
+        density = 1e3 * numbers["dynamic_viscosity_mPa_s"] / numbers["viscosity_cSt"]
+    if (speed is None) != (density is None):
         raise ValueError(
-            f"speed_m_per_s is {speed_m_per_s} and the oil's density {density}; allowed: both, or "
+            f"speed_m_per_s is {speed} and the oil's density {density}; allowed: both, or "
             "neither (a density, or dynamic_viscosity_mPa_s with viscosity_cSt)"
         )
     stiffer, larger = modulus / parameters.elastic_modulus_surfaces, radius / parameters.ball_radius
@@ -145,12 +170,12 @@ def bearing(
         "speed_per_viscosity": parameters.speed_per_viscosity / (stiffer * larger),
         "material_parameter": parameters.material_parameter * stiffer,
     }
-    if speed_m_per_s is not None:
-        changes["speed_per_viscosity"] = density * speed_m_per_s / (modulus * radius)
-    if pressure_viscosity_per_GPa is not None:
-        changes["material_parameter"] = 1e-9 * pressure_viscosity_per_GPa * modulus
-    if apparent_area_mm2 is not None:
-        changes["apparent_area"] = 1e-6 * apparent_area_mm2
+    if speed is not None:
+        changes["speed_per_viscosity"] = density * speed / (modulus * radius)
+    if "pressure_viscosity_per_GPa" in numbers:
+        changes["material_parameter"] = numbers["pressure_viscosity_per_GPa"] * modulus / GIGA
+    if "apparent_area_mm2" in numbers:
+        changes["apparent_area"] = 1e-6 * numbers["apparent_area_mm2"]
     try:
         found = replace(parameters, **changes)
         if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
@@ -173,5 +198,8 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
         check_number("viscosity_cSt", viscosity_cSt, positive=False)
         speed = parameters.speed_per_viscosity * float(UNITS["viscosity_cSt"].to_si(viscosity_cSt))
         rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
-    note = f"A_n = {parameters.apparent_area:.4g} m2 is an input of its own and stays"
-    return Answer("Inputs derived from ball, speed, oil and materials", tuple(rows), (note,))
+    notes = (
+        f"with an oil of {USUAL_DENSITY:g} kg/m3, U/nu is for a speed of {implied_speed(parameters):.3g} m/s",
+        f"A_n = {parameters.apparent_area:.4g} m2 is an input of its own and stays",
+    )
+    return Answer("Inputs derived from ball, speed, oil and materials", tuple(rows), notes)

@@ -48,7 +48,7 @@ TOLERANCE = 1e-6  # of its ends
 DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # for a window; any diameter
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Crossings(Tabular):
     """Where a variable crosses levels: arrays with an element per crossing, in the order of the queries.
 

@@ -19,7 +19,7 @@ from thirdbody.answers.find import (
 )
 from thirdbody.conditions import (
     check_count,
-    check_names,
+    checked_names,
     checked_parameters,
     ends_in_si,
     in_si,
@@ -155,7 +155,7 @@ class Interface:
     def transitions(
         self,
         along: str = "load",
-        flags: Collection[str] = FLAGS_WITH_BORDERS,
+        flags: str | Collection[str] = FLAGS_WITH_BORDERS,
         between: tuple[float, float] | None = None,
     ) -> Answer:
         """Questions 2 to 6: the values of one condition at which regime or mode changes.
@@ -170,7 +170,7 @@ class Interface:
         """
         along = unit_of(along).condition
         key = ENGINEERING[along]
-        check_names("flags", flags, FLAGS_WITH_BORDERS)
+        flags = checked_names("flags", flags, FLAGS_WITH_BORDERS)
         between = SEARCHED[along] if between is None else self._ends("between", between, key)
         given = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():

@@ -34,7 +34,7 @@ SEPARATION_MARGIN = 1e-3
 SAMPLES = 60  # separations between which the maxima under all films are sought
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TurningPoints(Tabular):
     """The most prominent interior maximum of A_sa,t* of each curve: its turning point if ``exists``.
 

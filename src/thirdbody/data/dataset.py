@@ -14,7 +14,7 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import check_names, check_rtol, checked_parameters, in_si
+from thirdbody.conditions import check_rtol, checked_names, checked_parameters, in_si
 from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 from thirdbody.data.files import atomic_write
@@ -202,7 +202,7 @@ def _checked_grid(parameters, rtol, variables, progress, conditions):
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
-    check_names("variables", variables, VARIABLES)
+    variables = checked_names("variables", variables, VARIABLES)
     names = [name for name in VARIABLES if name in variables or name == STATUS]
     axes = in_si(conditions, parameters)
     for key in conditions:

@@ -1,14 +1,18 @@
 """Atomic writing of files, the error for damaged files, and SHA-256 sums."""
 
 import errno
+import glob
 import hashlib
 import os
 import secrets
+import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from thirdbody.messages import format_path, format_value
+
+LONGEST_WRITE = 86_400.0  # [s]
 
 
 @contextmanager
@@ -24,6 +28,7 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     ]
     try:
         for place, part in zip(places, parts, strict=True):
+            _remove_leftovers(place)
             if place.exists() and not place.is_file():  # a device must not be replaced
                 kind = "Is a directory" if place.is_dir() else "Not a regular file"
                 raise OSError(errno.EINVAL, kind, part)
@@ -44,6 +49,16 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     finally:
         for part in parts:
             with suppress(OSError):
+                part.unlink()
+
+
+def _remove_leftovers(place):
+    """Remove temporary files of writes that were killed: those older than any job takes."""
+    for part in place.parent.glob(
+        f".{glob.escape(place.stem)}.partial*{glob.escape(place.suffix)}"
+    ):
+        with suppress(OSError):
+            if time.time() - part.stat().st_mtime > LONGEST_WRITE:
                 part.unlink()
 
 

@@ -41,7 +41,7 @@ CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Comparison(Tabular):
     """Measurements compared with the model.
 

@@ -1,18 +1,26 @@
 """``surface``: roughness, and density and radius of the summits, of measured topographies."""
 
 import math
+import warnings
 from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions import check_number, checked_parameters, warn_outside
+from thirdbody.conditions import (
+    OutOfRangeWarning,
+    check_number,
+    checked_parameters,
+    warn_outside,
+)
 from thirdbody.extras import require
 from thirdbody.messages import format_path
 from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
 from thirdbody.units import CONDITIONS
+
+STEEPEST = 1.0  # root mean square slope
 
 
 @dataclass(frozen=True)
@@ -94,6 +102,7 @@ def surface(
     m_0, m_2, m_4 = np.sum(found, axis=0).tolist()
     roughness = math.sqrt(m_0)
     warn_outside({"roughness": roughness}, {"roughness": (*CONDITIONS["roughness"]["usual"], "m")})
+    _warn_if_steep(math.sqrt(m_2))
     return MeasuredSurface(
         roughness=roughness,
         summit_density=m_4 / (6.0 * math.sqrt(3.0) * math.pi * m_2),
@@ -101,6 +110,19 @@ def surface(
         slope=math.sqrt(m_2),
         curvature=math.sqrt(m_4),
         scale=scale,
+    )
+
+
+def _warn_if_steep(slope):
+    """Warn of slopes that no machined surface has, with the likely reason."""
+    if slope <= STEEPEST:
+        return
+    factor = next((each for each in (1e-3, 1e-6, 1e-9) if each * slope <= STEEPEST), 1e-9)
+    warnings.warn(
+        f"the root mean square slope is {slope:.3g}; usual: at most {STEEPEST:g}. Heights are probably "
+        f"in a smaller unit than lengths (height_scale_factor={factor:g}), or a number marks missing points",
+        OutOfRangeWarning,
+        stacklevel=3,
     )
 
 

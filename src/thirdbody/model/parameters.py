@@ -13,6 +13,7 @@ from thirdbody.model.interpretations import chosen_interpretations
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
+HIGHEST_PLANE = 100.0  # y_s/sigma_s; farther below it, summits lose digits
 
 
 @dataclass(frozen=True)
@@ -162,7 +163,8 @@ class Parameters:
         Raises
         ------
         ValueError
-            For a roughness that is not between 1e-30 and 1e30 m, where its power laws may overflow.
+            For a roughness that is not between 1e-30 and 1e30 m, where its power laws may overflow,
+            and for a plane of the summits more than 100 sigma_s above the mean plane.
 
         Examples
         --------
@@ -181,12 +183,19 @@ class Parameters:
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
+        offset = self.summit_offset_ratio * scale**self.summit_offset_exponent
+        if np.max(offset) > HIGHEST_PLANE * self.summit_deviation_ratio:
+            bad = np.ravel(roughness)[np.argmax(offset)]
+            allowed = f"y_s of at most {HIGHEST_PLANE:g} sigma_s"
+            raise ValueError(
+                f"summit_offset_exponent gives {np.max(offset):.3g} sigma at roughness {bad:g} m; allowed: {allowed}"
+            )
         return Surface(
             roughness=roughness,
             summit_density=density,
             summit_radius=radius,
             summit_deviation=self.summit_deviation_ratio * roughness,
-            summit_offset=self.summit_offset_ratio * scale**self.summit_offset_exponent * roughness,
+            summit_offset=offset * roughness,
         )
 
     def as_dict(self) -> dict:

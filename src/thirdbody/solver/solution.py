@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Solution(Tabular):
     """Solved points: what ``solve`` returns.
 

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.conditions import (
     CONDITIONS,
     broadcast_by_name,
-    check_names,
     check_points,
     check_rtol,
+    checked_names,
     checked_parameters,
     common_index,
     in_si,
@@ -42,7 +42,7 @@ def solve(
     *,
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
-    variables: Collection[str] = VARIABLES,
+    variables: str | Collection[str] = VARIABLES,
     progress: bool = True,
     **conditions: ArrayLike,
 ) -> Solution:
@@ -71,7 +71,7 @@ def solve(
         Materials, geometry and interpretations of the model, by default the published ones.
     rtol : float
         Requested relative error of every variable, from 1e-11 to 1e-2.
-    variables : collection of str
+    variables : str or collection of str
         Names of the fields of ``Solution`` to compute; the others are None.
     progress : bool, optional
         Whether a long call reports progress on standard error: a bar on a terminal, after two
@@ -121,7 +121,7 @@ def solve(
     """
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
-    check_names("variables", variables, VARIABLES)
+    variables = checked_names("variables", variables, VARIABLES)
     check_progress(progress)
     arrays = in_si(conditions, parameters)  # copies, which the caller cannot change later
     units = {unit.condition: unit for unit in map(unit_in_tables, *zip(*conditions.items()))}
