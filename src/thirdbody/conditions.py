@@ -36,8 +36,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
-FAINTEST = np.finfo(float).tiny  # smaller numbers have few digits in float64
-LARGEST = 1e30  # x_a [m], whose square float64 holds
+LARGEST = 1e30  # x_a in any unit, whose square float64 holds
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 # least and most usual value of numbers by name, and their unit
@@ -133,10 +132,9 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
     own, bare = in_own_unit(unit, given, newtons_per_load)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
-    si = own.to_si(array, newtons_per_load)
-    allowed = (array >= least) & np.isfinite(array) & ((si >= FAINTEST) | (si == 0.0))
+    allowed = (array >= least) & np.isfinite(array)
     if unit.condition == "particle_diameter":
-        allowed &= si <= LARGEST
+        allowed &= array <= LARGEST
     wrong = array[~allowed]
     if wrong.size:
         row = (

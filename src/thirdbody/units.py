@@ -114,13 +114,16 @@ def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, 
 
 
 def plain_number(name: str, given: Any, unit: str) -> Any:
-    """A number in ``unit``, in UDUNITS spelling, of a quantity; anything else as it is."""
+    """A number in ``unit``, in UDUNITS spelling, if ``given`` is a quantity; anything else as it is."""
     if not has_unit(given):
         return given
-    quantity = given if is_quantity(given) else registry().Quantity(str(given))
-    if not quantity.is_compatible_with(unit):
-        raise ValueError(f"{name} is in {quantity.units:~}; allowed: a quantity in {unit}")
-    return float(quantity.to(unit).magnitude)
+    known = registry()
+    try:
+        if not is_quantity(given):
+            given = known.Quantity(np.asarray(given), known.Unit(_unit_text(given)))
+        return float(given.to(str(known.Unit(unit))).magnitude)
+    except Exception:  # pint raises many types
+        raise ValueError(f"{name} is {format_value(given)}; allowed: a quantity in {unit}") from None
 
 
 def has_unit(given: Any) -> bool:

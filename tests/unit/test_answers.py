@@ -129,7 +129,7 @@ def test_what_is_not_given_stays(defaults):
         {"oil_density_kg_per_m3": 850.0},
         {"speed_m_per_s": 2.0, "dynamic_viscosity_mPa_s": 100.0},
         {"pressure_viscosity_per_GPa": float("nan")},
-        {"particle": Material(0.5e9, 0.46, 0.02e9)},  # softer than steel
+        {"particle": Material(0.5, 0.46, 0.02)},  # softer than steel
         {"particle": MATERIALS["steel"], "ball": MATERIALS["alumina"]},
     ],
 )

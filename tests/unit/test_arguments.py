@@ -99,15 +99,22 @@ def test_arrays_broadcast_by_the_names_of_their_dimensions(solve):
             "load, viscosity have different coordinates along one dimension",
         ),
         (
-            {"load": pd.Series([1e-6, 1e-5], index=[7, 8])},
-            "load is a Series of pandas; allowed: its .to_numpy() or .to_xarray()",
+            {
+                "load": pd.Series([1e-6, 1e-5], index=[7, 8]),
+                "viscosity": pd.Series([0.0, 9e-5], index=[8, 7]),
+            },
+            "load and viscosity have different indexes; allowed: columns of one table",
+        ),
+        (
+            {"load": pd.DataFrame({"a": [1e-6, 1e-5]})},
+            "load is a DataFrame; allowed: numbers",
         ),
         (
             {"load": [1e-6, 1e-5], "viscosity": [0.0, 1e-5, 2e-5]},
             "shapes do not broadcast: load has (2,), viscosity has (3,); allowed: shapes that do",
         ),
     ],
-    ids=["no names", "other coordinates", "a series", "other shapes"],
+    ids=["no names", "other coordinates", "two series", "a table", "other shapes"],
 )
 def test_arrays_that_do_not_go_together_are_refused(solve, given, message):
     assert refusal(solve, **given).startswith(message)
@@ -141,7 +148,7 @@ TYPED = {
     "load_N": (1e5, "load_N is 100000 N; usual: "),
     "viscosity_cSt": (0.08, "viscosity_cSt is 0.08 cSt; usual: 0.3 to 10000 cSt"),
     "particle_diameter_nm": (500e-9, "particle_diameter_nm is 5e-07 nm; usual: 1 to 1e+06 nm"),
-    "roughness_nm": (0.3e-6, "roughness_nm is 3e-07 nm; usual: 1 to 1e+06 nm"),
+    "roughness_nm": (0.3, "roughness_nm is 0.3 nm; usual: 1 to 1e+06 nm"),
     "particle_density_per_m2": (11, "particle_density_per_m2 is 11 m-2; usual: 1e+06 to 1e+16 m-2"),
 }
 
@@ -186,7 +193,16 @@ def test_what_interfaces_have_is_solved_without_a_word(solve):
         solve(load=[1e-12, 2e-2], viscosity=1e-2, particle_diameter=0.0, roughness=1e-5)
 
 
-@pytest.mark.parametrize("bad", [None, "separation", ["load"]])
+def test_one_name_is_a_list_of_one(solve):
+    found = solve(variables="separation")
+    assert [*found.known] == ["separation"] and found == solve(variables=["separation"])
+
+
+def test_a_near_miss_is_named(solve):
+    assert refusal(tb.solve, loadN=1.0).endswith("; did you mean load_N?")
+
+
+@pytest.mark.parametrize("bad", [None, "load", ["load"]])
 def test_variables_that_are_no_collection_of_known_names_are_refused(solve, bad):
     message = refusal(solve, variables=bad)
     assert message.startswith("variables ") and "; allowed: names from total_" in message

@@ -85,7 +85,7 @@ def calls(parameters):
         ),
         "turning_window": (tb.turning_window, {"between_N": (1.0, 50.0)} | LAYER | inputs),
         "bearing": (tb.bearing, inputs | bodies),
-        "Material": (Material, {"modulus": 2e11, "poisson_ratio": 0.3, "hardness": 5e9}),
+        "Material": (Material, {"modulus_GPa": 200.0, "poisson_ratio": 0.3, "hardness_GPa": 5.0}),
         "derived": (derived, inputs | {"viscosity_cSt": 90.0}),
         "Interface": (tb.Interface, ENGINEERING | inputs),
         "curve": (method("curve"), curve | inputs),

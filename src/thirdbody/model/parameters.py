@@ -13,7 +13,7 @@ from thirdbody.model.interpretations import chosen_interpretations
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
-HIGHEST_PLANE = 100.0  # y_s/sigma_s; farther below it, summits lose digits
+HIGHEST_PLANE = 1000.0  # y_s/sigma_s; farther below it, summits lose digits
 
 
 @dataclass(frozen=True)
@@ -164,7 +164,7 @@ class Parameters:
         ------
         ValueError
             For a roughness that is not between 1e-30 and 1e30 m, where its power laws may overflow,
-            and for a plane of the summits more than 100 sigma_s above the mean plane.
+            and where the plane of the summits is more than 1000 sigma_s above the mean plane.
 
         Examples
         --------
@@ -184,12 +184,11 @@ class Parameters:
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
         offset = self.summit_offset_ratio * scale**self.summit_offset_exponent
-        if np.max(offset) > HIGHEST_PLANE * self.summit_deviation_ratio:
+        highest = HIGHEST_PLANE * self.summit_deviation_ratio
+        if np.max(offset) > highest:
             bad = np.ravel(roughness)[np.argmax(offset)]
-            allowed = f"y_s of at most {HIGHEST_PLANE:g} sigma_s"
-            raise ValueError(
-                f"summit_offset_exponent gives {np.max(offset):.3g} sigma at roughness {bad:g} m; allowed: {allowed}"
-            )
+            message = f"roughness is {bad:g}, where summits are {np.max(offset):.3g} sigma high"
+            raise ValueError(f"{message}; allowed: at most {highest:.3g} sigma")
         return Surface(
             roughness=roughness,
             summit_density=density,
