@@ -216,7 +216,7 @@ def _compare_data(given):
         given["file"],
         parameters=_inputs(given, "inputs"),
         assumed=Assumed(**_known(given, vars(Assumed()))),
-        **_known(given, [*CONDITIONS, "speed_m_per_s"]),
+        **_known(given, [*CONDITIONS, "speed_m_per_s", "oil_density_kg_per_m3", "ball_radius_mm"]),
     )
     _write_products(given, found)
     return found.answer

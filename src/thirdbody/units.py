@@ -123,7 +123,9 @@ def plain_number(name: str, given: Any, unit: str) -> Any:
             given = known.Quantity(np.asarray(given), known.Unit(_unit_text(given)))
         return float(given.to(str(known.Unit(unit))).magnitude)
     except Exception:  # pint raises many types
-        raise ValueError(f"{name} is {format_value(given)}; allowed: a quantity in {unit}") from None
+        raise ValueError(
+            f"{name} is {format_value(given)}; allowed: a quantity in {unit}"
+        ) from None
 
 
 def has_unit(given: Any) -> bool:

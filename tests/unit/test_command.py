@@ -37,6 +37,7 @@ REFUSED = {
     "bearing --ball wood": "--ball is 'wood'; allowed: steel, silicon-nitride, alumina",
     "bearing --ball 205,0.7,5": "--ball is '205,0.7,5'",
     "bearing --speed-m-per-s 2": "--speed-m-per-s is 2 and the oil's density None; allowed: both",
+    f"compare {STATE.removeprefix('state ')}": "--other-... is missing; allowed: one or more",
     "curve --along time --from 1 --to 2": "--along is 'time'; allowed: load, viscosity",
     "curve --along load --from 1 --to 2": "--viscosity-cSt is missing; allowed: a number",
     f"{CURVE} --count 1": "count is 1; allowed: whole numbers from 2 to 1000000",
@@ -92,7 +93,7 @@ def test_what_does_not_occur_has_an_exit_code_of_its_own(capsys):
         (f"{STATE} --load-N 1e5", "thirdbody state: warning: --load-N is 100000 N; usual: "),
         (
             "bearing --ball 205000,0.29,5000",
-            "modulus is 205000 GPa; usual: 0.1 to 2000 GPa, and hardness is 5000 GPa; usual: 0.01 to",
+            "modulus_GPa is 205000 GPa; usual: 0.1 to 2000 GPa, and hardness_GPa is 5000 GPa; usual: ",
         ),
     ],
 )
@@ -168,12 +169,14 @@ def test_output_is_printed_in_any_encoding(encoding):
 
 
 @pytest.mark.parametrize("arguments", [BEARING, "--help"], ids=["answer", "help"])
-def test_a_closed_pipe_is_silent(arguments):
+def test_a_closed_pipe_is_silent_and_a_closed_output_is_not(arguments):
     running = process(arguments, stdout=subprocess.PIPE)
     running.stdout.close()
     assert running.stderr.read() == b""
     assert running.wait() == ANSWERED
-    assert process(arguments, preexec_fn=lambda: os.close(1)).wait() == ANSWERED
+    closed = process(arguments, preexec_fn=lambda: os.close(1))
+    assert b"the answer cannot be written (standard output is closed)" in closed.stderr.read()
+    assert closed.wait() == NOT_WRITTEN
     silent = process(STATE, stdout=subprocess.DEVNULL, preexec_fn=lambda: os.close(2))
     assert silent.wait() == ANSWERED
 

@@ -244,14 +244,18 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("load,wear\n1,1\n", "unit of 'load' is not known; allowed: as 'load .N.'"),
         ("load [kg],separation [nm]\n1,1\n", r"unit of 'load \[kg\]' is not known"),
         ("load [N],separation [furlongs per]\n1,1\n", "not known; allowed: as 'separation .nm.'"),
-        ("load [N],wear\n1,1\n", "measured has the column 'wear'; allowed: load, viscosity"),
+        ("load [N],wear\n1,1\n", "measured has no column of friction coefficient"),
+        ("load [N],separation [nm]\n1,1.2.3\n", "separation .nm. is '1.2.3' in row 1; allowed"),
         ("load [N],separation [nm]\nten,1\n", r"load \[N\] is 'ten' in row 1; allowed: numbers"),
         ("load [N],separation [nm]\n1,inf\n", "separation .nm. is 'inf' in row 1; allowed: numb"),
         ("load [N];separation [nm]\n1.000;0,1\n", "with a point; allowed: one decimal sign"),
         ("load [N],separation [nm]\n1,5,1\n", "a.csv has 3 cells in the row '1,5,1'; allowed: 2"),
         ("load [N],separation [nm]\n,1\n", r"load \[N\] is '' in row 1; allowed: numbers"),
         ("load [N],separation [nm]\n1,\n2,NA\n", "separation .nm. has no numbers; allowed: one"),
-        ("load [N],separation [nm],separation [nm]\n1,1,1\n", "the column 'separation .*, once"),
+        (
+            "load [N],separation [nm],separation [nm]\n1,1,1\n",
+            "a second one of separation; allowed",
+        ),
         ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness_nm is given twice"),
         ("load [N],speed [m/s],separation [nm]\n1,1,1\n", "speed_m_per_s is None; allowed: a num"),
     ],
@@ -283,3 +287,61 @@ def test_the_example_is_what_its_generator_writes(tmp_path):
     exec(compile(source, "make", "exec"), {"__file__": str(tmp_path / "make_measured.py")})
     written = (tmp_path / "measured.csv").read_text(encoding="utf-8")
     assert written == (DOCS / "examples" / "measured.csv").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'load [N],friction coefficient,time [s],comment\n1,0.11,0,"run 1, oil hot"\n2,0.112,60,ok\n',
+        '"load [N]", "friction coefficient"\n1, 0.11\n2, 0.112\n',
+        "load [N];friction coefficient;\n1;0,11;\n2;0,112;\n",
+        "load,friction coefficient\nN,-\n1,0.11\n2,0.112\n",
+        "load (N),friction coefficient (-)\n1,0.11\n2,0.112\n",
+        "load / N,friction coefficient / 1\n1,0.11\n2,0.112\n",
+        "load [N],COF\n1,0.11\n2,0.112\n",
+    ],
+)
+def test_files_of_instruments_and_spreadsheets_are_read(tmp_path, text):
+    path = tmp_path / "run.csv"
+    path.write_text(text)
+    found = tb.compare(path, **REST)
+    assert found.table["load_N"].tolist() == [1.0, 2.0]
+    assert found.table["friction_coefficient"].tolist() == [0.11, 0.112]
+
+
+def test_what_is_left_out_of_a_file_is_named(tmp_path):
+    path = tmp_path / "run.csv"
+    path.write_text(
+        "load [N],friction coefficient,time [s]\n1,Bad,0\n2,0.112,1\n3,-,2\n4,0.109,3\n"
+    )
+    found = tb.compare(path, **REST)
+    assert found.table["friction_coefficient"].isna().tolist() == [True, False, True, False]
+    assert found.notes[:2] == (
+        "friction coefficient has 2 cells without a number: '-', 'Bad'",
+        "columns left out: time [s]",
+    )
+
+
+def test_a_speed_that_no_oil_explains_is_refused_with_the_speed_of_the_inputs():
+    runs = pd.DataFrame(
+        {"speed [m/s]": [0.1, 0.2], "load [N]": [5, 10], "film thickness [nm]": [90, 140]}
+    )
+    given = REST
+    message = r"speed_m_per_s is 0.2, at which .* 17306 kg/m3; allowed: 4.07 m/s \(with 850 kg/m3\)"
+    with pytest.raises(ValueError, match=message):
+        tb.compare(runs, speed_m_per_s=0.2, **given)
+    found = tb.compare(runs, speed_m_per_s=0.2, oil_density_kg_per_m3=850, **given)
+    inputs = tb.bearing(speed_m_per_s=0.2, oil_density_kg_per_m3=850)
+    expected = tb.compare(runs, parameters=inputs, speed_m_per_s=0.2, **given)
+    assert found == expected
+
+
+def test_a_topography_in_two_units_is_warned_of(waves, tmp_path):
+    path, *_ = waves
+    x, y, z = np.loadtxt(path, unpack=True)
+    mixed = tmp_path / "mixed.xyz"
+    np.savetxt(mixed, np.c_[1e-3 * x, 1e-3 * y, z])  # lengths in mm, heights in um
+    with pytest.warns(
+        tb.OutOfRangeWarning, match="root mean square slope .*height_scale_factor=0.001"
+    ):
+        tb.surface(mixed, unit="mm")

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
 from thirdbody.answers.bearing import USUAL as BEARING
+from thirdbody.answers.bearing import USUAL_DENSITY, bearing, implied_speed
 from thirdbody.conditions import (
     check_numbers,
     checked_parameters,
@@ -36,9 +37,12 @@ CONDITIONS["speed"] = "m/s"
 UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
 USUAL = {name: ends for name, (_, _, *ends) in MEASURED.items()}  # least and most
 USUAL["speed"] = BEARING["speed_m_per_s"][:2]
-MISSING = "", "nan", "na", "n/a"  # cells without a measurement
+# other words for measured quantities
+ALIASES = {"cof": "friction coefficient", "coefficient of friction": "friction coefficient"}
+DIMENSIONLESS = "-", "1"  # units of ratios
 CURVE = 80  # points of the model's curve where one condition varies
-HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
+# "load [N]", "load (N)" or "load / N"
+HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\)|/\s*([^/]+?))?\s*$")
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +102,8 @@ def compare(
     *,
     parameters: Parameters | None = None,
     speed_m_per_s: float | None = None,
+    oil_density_kg_per_m3: float | None = None,
+    ball_radius_mm: float | None = None,
     assumed: Assumed | None = None,
     **conditions: ArrayLike,
 ) -> Comparison:
@@ -110,13 +116,16 @@ def compare(
     Parameters
     ----------
     measured : path or pandas.DataFrame
-        CSV separated by commas, semicolons (also with decimal commas) or tabs.  Headings have units
-        in brackets: ``load [N]``, ``viscosity [cSt]``, ``speed [m/s]``, ``particle diameter [um]``,
-        ``roughness [nm]``, ``particle density [1/mm^2]``; and the measured quantities of
-        ``estimates.toml``, such as ``friction coefficient`` and ``film thickness [nm]``.  A cell
-        without a measurement is empty or NA.
-    speed_m_per_s : float, optional
-        The rolling speed of ``parameters`` [m/s]; required if and only if there is a column of speeds.
+        CSV separated by commas, semicolons (also with decimal commas) or tabs.  Headings have units,
+        as ``load [N]``, ``load (N)``, ``load / N`` or in a row below them: ``viscosity [cSt]``,
+        ``speed [m/s]``, ``particle diameter [um]``, ``roughness [nm]``, ``particle density [1/mm^2]``;
+        and the measured quantities of ``estimates.toml``, such as ``friction coefficient`` and
+        ``film thickness [nm]``.  A cell of a measured quantity without digits is a missing value.
+        ``notes`` name these, and other columns, which are left out.
+    speed_m_per_s, oil_density_kg_per_m3, ball_radius_mm : float, optional
+        The rolling speed of ``parameters`` [m/s], required if and only if there is a column of speeds.
+        The published inputs stand for the speed that the message about a contradiction states.  With
+        the density of the oil [kg m-3], the inputs are derived for this speed and ball by ``bearing``.
     assumed : Assumed, optional
         Assumptions of the estimates of friction and contact resistance (``estimates.Assumed``).
     parameters, **conditions
@@ -134,15 +143,23 @@ def compare(
     """
     parameters = checked_parameters(parameters)
     assumed = Assumed() if assumed is None else assumed
-    columns = _read(measured)
+    columns, notes = _read(measured)
     observed = {MEASURED[name][0]: columns[name] for name in columns if name in MEASURED}
     if not observed:
         raise ValueError(f"measured has no column of {', '.join(MEASURED)}; allowed: one or more")
     if ("speed" in columns) != (speed_m_per_s is not None):
         message = f"speed_m_per_s is {format_value(speed_m_per_s)}"
         raise ValueError(f"{message}; allowed: a number with a column of speeds, else none")
+    if oil_density_kg_per_m3 is not None or ball_radius_mm is not None:
+        parameters = bearing(
+            parameters,
+            ball_radius_mm=ball_radius_mm,
+            speed_m_per_s=speed_m_per_s,
+            oil_density_kg_per_m3=oil_density_kg_per_m3,
+        )
     if speed_m_per_s is not None:
         check_numbers({"speed_m_per_s": speed_m_per_s}, BEARING)
+        _check_speed(speed_m_per_s, parameters)
     table = _conditions(columns, conditions, parameters)
     if isinstance(measured, pd.DataFrame):
         table = table.set_index(measured.index)
@@ -152,7 +169,6 @@ def compare(
         _with_model(each, observed, (parameters, *members), speed_m_per_s, assumed)
         for each in (table, curve)
     )
-    notes = []
     for name, quantity in observed.items():
         table[name] = quantity.to(UNITS_OF[name]).magnitude
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
@@ -166,21 +182,39 @@ def compare(
     return Comparison(table, curve, along, tuple(observed), tuple(notes))
 
 
+def _check_speed(speed, parameters):
+    """Raise ``ValueError`` if no oil has the density that the inputs imply at this speed [m/s]."""
+    usual = implied_speed(parameters)
+    density = USUAL_DENSITY * usual / speed
+    least, most, _ = BEARING["oil_density_kg_per_m3"]
+    if not least <= density <= most:
+        raise ValueError(
+            f"speed_m_per_s is {speed:g}, at which the inputs stand for an oil of {density:.5g} kg/m3; allowed: "
+            f"{usual:.3g} m/s (with {USUAL_DENSITY:g} kg/m3), or oil_density_kg_per_m3, which derives the inputs"
+        )
+
+
 def _read(measured):
-    """The columns of a file or table by heading, without unit, as quantities of pint."""
+    """The columns of a file or table by heading, without unit, as quantities of pint, and notes on
+    what was left out."""
     table = measured if isinstance(measured, pd.DataFrame) else _read_csv(measured)
     if not len(table):
         raise ValueError("measured has no rows; allowed: one or more below the headings")
-    columns = {}
+    columns, notes, others = {}, [], []
     for heading, column in table.items():
         words, *units = HEADING.match(str(heading)).groups()
         name, unit = words.lower().replace("_", " "), next(filter(None, units), "")
-        if name in columns or not (name in MEASURED or name in CONDITIONS):
-            known = ", ".join([*CONDITIONS, *MEASURED])
-            message = f"measured has the column {format_value(heading)}"
-            raise ValueError(f"{message}; allowed: {known}, once each")
-        columns[name] = _quantity(heading, name, unit, column)
-    return columns
+        name = ALIASES.get(name, name)
+        if name in columns:
+            message = f"measured has the column {format_value(heading)}, a second one of {name}"
+            raise ValueError(f"{message}; allowed: one of each")
+        if name in MEASURED or name in CONDITIONS:
+            columns[name] = _quantity(heading, name, unit, column, notes)
+        else:
+            others.append(str(heading))
+    if others:
+        notes.append(f"columns left out: {', '.join(others)}")
+    return columns, notes
 
 
 def _read_csv(path):
@@ -199,7 +233,15 @@ def _read_csv(path):
     if not lines:
         raise ValueError(f"{name} is empty; allowed: headings and rows below them")
     separator = next((each for each in "\t;" if each in lines[0]), ",")
-    headings, *rows = csv.reader(lines, delimiter=separator)
+    headings, *rows = csv.reader(lines, delimiter=separator, skipinitialspace=True)
+    lines = [headings, *rows]
+    if not any(
+        "".join(line[len(headings) - 1 :]).strip() for line in lines
+    ):  # separators at the end
+        headings, *rows = (line[: len(headings) - 1] for line in lines)
+    if rows and len(rows[0]) == len(headings) and _are_units(headings, rows[0]):
+        units, *rows = rows
+        headings = [f"{each} [{unit.strip()}]" for each, unit in zip(headings, units)]
     for row in rows:
         if len(row) != len(headings):
             found = f"{len(row)} cells in the row {format_value(separator.join(row))}"
@@ -213,21 +255,33 @@ def _read_csv(path):
     return pd.DataFrame(rows, columns=headings)
 
 
-def _quantity(heading, name, unit, column):
+def _are_units(headings, cells):
+    """Whether the first row below headings has units, which the headings then have not."""
+    known = any(any(HEADING.match(each).groups()[1:]) for each in headings)
+    digits = any(sign.isdigit() for cell in cells for sign in cell)
+    return not (known or digits) and any(cell.strip() not in ("", "-") for cell in cells)
+
+
+def _quantity(heading, name, unit, column, notes):
     """The numbers of a column, nan in cells without a measurement, with their unit, which only
-    dimensionless quantities may omit; for F_t* it is 1."""
+    dimensionless quantities may omit; for F_t* it is 1.  ``notes`` get the marks of missing values."""
     texts = column.astype(str).str.strip()
     numbers = pd.to_numeric(texts, errors="coerce").to_numpy(float)
     wrong = ~np.isfinite(numbers)
     if name in MEASURED:
-        wrong &= ~(column.isna() | texts.str.lower().isin(MISSING)).to_numpy(bool)
+        missing = np.isnan(numbers) & ~texts.str.contains(r"\d").to_numpy(bool)
+        wrong &= ~missing
+        if missing.any():
+            marks = ", ".join(sorted({format_value(text) for text in texts[missing]}))
+            notes.append(f"{heading} has {missing.sum()} cells without a number: {marks}")
     for index in np.flatnonzero(wrong):
         message = f"{heading} is {format_value(column.iloc[index])} in row {index + 1}"
         raise ValueError(f"{message}; allowed: numbers, finite and with a decimal point")
     if np.isnan(numbers).all():
         raise ValueError(f"{heading} has no numbers; allowed: one or more")
     wanted = CONDITIONS.get(name) or MEASURED[name][1]
-    unit = unit or ("dimensionless" if name in MEASURED else "")
+    if unit in DIMENSIONLESS or (not unit and name in MEASURED):
+        unit = "dimensionless"
     try:
         quantity = registry().Quantity(numbers, registry().Unit(unit.replace("%", "percent")))
         known = quantity.is_compatible_with(wanted) or (name == "load" and quantity.unitless)
