@@ -130,9 +130,9 @@ def test_what_no_interface_has_is_said(explorer):
 def test_another_interpretation_is_another_model(explorer):
     explorer.open("figure=fig04")
     before = explorer.curve("ν = 90 cSt")
-    explorer.choose("#input-film_load", "fluid")
+    explorer.choose("#input-film_load", "total")
     assert explorer.curve("ν = 90 cSt") != before
-    explorer.choose("#interpretation", "uncentred_surface_wide_full")
+    explorer.choose("#interpretation", "surface_natural")
     assert explorer.one("#input-particle_plane").get_attribute("value") == "surface"
     explorer.one("#reset").click()
     explorer.settle()

@@ -167,7 +167,7 @@ def test_verdicts_are_the_librarys(explorer, page, defaults):
     """On every statement under the default inputs, on some under those of another interpretation."""
     written = json.loads((page.parents[1] / "claims" / "claims.json").read_text(encoding="utf-8"))
     some = load_claims(config_directory() / "claims.yaml")[::4]
-    calibrated = config_directory() / "calibrated" / "uncentred_summit_wide_full.yaml"
+    calibrated = config_directory() / "calibrated" / "total_natural.yaml"
     other = read_yaml(calibrated)["inputs"]
     verdicts = Judge(some, defaults.as_dict(), NEWTONS)(other, FULL_EFFORT)
     explorer.open()

@@ -1,6 +1,7 @@
 """What users give that used to be wrong numbers in silence: units, names, ranges; one line for each."""
 
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -219,3 +220,21 @@ def test_more_points_than_memory_holds_are_refused_with_their_number(solve, para
     assert refusal(solve, **named) == message
     axes = dict.fromkeys(POINT, axis)
     assert "make 1e+30 points" in refusal(tb.grid, **axes, parameters=parameters)
+
+
+def test_threads_keep_their_warnings():
+    """Interfaces solve without a word what has been checked; other threads are warned as before."""
+    layer = dict(viscosity_cSt=90, roughness_nm=300, particle_density_per_m2=1e11)
+
+    def ask(size):
+        return tb.Interface(load_N=10, particle_diameter_nm=size, **layer).state()
+
+    filters = [*warnings.filters]
+    with ThreadPoolExecutor(4) as pool:
+        [*pool.map(ask, [500.0] * 12)]
+    assert warnings.filters == filters
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        with ThreadPoolExecutor(4) as pool:
+            [*pool.map(ask, np.linspace(0.1, 0.2, 12))]
+    assert [each.category for each in caught] == [tb.OutOfRangeWarning] * 12

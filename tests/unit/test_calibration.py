@@ -32,7 +32,7 @@ LINEAR = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), False)
 RADIUS = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 TWO = Interpretation("two", {}, (LINEAR, RADIUS))
 BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5, "walkers": 16, "steps": 300}
-BUDGET |= {"starts": 3, "descents": 1, "hops": 1}
+BUDGET |= {"starts": 3, "descents": 1, "hops": 1, "iterations": 20}
 
 
 def valley(interpretation, positions):
@@ -71,6 +71,7 @@ def test_the_objective_adds_up_weighted_losses_and_penalties(parameters):
     assert not any(claim.aside for claim in objective.claims)
     interpretation = Interpretation.of(DEFAULT, SETTINGS)
     inputs = {each.name: (each.usual[1] + each.bounds[1]) / 2 for each in interpretation.unknowns}
+    inputs = interpretation.values(interpretation.positions(inputs))
     losses = loss(objective.scores(interpretation, inputs))
     expected = interpretation.penalty(inputs) + objective.weights @ losses
     assert objective(interpretation, interpretation.positions(inputs)) == pytest.approx(expected)

@@ -198,7 +198,7 @@ def test_inputs_are_laid_over_the_calibrated_file(shipped, from_root, inputs):
 
 
 def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root):
-    other = "config/calibrated/uncentred_summit_wide_full.yaml"
+    other = "config/calibrated/total_natural.yaml"
     for key in ("inputs", "calibrated"):
         settings = workflow_settings(changed(shipped, key, other), CONFIG)
         assert settings["parameters"] == load_parameters(other).as_dict()
@@ -280,3 +280,13 @@ def test_a_bad_file_beside_the_configuration_is_named(
     (tmp_path / file).write_text(yaml.safe_dump(content))
     message = refusal(read_settings, {}, "config")
     assert message.startswith(f"{file}: ") and expected in message
+
+
+@pytest.mark.parametrize("typed", ["0300", "1:30", "0x1F", "-017", "1:30.5"])
+def test_numbers_of_other_bases_are_refused_as_they_were_typed(tmp_path, typed):
+    path = tmp_path / "mine.yaml"
+    path.write_text(f"roughness_nm: [{typed}]\n")
+    with pytest.raises(ValueError, match=f"line 1: number {typed}; allowed: decimal numbers"):
+        read_yaml(path)
+    path.write_text("a: [300, 0, 0.5, -3, 1.0e+11]\n")
+    assert read_yaml(path) == {"a": [300, 0, 0.5, -3, 1e11]}

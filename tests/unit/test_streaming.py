@@ -73,3 +73,26 @@ def test_compressed_on_request_it_holds_the_variables_asked_for(parameters, tmp_
         assert file["separation"].filters()["zlib"]
     with pytest.raises(ValueError, match="compression is 12; allowed: 0 to 9"):
         tb.stream(tmp_path / "no.nc", **given, compression=12)
+
+
+def test_fill_values_belong_to_the_file(parameters, tmp_path):
+    grid = tb.grid(**AXES, parameters=parameters)
+    assert not any("_FillValue" in variable.attrs for variable in grid.variables.values())
+    packed = {"dtype": "int16", "scale_factor": 1e-9, "_FillValue": -1}
+    for encoding in ({"_FillValue": np.nan}, packed):
+        grid[["separation"]].to_netcdf(tmp_path / "own.nc", encoding={"separation": encoding})
+    grid.to_netcdf(tmp_path / "grid.nc")
+    xr.testing.assert_identical(xr.load_dataset(tmp_path / "grid.nc"), grid)
+
+
+@pytest.mark.parametrize("fill", [{}, {"_FillValue": -2147483647}])
+def test_packed_numbers_are_decoded(parameters, tmp_path, fill):
+    grid = tb.grid(**AXES, parameters=parameters)
+    packed = {"dtype": "int32", "scale_factor": 1e-9} | fill
+    along = {"dtype": "int32", "scale_factor": 1e-13, "add_offset": 1e-6}
+    encoding = {"particle_contact_area_ratio": packed, "load": along}
+    grid.fillna(0.0).to_netcdf(tmp_path / "packed.nc", encoding=encoding)
+    expected, found = xr.load_dataset(tmp_path / "packed.nc"), read_plain(tmp_path / "packed.nc")
+    for name in encoding:
+        np.testing.assert_allclose(found[name].values, expected[name].values, rtol=1e-12)
+        assert not {"scale_factor", "add_offset"} & found[name].attrs.keys()

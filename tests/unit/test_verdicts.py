@@ -31,7 +31,7 @@ TAKEN_FIELDS = {"contradicts": ("aside",), "published": 1.0, "reference": {"visc
 TAKEN = claim("taken", {"load_max": 1e-5}, **TAKEN_FIELDS)
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
 CLAIMS = (TAKEN, ASIDE, claim("one", cluster="twins"), claim("other", cluster="twins"))
-DEFAULT_NAME = "uncentred_summit_wide_full_total"
+DEFAULT_NAME = "fluid_natural"
 DEFAULT = {
     "interpretation": "some",
     "inputs": {"truncation": 2.0},

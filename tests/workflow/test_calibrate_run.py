@@ -24,9 +24,9 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
 
 def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     again = calibrated.copied_to(tmp_path / "thirdbody")
-    searches = again.root / "results/calibration/uncentred_surface_wide_full"
+    searches = again.root / "results/calibration/surface_natural"
     (searches / "seed2.csv").unlink()
-    for follower in ("uncentred_surface_wide_full.yaml", "chosen.json", "adopted.txt"):
+    for follower in ("surface_natural.yaml", "chosen.json", "adopted.txt"):
         (again.root / "results/calibration" / follower).unlink()
     before = again.stamps()
     run = again.snakemake("calibrate")
@@ -35,5 +35,5 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     searched = {name for name in after if name.endswith(".csv") and before.get(name) != after[name]}
     # samples begin at what the searches of all seeds have found
     names = ("seed2", "seed1_samples", "seed2_samples")
-    assert searched == {f"calibration/uncentred_surface_wide_full/{name}.csv" for name in names}
+    assert searched == {f"calibration/surface_natural/{name}.csv" for name in names}
     assert files(again, "results/calibration") == files(calibrated, "results/calibration")

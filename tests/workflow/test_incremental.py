@@ -1,5 +1,10 @@
 """A change is followed by what depends on it, and by nothing else."""
 
+import os
+import sys
+import time
+from pathlib import Path
+
 import pytest
 from workspace import ROOT
 
@@ -123,6 +128,25 @@ def test_comments_in_the_configuration_and_a_touched_module_rerun_nothing(worksp
     for file in ("config/config.yaml", "config/scenes.yaml"):
         workspace.rewrite(file, lambda text: f"# a remark\n{text}")
     assert not workspace.pending()
+
+
+def test_files_of_the_configuration_may_be_dated_in_the_future(workspace):
+    later = time.time() + 3 * 3600
+    for path in (workspace.root / "config").rglob("*.yaml"):
+        os.utime(path, (later, later))
+    assert not workspace.pending()
+    (workspace.root / "results/claims/claims.csv").unlink()
+    run = workspace.snakemake("results/claims/claims.csv")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_a_blank_in_the_path_of_the_interpreter_is_refused_in_one_line(sources, tmp_path):
+    workspace = sources.copied_to(tmp_path / "my drive")
+    (workspace.root / ".venv").symlink_to(Path(sys.prefix))
+    python = workspace.root / ".venv/bin/python"
+    run = workspace.execute(python, "-m", "snakemake", "-n", "-c1")
+    assert run.returncode != 0 and "has a blank; allowed: a folder" in run.stderr
+    assert "Traceback" not in run.stderr
 
 
 def test_what_is_missing_is_made_again_with_what_is_made_from_it(workspace):

@@ -15,8 +15,8 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
 INTERPRETATIONS = (
-    "uncentred_summit_wide_full_natural",
-    "uncentred_surface_wide_full",
+    "fluid_natural",
+    "surface_natural",
 )  # calibrated in tests
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")

@@ -19,7 +19,8 @@ from scipy.stats.qmc import LatinHypercube
 from thirdbody.study.calibration import SLOPE_OF_LOSS, Interpretation, Objective
 
 DIFFERENCES = 0.01, 0.004  # steps of the slopes in both rounds of a descent, in the unit cube
-SCREENING, DESCENT = 6, 20  # iterations of least squares from every start, and from the best
+# iterations of least squares from every start, and in both rounds from the best and after a hop
+SCREENING, DESCENT, HOPPING = 6, (20, 20), (8, 10)
 HOP, HOPPING = (
     0.1,
     (8, 10),
@@ -59,19 +60,22 @@ def find_inputs(
     Least squares descend from every start, and from the best ``budget["descents"]`` of what they find; then
     from ``budget["hops"]`` random steps away from the best so far.  Two evolutions follow from the best of all.
     """
-    rows = []
+    rows, most = [], budget["iterations"]
+    descent, hopping = (np.minimum(each, most).tolist() for each in (DESCENT, HOPPING))
     for start in starts:
         rows.append(
-            descend(interpretation, objective, start, SCREENING, _wide_loss, DIFFERENCES[0])
+            descend(
+                interpretation, objective, start, min(SCREENING, most), _wide_loss, DIFFERENCES[0]
+            )
         )
     ends = sorted(map(best_of, rows), key=lambda row: row[-1])
     for end in ends[: budget["descents"]]:
-        rows.append(_descend_twice(interpretation, objective, end[:-1], (DESCENT, DESCENT)))
+        rows.append(_descend_twice(interpretation, objective, end[:-1], descent))
     random = np.random.default_rng(seed)
     for _ in range(budget["hops"]):
         best = best_of(np.vstack(rows))[:-1]
         place = np.clip(best + HOP * random.normal(size=best.size), 0.0, 1.0)
-        rows.append(_descend_twice(interpretation, objective, place, HOPPING))
+        rows.append(_descend_twice(interpretation, objective, place, hopping))
     for step in FIRST_STEPS:
         best = best_of(np.vstack(rows))[:-1]
         rows.append(search(interpretation, objective, best, budget, seed, step))
