@@ -68,6 +68,27 @@ def calibrated_files() -> list[dict]:
     return sorted(map(read_yaml, paths), key=lambda content: content["objective"])
 
 
+def headline_block() -> str:
+    """The headline numbers of the paper beside those of the default."""
+    content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
+    names = read_yaml(ROOT / "config" / "calibration.yaml")["headline"]
+    rows = {each["id"]: each for each in content["statements"]}
+    table = [
+        {
+            "place": rows[name]["place"].replace(", section 3.3", ""),
+            "statement": rows[name]["statement"],
+            "computed": rows[name]["computed"],
+            "verdict": rows[name]["verdict"],
+        }
+        for name in names
+    ]
+    held = sum(each["verdict"] == "holds" for each in table)
+    counted = f"{held} of the {len(names)} headline numbers hold."
+    return (
+        f"{counted}\n\n{tabulate(table, headers='keys', tablefmt='github', disable_numparse=True)}"
+    )
+
+
 def interpretations_block() -> str:
     """Every interpretation: statements predicted and fitted, penalty, unknowns, objective."""
     rows = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))[
@@ -223,6 +244,7 @@ BLOCKS = {
     "variables": variables_block,
     "claims": claims_block,
     "windows": turning_points_block,
+    "headline": headline_block,
     "interpretations": interpretations_block,
     "fronts": fronts_block,
     "identified": identified_block,

@@ -1,6 +1,8 @@
 # The index page, the checksums of all products, and the last line of a run.
+import json
 import logging
 import os
+from importlib.metadata import version
 
 # on a full disk, lines that do not fit into Snakemake's log are dropped
 logging.raiseExceptions = False
@@ -42,6 +44,8 @@ rule write_index:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        titles={figure: settings["scenes"][figure]["title"] for figure in SCENES},
+        version=version("thirdbody"),
         sources=sources_of("write_index.py"),
     message:
         "Writing the index page"
@@ -70,6 +74,8 @@ rule write_sums:
 
 onsuccess:
     if Path(RESULTS, "index.html").is_file():
+        with open(f"{RESULTS}/claims/claims.json", encoding="utf-8") as judged:
+            print(json.load(judged)["score"].replace("**", ""))
         print(f"Open {RESULTS}/index.html in a browser")
 
 

@@ -4,28 +4,42 @@ import json
 from pathlib import Path
 
 import jinja2
+from markupsafe import Markup
 
+from thirdbody import typeset
 from thirdbody.data.files import atomic_write
+from thirdbody.figures.captions import WORDS
 from thirdbody.job_log import logged
 from thirdbody.study.claims import figures_named
 
+# a line on each table
+TABLES = {
+    "table1": "Mechanical properties, as printed and recomputed",
+    "table2": "Operating conditions, as printed and recomputed",
+    "tpca_loads": "Loads of the turning points of the contact area on every curve",
+    "tpca_windows": "Ranges of x_a/σ in which dry contact has a turning point",
+    "transitions": "Loads at which lubrication regime or contact mode change",
+    "sensitivity": "How much each unprinted input changes each result",
+}
+
 
 def figure_entry(caption, statements, scenes):
-    """Content of the page for one figure: title, text, and the statements that fail."""
+    """Content of the page for one figure: its title, what it shows, its caption, and its statements."""
     stem = Path(caption).stem
-    first, _, _ = Path(caption).read_text(encoding="utf-8").partition("\n\n")
+    first, _, last = Path(caption).read_text(encoding="utf-8").partition("\n\n")
     title, _, text = first.removeprefix("**").partition(".**")
     number = int(stem.removeprefix("fig")) if stem.startswith("fig") else None
     here = [each for each in statements if number in figures_named(each["place"])]
+    failed = [each for each in here if each["verdict"] == "fails"]
     return {
         "stem": stem,
         "title": title,
+        "shows": " ".join(WORDS[stem]["text"].split()),
         "text": text.strip(),
+        "alternative": last.removeprefix("**Alternative text.**").strip(),
         "held": sum(each["verdict"] == "holds" for each in here),
         "wide": stem in scenes,
-        "failed": [
-            f"{each['place']}: {each['statement']}" for each in here if each["verdict"] == "fails"
-        ],
+        "failed": [f"{each['place']}: {each['statement']}" for each in failed],
     }
 
 
@@ -39,13 +53,17 @@ with logged(snakemake.log[0]):
         lstrip_blocks=True,
         undefined=jinja2.StrictUndefined,
     )
-    statements = judged["statements"]
-    scenes = {Path(dataset).stem for dataset in snakemake.input.datasets}
+    environment.filters["typeset"] = lambda text: Markup(typeset.html(text))
+    statements, titles = judged["statements"], snakemake.params.titles
     content = {
-        "figures": [figure_entry(each, statements, scenes) for each in snakemake.input.captions],
-        "tables": [Path(table).stem for table in snakemake.input.tables],
-        "datasets": [Path(dataset).name for dataset in snakemake.input.datasets],
-        "score": judged["score"],
+        "figures": [figure_entry(each, statements, titles) for each in snakemake.input.captions],
+        "tables": {
+            name: TABLES.get(name, name)
+            for name in (Path(table).stem for table in snakemake.input.tables)
+        },
+        "datasets": {Path(path).name: titles[Path(path).stem] for path in snakemake.input.datasets},
+        "score": judged["score"].replace("**", ""),
+        "version": snakemake.params.version,
     }
     with atomic_write(snakemake.output.page, snakemake.output.captions) as parts:
         for part, template in zip(parts, templates, strict=True):
