@@ -12,6 +12,7 @@ from thirdbody.figures.drawing import CURVE, Panel
 from thirdbody.figures.scales import SCALES, label, note, unit_text, value_text
 
 WORDS = toml_beside(__file__)
+ZONES = WORDS.pop("zones")
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 MEANINGS = WORDS.pop("marks") | {
     status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES
@@ -52,7 +53,12 @@ def _notes(panels) -> list[str]:
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in kinds]
     if len({condition.is_dry for condition in conditions}) > 1:
-        sentences.append("Dashed and dotted curves: dry contact.")
+        sentences.append("Broad curves: dry contact.")
+    sentences += [
+        ZONES[SCALES[y].zones]
+        for y in dict.fromkeys(panel.y for panel in panels)
+        if SCALES[y].zones
+    ]
     return sentences
 
 

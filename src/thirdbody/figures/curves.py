@@ -36,14 +36,14 @@ KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
 CELL = 3.5, 2.9  # of a panel with its labels [inches]
 KEY_HEIGHT = 0.9  # of a key below the panels [inches]
-MARKERS = "osD^vPX"  # every second one is hollow, so that neighbouring levels differ
-DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: black is two-body contact, white is paper
+MARKERS = "os^vPX"  # every second one is hollow, so that neighbouring levels differ; diamonds are printed values
+DARKEST, LIGHTEST = 0.05, 0.78  # of the colour map: black is two-body contact, white is paper
 GREY = "0.5"
 BLUE = "#0072B2"  # of a single curve of an interface, or of the model
 MARKERS_PER_CURVE = 5
-# Dry curves are drawn over the lubricated ones, which are visible between the dashes.
-DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
-DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
+# Dry curves are broad and under the lubricated ones, which then are seen on them.
+DRY = {"linestyle": "-", "linewidth": 2.8, "alpha": 0.45, "zorder": 1.8}
+DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 2.4, "zorder": 1.7, "color": GREY}
 TINT = 0.13  # of the colour in a range, the rest is white
 
 
@@ -232,7 +232,7 @@ def range_series(name, x, low, high, colour, condition=None) -> Series:
     x, y = (np.append(each, each[:1]) for each in outline)
     # opaque with an edge, because several may overlap
     tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
-    look = {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
+    look = {"facecolor": tint, "edgecolor": (colour, 0.25), "linewidth": 0.4, "zorder": 1.5}
     look["label"] = marks.LOOKS[marks.BAND]["label"]
     return Series(marks.BAND, name, x, y, condition, look)
 

@@ -86,7 +86,7 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
     rows = math.ceil(len(panels) / columns)
     for place, panel in enumerate(figure.panels, 1):
         axes = figure.add_subplot(rows, columns, place)
-        axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0)
+        axes.set_title(rf"$\bf{{({panel.letter})}}$  {panel.title}", loc="left", y=1.0)
     return figure
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
+EVERY_LOAD = "printed at every load"
 PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
 # markers of points that have not converged; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
@@ -99,9 +100,20 @@ def printed_series(
             if points and place not in drawn:
                 drawn.add(place)
                 points, look = np.array(points), LOOKS[PRINTED] | colour
+                if _is_at_every_load(row, x, y):
+                    load, value = curve.values[x][[0, -1]], np.full(2, row["value"])
+                    look = LOOKS[EVERY_LOAD] | colour
+                    yield Series(PRINTED, row["id"], load, value, curve.condition, look)
+                    continue
                 yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
                 look = LOOKS[TOLERANCE] | colour
                 yield Series(TOLERANCE, row["id"], *points[:, ::2], curve.condition, look)
+
+
+def _is_at_every_load(row, x, y) -> bool:
+    """Whether a printed extreme is an end of the axis, so that all values are equal to it."""
+    ends = (0.0, 1.0) if SCALES[y].zones else ()
+    return x == "load" and row["quantity"] == y and bool(row["extreme"]) and row["value"] in ends
 
 
 def _low_value_high(curve, row, x, y) -> tuple[NDArray, NDArray] | None:

@@ -86,6 +86,7 @@ ZONES = {
     "modes": ((SURFACE_LIMIT, PARTICLE_LIMIT), ("s-s", "hybrid", "p-s")),
     "regimes": ((FULL_FILM_LIMIT, BOUNDARY_LIMIT), ("F.L.", "M.L.", "B.L.")),
 }
+ZONE = "0.955"  # of the middle one
 ROWS = toml_beside(__file__)
 SCALES = {name: Scale(**row) for name, row in ROWS.items()} | {
     axis.name: Scale(axis.name.replace("_", " "), parameter_title(axis.name), unit=axis.scale)
@@ -128,16 +129,14 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
 
 
 def _draw_zones(axes, scale):
-    """Thin lines at the limits of regimes or modes, and their names at the right edge."""
+    """The middle regime or mode shaded behind the curves, and the names of all at the right edge."""
     low, high = axes.get_ylim()
     limits, names = ZONES[scale.zones]
+    axes.axhspan(limits[0], min(limits[1], high), color=ZONE, linewidth=0.0, zorder=0.5)
     limits = [limit for limit in limits if limit < high]
     edges = np.array([low, *limits, high])
     right = axes.secondary_yaxis("right")
-    right.set_yticks(limits, [f"{limit / scale.unit:g}" for limit in limits])
     middles = zip(0.5 * (edges[1:] + edges[:-1]), names, np.diff(edges), strict=False)
     named = [(middle, name) for middle, name, height in middles if height > 0.05 * (high - low)]
-    right.set_yticks(*zip(*named, strict=True), minor=True)
-    right.tick_params(which="both", length=0)
-    for limit in limits:
-        axes.axhline(limit, color="0.55", linewidth=0.5, linestyle=":", zorder=1)
+    right.set_yticks(*zip(*named, strict=True))
+    right.tick_params(length=0)

@@ -1,4 +1,4 @@
-"""Figures 1 and 2: the three-body interface and its contact modes, drawn to scale."""
+"""Figures 1 and 2: the three-body interface and its contact modes, with stretched heights."""
 
 from collections.abc import Callable
 
@@ -15,10 +15,13 @@ from thirdbody.figures.sections import PARTICLES, Section, condition_of, panels_
 from thirdbody.model.regimes import CONTACT_MODES
 
 INTERFACE, MODES = (7.0, 3.5), (7.0, 5.8)  # sizes of the figures [inches]
-INTERFACE_SHAPE, MODES_SHAPE = 0.4, 0.76  # height over length of their sections
+INTERFACE_SHAPE, MODES_SHAPE = 0.4, 0.76  # height over length of their sections on paper
+STRETCH = 5.0  # of heights over lengths
 MICROMETRE = 1e-6
+SCALE = 5e-6  # length of the scale bar [m]
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
+NAMED = ("surface 1", "surface 2", LUBRICANT)  # on the drawing
 CONTENT = toml_beside(__file__)
 LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
@@ -36,7 +39,9 @@ def plot_interface(data: PlainDataset) -> Drawing:
     axes.set_title(title, loc="left")  # the only panel has no letter
     _draw_section(axes, figure.panels[0], section, INTERFACE_SHAPE)
     _draw_arrows(axes, section)
-    add_key(figure, [Patch(label=text, **look) for text, look in LOOKS.items()])
+    _name_parts(axes, section)
+    entries = [Patch(label=text, **look) for text, look in LOOKS.items() if text not in NAMED]
+    add_key(figure, entries, f"heights stretched {STRETCH:g} times")
     return figure
 
 
@@ -58,7 +63,7 @@ def plot_modes(data: PlainDataset) -> Drawing:
     for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
         _draw_section(axes, panel, section, MODES_SHAPE)
     entries = [Patch(label=text, **look) for text, look in LOOKS.items() if text != LUBRICANT]
-    add_key(figure, entries, "lengths and heights to one scale", common, beside=True)
+    add_key(figure, entries, f"heights stretched {STRETCH:g} times", common, beside=True)
     return figure
 
 
@@ -81,9 +86,9 @@ def _panel(title, section: Section) -> Panel:
 
 
 def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> None:
-    """Draw the lines of a section, lengths and heights to the same scale; ``shape`` is height over length."""
+    """Draw the lines of a section, with stretched heights; ``shape`` is height over length on paper."""
     position, length = section["position"], section["position"][-1]
-    middle, reach = 0.5 * section["separation"], 0.5 * shape * length
+    middle, reach = 0.5 * section["separation"], 0.5 * shape * length / STRETCH
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
     if section["viscosity"] > 0.0:
         axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
@@ -95,16 +100,37 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
         else:
             axes.fill(series.x, series.y, zorder=2.5, **series.look)
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
-    axes.set_aspect("equal")
+    axes.set_aspect(STRETCH)
     height, end = middle - 0.9 * reach, 0.97 * length
-    axes.plot([end - MICROMETRE, end], [height, height], color="black", linewidth=2.0)
-    axes.text(end - MICROMETRE, height, "1 µm  ", ha="right", va="center")
+    axes.plot([end - SCALE, end], [height, height], color="black", linewidth=2.0)
+    axes.text(end - SCALE, height, f"{SCALE / MICROMETRE:g} µm  ", ha="right", va="center")
+    axes.plot([end, end], [height, height + SCALE / STRETCH], color="black", linewidth=2.0)
+    axes.text(
+        end,
+        height + SCALE / STRETCH,
+        f"{SCALE / STRETCH / MICROMETRE:g} µm",
+        ha="right",
+        va="bottom",
+    )
     facts = (
         f"d = {section['separation'] / MICROMETRE:.2f} µm, "
         f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}, "
         f"$L_s$ = {section['solid_load_fraction']:.0%}"
     )
     axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
+
+
+def _name_parts(axes, section):
+    """Names of the surfaces and of the lubricant on the drawing."""
+    position, length = section["position"], section["position"][-1]
+    bottom, top = axes.get_ylim()
+    axes.text(0.97 * length, 0.55 * top, "surface 1", ha="right", va="center")
+    axes.text(0.75 * length, 0.75 * bottom, "surface 2", ha="right", va="center")
+    gap = section["upper"] - section["lower"]
+    widest = np.argmax(gap)
+    place = position[widest], 0.5 * (section["upper"] + section["lower"])[widest]
+    beside = place[0] + 0.06 * length * (1 if place[0] < 0.5 * length else -1), 0.6 * bottom
+    axes.annotate(LUBRICANT, place, beside, ha="center", va="top", arrowprops=ARROWS["leader"])
 
 
 def _draw_arrows(axes, section):

@@ -1,4 +1,4 @@
-"""Random sections through the three-body interface, to scale, and their dataset.
+"""Random sections through the three-body interface, and their dataset.
 
 The surfaces are Gaussian, the particles follow the size distribution of the model, and the mean
 planes are at the solved separation.  The seed is fixed.  A section is a mapping by the names of
@@ -21,7 +21,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
 
 SEED = 20240507  # publication date of the paper
-LENGTHS = {"fig01": 12e-6, "fig02": 8e-6}  # of the sections of each schematic [m]
+LENGTHS = {"fig01": 40e-6, "fig02": 24e-6}  # of the sections of each schematic [m]: several summits
 POINTS = 500
 CLEARANCE = 0.12  # distance of contacts from the ends, as a fraction of the section
 ATTEMPTS = 1000
@@ -142,7 +142,10 @@ def _particles(state, parameters, position, lower, upper, reach, random) -> dict
     if reach is not None:
         right = (position > 0.6 * position[-1]) & (position < (1 - CLEARANCE) * position[-1])
         gap = np.where(right, upper - lower, np.inf)
-        places[0], smallest[0] = position[np.argmin(gap)], max(gap.min() - reach, 0.0)
+        # it touches both surfaces where there are such sizes
+        largest = size_quantiles(1.0, 0.0, state["particle_diameter"], parameters)
+        least = gap.min() if gap.min() < largest else max(gap.min() - reach, 0.0)
+        places[0], smallest[0] = position[np.argmin(gap)], least
     fractions = random.uniform(size=count)
     sizes = size_quantiles(fractions, smallest, state["particle_diameter"], parameters)
     settled = [
