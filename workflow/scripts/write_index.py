@@ -6,11 +6,11 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
-from thirdbody import typeset
 from thirdbody.data.files import atomic_write
 from thirdbody.figures.captions import WORDS
 from thirdbody.job_log import logged
 from thirdbody.study.claims import figures_named
+from thirdbody.typeset import html
 
 # a line on each table
 TABLES = {
@@ -53,7 +53,7 @@ with logged(snakemake.log[0]):
         lstrip_blocks=True,
         undefined=jinja2.StrictUndefined,
     )
-    environment.filters["typeset"] = lambda text: Markup(typeset.html(text))
+    environment.filters["typeset"] = lambda text: Markup(html(text))
     statements, titles = judged["statements"], snakemake.params.titles
     content = {
         "figures": [figure_entry(each, statements, titles) for each in snakemake.input.captions],
