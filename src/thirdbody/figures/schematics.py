@@ -3,7 +3,9 @@
 from collections.abc import Callable
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from thirdbody.beside import toml_beside
@@ -16,11 +18,12 @@ from thirdbody.model.regimes import CONTACT_MODES
 
 INTERFACE, MODES = (7.0, 3.5), (7.0, 5.8)  # sizes of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.4, 0.76  # height over length of their sections on paper
-STRETCH = 5.0  # of heights over lengths
+STRETCH = 3.5  # of heights over lengths
 MICROMETRE = 1e-6
 SCALE = 5e-6  # length of the scale bar [m]
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
+ZONE = "elastic zone h_e"
 NAMED = ("surface 1", "surface 2", LUBRICANT)  # on the drawing
 CONTENT = toml_beside(__file__)
 LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]
@@ -40,8 +43,7 @@ def plot_interface(data: PlainDataset) -> Drawing:
     _draw_section(axes, figure.panels[0], section, INTERFACE_SHAPE)
     _draw_arrows(axes, section)
     _name_parts(axes, section)
-    entries = [Patch(label=text, **look) for text, look in LOOKS.items() if text not in NAMED]
-    add_key(figure, entries, f"heights stretched {STRETCH:g} times")
+    add_key(figure, _entries(*NAMED), f"heights stretched {STRETCH:g} times")
     return figure
 
 
@@ -62,9 +64,17 @@ def plot_modes(data: PlainDataset) -> Drawing:
     figure = empty_panels(panels, MODES)
     for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
         _draw_section(axes, panel, section, MODES_SHAPE)
-    entries = [Patch(label=text, **look) for text, look in LOOKS.items() if text != LUBRICANT]
-    add_key(figure, entries, f"heights stretched {STRETCH:g} times", common, beside=True)
+    add_key(
+        figure, _entries(LUBRICANT), f"heights stretched {STRETCH:g} times", common, beside=True
+    )
     return figure
+
+
+def _entries(*left_out: str) -> list[Artist]:
+    """The entries of the key."""
+    looks = {text: look for text, look in LOOKS.items() if text not in left_out}
+    kinds = {ZONE: lambda **look: Line2D([], [], **look)}
+    return [kinds.get(text, Patch)(label=text, **look) for text, look in looks.items()]
 
 
 def _panel(title, section: Section) -> Panel:
@@ -99,6 +109,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
             axes.plot(series.x, series.y, solid_capstyle="butt", **series.look)
         else:
             axes.fill(series.x, series.y, zorder=2.5, **series.look)
+    axes.vlines(*_elastic_zones(section), **LOOKS[ZONE])
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
     axes.set_aspect(STRETCH)
     height, end = middle - 0.9 * reach, 0.97 * length
@@ -118,6 +129,15 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
         f"$L_s$ = {section['solid_load_fraction']:.0%}"
     )
     axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
+
+
+def _elastic_zones(section):
+    """Position, and lower and upper end, of the gap above each particle that carries load through h_e."""
+    x, height, size, carries = (section[name] for name in PARTICLES)
+    above = np.interp(x, section["position"], section["upper"])
+    top = height + 0.5 * size
+    through = (carries > 0) & (above > top)
+    return x[through], top[through], above[through]
 
 
 def _name_parts(axes, section):
