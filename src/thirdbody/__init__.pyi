@@ -13,6 +13,7 @@ from thirdbody.figures.plot import plot as plot
 from thirdbody.measured.comparison import compare as compare
 from thirdbody.measured.oil import cleanliness as cleanliness
 from thirdbody.measured.oil import oil_viscosity as oil_viscosity
+from thirdbody.measured.roughness import equivalent_roughness as equivalent_roughness
 from thirdbody.measured.topography import surface as surface
 from thirdbody.model.parameters import Parameters as Parameters
 from thirdbody.model.parameters import mccool_summits as mccool_summits

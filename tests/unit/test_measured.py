@@ -9,6 +9,7 @@ import pint
 import pytest
 
 import thirdbody as tb
+from thirdbody.answers.bearing import MATERIALS
 from thirdbody.command import main
 from thirdbody.measured.estimates import Assumed
 from thirdbody.measured.oil import GRADES, viscosity_index_of
@@ -345,3 +346,36 @@ def test_a_topography_in_two_units_is_warned_of(waves, tmp_path):
         tb.OutOfRangeWarning, match="root mean square slope .*height_scale_factor=0.001"
     ):
         tb.surface(mixed, unit="mm")
+
+
+def test_the_roughness_of_two_surfaces():
+    assert tb.equivalent_roughness(Rq=(240, 180)) == 300.0
+    expected = 300.0 * np.sqrt(np.pi / 2.0)
+    assert tb.equivalent_roughness(Ra=(240, 180)) == pytest.approx(expected)
+    for bad in ({}, {"Rq": 3}, {"Rq": (1, 2, 3)}, {"Ra": (1, -2)}, {"Rq": (1, 2), "Ra": (1, 2)}):
+        with pytest.raises(ValueError, match="; allowed: "):
+            tb.equivalent_roughness(**bad)
+
+
+def test_oils_by_the_name_of_their_grade_and_temperatures_with_units():
+    pint = pytest.importorskip("pint")
+    expected = tb.oil_viscosity(60, grade=46, viscosity_index=95)
+    assert tb.oil_viscosity(60, grade="ISO VG 46", viscosity_index=95) == expected
+    warm = pint.Quantity(333.15, "kelvin")
+    assert tb.oil_viscosity(warm, grade="VG 46", viscosity_index=95) == pytest.approx(expected)
+    with pytest.raises(ValueError, match="temperature_C is .*; allowed: numbers, in degrees"):
+        tb.oil_viscosity(pint.Quantity(1.0, "m"), grade=46, viscosity_index=95)
+
+
+def test_what_is_no_measurement_is_refused_in_one_line():
+    with pytest.raises(
+        ValueError, match="measured is .*; allowed: a pandas.DataFrame, or the path"
+    ):
+        tb.compare([1.0, 2.0], **REST)
+
+
+@pytest.mark.parametrize("name", ["silicon nitride", "steel"])
+def test_materials_by_name(name):
+    assert tb.bearing(ball=name) == tb.bearing(ball=MATERIALS[name])
+    with pytest.raises(ValueError, match="ball is 'wood'; allowed: a Material, or one of steel"):
+        tb.bearing(ball="wood")

@@ -80,6 +80,13 @@ class Crossings(Tabular):
         first.ravel()[self.query[::-1]] = self.value[::-1]  # the last assignment wins
         return first
 
+    def __repr__(self) -> str:
+        """The crossings as a table."""
+        if not self.value.size:
+            return f"Crossings along {self.along}: none"
+        table = self.to_dataframe().to_string(index=False, float_format="{:.6g}".format)
+        return f"Crossings along {self.along}:\n{table}"
+
     def to_dataframe(self) -> "pd.DataFrame":
         """One row per crossing: query, value in the unit of ``along``, its error, direction and status."""
         import pandas as pd

@@ -66,6 +66,8 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
         dry.swap_dims(load="normal_load").sel(normal_load=10, particle_diameter=5e-7)
     """
     path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"{path} is not there; make it: snakemake -c2 atlas")
     try:
         listed = json.loads(path.read_text(encoding="utf-8"))["chunks"]
         files = [path.parent / each["file"] for each in listed]

@@ -1,7 +1,9 @@
 """``plot``: the panels of the paper for any dataset or curve, over the load or over another axis."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from itertools import product
+from math import prod
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -11,6 +13,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from thirdbody.conditions import checked_names
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.quantities import STATUS
@@ -26,15 +29,20 @@ from thirdbody.figures.curves import (
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.scales import SCALES, note
+from thirdbody.solver.solution import Solution
 from thirdbody.units import UNITS
 
-ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
+MOST_CURVES = 24  # of which a legend names each
+ALLOWED = (
+    "a solution, a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
+)
 
 
 def plot(
-    data: xr.Dataset | str | PathLike,
+    data: Solution | xr.Dataset | str | PathLike,
     *,
     over: str = "load",
+    variables: str | Sequence[str] = LUBRICATED,
     like: str | None = None,
     turning_points: Sequence[Mapping] | str | PathLike = (),
     band: xr.Dataset | str | PathLike | None = None,
@@ -43,8 +51,11 @@ def plot(
 
     Parameters
     ----------
-    data : xarray.Dataset or path
-        Dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the workflow.
+    data : Solution, xarray.Dataset or path
+        A solution, a dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the
+        workflow.
+    variables : str or sequence of str, optional
+        Draw only these of the four quantities.
     over : str, optional
         The axis along x, by any of its names, such as "load" or "viscosity_cSt".  Over the load,
         one of viscosity, particle diameter and density may vary, in addition to dry and lubricated
@@ -81,8 +92,8 @@ def plot(
     >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
     >>> points = tb.grid(load=np.geomspace(1e-6, 1e-4, 20), **oils, **debris)
     >>> figure = tb.plot(points)
-    >>> [axes.get_title(loc="left") for axes in figure.axes[:2]]
-    ['(A)  Contact area ratio of particles', '(B)  Real contact area']
+    >>> figure.axes[0].get_ylabel()
+    '$A_{sa,t}^*$'
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity ν (cSt)'
     """
@@ -91,27 +102,36 @@ def plot(
     over = UNITS[over].condition
     if like is not None and like not in CURVE_FIGURES:
         raise ValueError(f"like is {like!r}; allowed: {', '.join(CURVE_FIGURES)}")
+    variables = checked_names("variables", variables, LUBRICATED)
     complete = _with_all_dimensions("data", data)
     if complete.sizes[over] < 2:
         raise ValueError(f"data has one {over}; allowed: two or more, which curves are drawn over")
     with matplotlib.style.context(STYLE, after_reset=True):
         if over != "load":
-            return _plot_over(complete, over)
+            return _plot_over(complete, over, variables)
         ranges = None if band is None else _with_all_dimensions("band", band)
         if isinstance(turning_points, str | PathLike):
             turning_points = read_turning_points(turning_points)
         drawn = curve_figure(like or "data", complete)
+        chosen = tuple(each for each in drawn.contents if like or each.y in variables)
+        drawn = replace(drawn, contents=chosen)
         return drawn.plot(complete, turning_points, ranges)
 
 
-def _plot_over(data: xr.Dataset, over: str) -> Figure:
-    """Panels of all variables over one axis, with a curve for each combination of the other axes."""
+def _plot_over(data: xr.Dataset, over: str, variables: Collection[str]) -> Figure:
+    """Panels of ``variables`` over one axis, with a curve for each combination of the other axes."""
     others = [name for name in DIMENSIONS if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
     common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
-    names = [name for name in LUBRICATED if name in data and bool(data[name].notnull().any())]
+    names = [name for name in variables if name in data and bool(data[name].notnull().any())]
     if not names:
         raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(LUBRICATED)}")
+    count = prod(data.sizes[name] for name in varying)
+    if count > MOST_CURVES:
+        message = f"data make {count} curves over {over}"
+        raise ValueError(
+            f"{message}; allowed: at most {MOST_CURVES} (select some with sel or isel)"
+        )
     curves = {}
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
@@ -183,6 +203,8 @@ def _note(data, name, value) -> str:
 
 def _with_all_dimensions(name, data) -> xr.Dataset:
     """A dataset over the five axes in their order; missing ones have length one."""
+    if isinstance(data, Solution):
+        data = data.to_dataset()
     if isinstance(data, str | PathLike):
         if not Path(data).is_file():
             raise FileNotFoundError(f"{name} is {str(data)!r}, which is not a file")

@@ -20,10 +20,10 @@ INTERFACE, MODES = (7.0, 3.5), (7.0, 5.8)  # sizes of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.4, 0.76  # height over length of their sections on paper
 STRETCH = 3.5  # of heights over lengths
 MICROMETRE = 1e-6
-SCALE = 5e-6  # length of the scale bar [m]
+SCALE = 7e-6  # length of the scale bar [m]
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
-ZONE = "elastic zone h_e"
+ZONE = "elastic zone $h_e$"
 NAMED = ("surface 1", "surface 2", LUBRICANT)  # on the drawing
 CONTENT = toml_beside(__file__)
 LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]

@@ -219,6 +219,9 @@ def _read(measured):
 
 def _read_csv(path):
     """A CSV file as texts; the separator is the first of tab, semicolon and comma found in the headings."""
+    if not isinstance(path, str | PathLike):
+        allowed = "a pandas.DataFrame, or the path of a CSV file"
+        raise ValueError(f"measured is {format_value(path)}; allowed: {allowed}")
     name = format_path(path)
     try:
         content = Path(path).read_bytes()

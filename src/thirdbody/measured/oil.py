@@ -15,12 +15,14 @@ from thirdbody.answers.answer import Answer, Row, few_particles
 from thirdbody.conditions import check_number, check_numbers, checked_array, checked_parameters
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
+from thirdbody.units import is_quantity
 
 # ISO 3448: kinematic viscosity at 40 C [cSt] of each grade, +-10 %
 GRADES = {2: 2.2, 3: 3.2, 5: 4.6, 7: 6.8}
 GRADES |= {grade: float(grade) for grade in (10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460)}
 GRADES |= {grade: float(grade) for grade in (680, 1000, 1500, 2200, 3200)}
 LEAST, MOST = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
+GRADE = re.compile(r"(?:ISO *)?(?:VG)? *(\d+)", re.IGNORECASE)
 COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
 ZERO = 273.15  # K
 # ASTM D2270: rows of seven numbers, described in the file
@@ -38,7 +40,7 @@ USUAL = {"gap_nm": (1.0, 1e5, "nm")}
 def oil_viscosity(
     temperature_C: ArrayLike,
     *,
-    grade: int | None = None,
+    grade: int | str | None = None,
     viscosity_index: float | None = None,
     points: Mapping[float, float] | None = None,
 ) -> NDArray:
@@ -52,9 +54,9 @@ def oil_viscosity(
     Parameters
     ----------
     temperature_C : array_like
-        Temperatures [C], from -70 to 370; the result has the same shape.
-    grade : int, optional
-        ISO viscosity grade (ISO 3448): the middle of its range at 40 C, which is +-10 %.
+        Temperatures [C], or a quantity, from -70 to 370 C; the result has the same shape.
+    grade : int or str, optional
+        ISO viscosity grade, 46 or "ISO VG 46" (ISO 3448): the middle of its range at 40 C, which is +-10 %.
     viscosity_index : float, optional
         Required with the grade; gives the second point, at 100 C (ASTM D2270, ISO 2909).
     points : mapping, optional
@@ -68,6 +70,7 @@ def oil_viscosity(
     >>> tb.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
     array([38.5])
     """
+    temperature_C = _in_celsius(temperature_C)
     temperature = checked_array("temperature_C", temperature_C, "numbers, in degrees Celsius")
     given = f"temperature_C is {format_value(temperature_C)}"
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
@@ -78,6 +81,8 @@ def oil_viscosity(
             f"points {format_value(points)}; allowed: a grade with its viscosity_index, or points"
         )
     if points is None:
+        if isinstance(grade, str) and (named := GRADE.fullmatch(grade)):
+            grade = int(named[1])
         if not isinstance(grade, Integral) or grade not in GRADES:
             allowed = ", ".join(map(str, GRADES))
             raise ValueError(f"grade is {format_value(grade)}; allowed: ISO VG {allowed}")
@@ -94,6 +99,19 @@ def oil_viscosity(
             f"to {MOST:g} cSt, where ASTM D341 is a line"
         )
     return viscosity
+
+
+def _in_celsius(temperature):
+    """Numbers of a quantity in degrees Celsius; anything else as it is."""
+    if not is_quantity(temperature):
+        return temperature
+    try:
+        return temperature.to("degC").magnitude
+    except Exception:  # pint raises many types
+        given = f"temperature_C is {format_value(temperature)}"
+        raise ValueError(
+            f"{given}; allowed: numbers, in degrees Celsius, or temperatures"
+        ) from None
 
 
 def _checked_points(points):

@@ -188,8 +188,11 @@ def _in_words(name, values) -> str:
     known = values[~np.isnan(values)]
     if known.size == 0:
         return "none"
+    unit = ""
+    if name == "separation":
+        known, unit = 1e9 * known, " nm"
     ends = f"{known.min():.6g}", f"{known.max():.6g}"
-    return ends[0] if values.size == 1 else " to ".join(ends)
+    return (ends[0] if values.size == 1 else " to ".join(ends)) + unit
 
 
 def type_of(variable: str) -> type:

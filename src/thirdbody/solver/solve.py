@@ -64,7 +64,8 @@ def solve(
         The mean diameter of the paper, x_a [m] or [nm]; 0 for two-body contact.  If the size
         distribution is ``uncentred``, it is larger than any particle.
     roughness, roughness_nm : array_like
-        Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m.
+        Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m;
+        ``thirdbody.equivalent_roughness`` gives it from Rq or Ra of two surfaces.
     particle_density, particle_density_per_m2 : array_like
         Number eta_a of particles per area [m-2]; 0 for two-body contact.
     parameters : Parameters, optional
