@@ -19,7 +19,7 @@ from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
-from thirdbody.figures.schematics import SCHEMATICS
+from thirdbody.figures.schematics import SCHEMATICS, STRETCH
 from thirdbody.figures.sections import sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
 
@@ -144,7 +144,7 @@ def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
     figure = plotted(name, datasets)
     looks = [look(line) for line in figure.legends[0].get_lines()]
     assert len(set(looks)) == len(looks)
-    marked = [(marker, face) for _, marker, face, _ in looks if marker not in ("None", "none")]
+    marked = [(marker, face) for _, marker, face, *_ in looks if marker not in ("None", "none")]
     assert len(set(marked)) == len(marked)  # markers alone tell the levels apart
     lines = [line for line in figure.axes[0].lines if len(line.get_xdata()) > 2]
     assert len({look(line) for line in lines}) >= PANELS[name][0]
@@ -153,7 +153,8 @@ def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
 def look(line):
     grey = round(float(np.dot(to_rgb(line.get_color()), GREY)), 3)
     is_hollow = line.get_markerfacecolor() == "white"
-    return str(line.get_linestyle()), str(line.get_marker()), is_hollow, grey
+    width = float(line.get_linewidth())
+    return str(line.get_linestyle()), str(line.get_marker()), is_hollow, grey, width
 
 
 def test_loads_stand_in_newtons_at_the_upper_edge(datasets):
@@ -322,7 +323,8 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
         each.draw_without_rendering()
         for axes in each.axes:
             box, (width,), (height,) = axes.bbox, *map(np.diff, (axes.get_xlim(), axes.get_ylim()))
-            assert height / width == pytest.approx(box.height / box.width)  # to scale
+            shape = STRETCH * height / width
+            assert shape == pytest.approx(box.height / box.width)
     written = caption("fig02")
     assert saved(drawing, tmp_path / "a", written) == saved(again, tmp_path / "b", written)
     for name, wrong, message in (
@@ -374,8 +376,8 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
         assert f"{1e9 * roughness:.10g}" in text
     kinds = {series.kind for panel in drawing.panels for series in panel.series}
     assert ("Stars: " in text) == (STARS in kinds)
-    assert ("Open squares" in text) == (PRINTED in kinds)
-    assert "Shaded" not in text
+    assert ("Diamonds" in text) == (PRINTED in kinds)
+    assert "Shaded in colour" not in text
     if name == "fig03":
         last = drawing.panels[1].of_kind(CURVE)[-1]
         assert f"xₐ = 1000 nm runs from {last.y[0]:.2g} to {last.y[-1]:.2g}" in text

@@ -101,7 +101,7 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
         (grid(load=1e-5), {}, "data has one load; allowed: two or more"),
         (grid(**sizes), {}, "viscosity and particle_diameter vary; allowed: one"),
         (grid(["separation"]), {}, "there is nothing to draw; allowed: points with"),
-        (5, {}, "data is of type int; allowed: a dataset of tb.grid"),
+        (5, {}, "data is of type int; allowed: a solution, a dataset of tb.grid"),
         (data, {"like": "fig01"}, "like is 'fig01'; allowed: fig03, "),
         (data, {"over": "time"}, "over is 'time'; allowed: load, "),
         (data, {"over": "roughness"}, "data has one roughness; allowed: two or more"),
@@ -113,3 +113,20 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
             tb.plot(given, **options)
     with pytest.raises(FileNotFoundError, match="data is '.*no.nc', which is not a file"):
         tb.plot(tmp_path / "no.nc")
+
+
+def test_a_solution_is_drawn_as_its_dataset_and_some_variables_alone(parameters):
+    loads = np.geomspace(1e-7, 1e-4, 5)
+    given = {"particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11}
+    found = tb.solve(load=loads[:, None], viscosity=[0.0, 9e-5], **given, parameters=parameters)
+    figure, other = tb.plot(found), tb.plot(found.to_dataset())
+    assert len(figure.axes) == len(other.axes)
+    one = tb.plot(found, variables="solid_load_fraction")
+    assert [panel.y for panel in one.panels] == ["solid_load_fraction"]
+
+
+def test_more_curves_than_a_legend_can_name_are_refused(grid):
+    sizes = np.linspace(1e-7, 1e-6, 30)
+    data = grid(particle_diameter=sizes, viscosity=[1e-5, 9e-5]).isel(load=[0])
+    with pytest.raises(ValueError, match="data make 30 curves over viscosity; allowed: at most 24"):
+        tb.plot(data, over="viscosity")

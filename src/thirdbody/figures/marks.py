@@ -104,8 +104,8 @@ def printed_series(
                     load, value = curve.values[x][[0, -1]], np.full(2, row["value"])
                     look = LOOKS[EVERY_LOAD] | colour
                     yield Series(PRINTED, row["id"], load, value, curve.condition, look)
-                    continue
-                yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
+                else:
+                    yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
                 look = LOOKS[TOLERANCE] | colour
                 yield Series(TOLERANCE, row["id"], *points[:, ::2], curve.condition, look)
 

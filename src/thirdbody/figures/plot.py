@@ -6,7 +6,7 @@ from itertools import product
 from math import prod
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import matplotlib.style
 import numpy as np
@@ -29,8 +29,10 @@ from thirdbody.figures.curves import (
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.scales import SCALES, note
-from thirdbody.solver.solution import Solution
 from thirdbody.units import UNITS
+
+if TYPE_CHECKING:
+    from thirdbody.solver.solution import Solution
 
 MOST_CURVES = 24  # of which a legend names each
 ALLOWED = (
@@ -39,7 +41,7 @@ ALLOWED = (
 
 
 def plot(
-    data: Solution | xr.Dataset | str | PathLike,
+    data: "Solution | xr.Dataset | str | PathLike",
     *,
     over: str = "load",
     variables: str | Sequence[str] = LUBRICATED,
@@ -203,7 +205,7 @@ def _note(data, name, value) -> str:
 
 def _with_all_dimensions(name, data) -> xr.Dataset:
     """A dataset over the five axes in their order; missing ones have length one."""
-    if isinstance(data, Solution):
+    if hasattr(data, "to_dataset") and hasattr(data, "separation"):  # a ``Solution``
         data = data.to_dataset()
     if isinstance(data, str | PathLike):
         if not Path(data).is_file():
