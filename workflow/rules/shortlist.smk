@@ -27,12 +27,17 @@ def nearby(wildcards):
 
 
 def start_of(wildcards):
-    """The file with the inputs from which a search starts."""
+    """The files with the inputs from which a search starts."""
     for name in nearby(wildcards):
-        return f"{RESULTS}/calibration/{name}/seed{SEEDS[0]}.csv"
-    return f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"
+        seeds = SEEDS if name in shortlisted() else SEEDS[:1]
+        return [f"{RESULTS}/calibration/{name}/seed{seed}.csv" for seed in seeds]
+    return [f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"]
+
+
+def shortlisted():
+    chosen = checkpoints.shortlist.get().output.chosen
+    return json.loads(Path(chosen).read_text(encoding="utf-8"))
 
 
 def is_shortlisted(wildcards):
-    chosen = checkpoints.shortlist.get().output.chosen
-    return wildcards.interpretation in json.loads(Path(chosen).read_text(encoding="utf-8"))
+    return wildcards.interpretation in shortlisted()
