@@ -1,5 +1,7 @@
 """Search the unprinted inputs of one interpretation, over all statements or without those of a fold."""
 
+import numpy as np
+
 from thirdbody.job_log import logged
 from thirdbody.study.calibration import Interpretation, Objective, make_folds, read_rows, write_rows
 from thirdbody.study.claims import load_claims
@@ -13,27 +15,20 @@ with logged(snakemake.log[0]):
     fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
     objective = Objective.of(fitted, settings, base)
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
-    rows = read_rows(snakemake.input.start)
+    rows = np.vstack([read_rows(path) for path in snakemake.input.start])
     if nearby := settings["interpretations"][interpretation.name].get("nearby"):
         other = Interpretation.of(nearby, settings)
         known = other.fixed | other.values(best_of(rows)[:-1])
         starts = interpretation.positions(known)[None]
     else:
-        places, scores = (
-            rows[:, : len(interpretation.unknowns)],
-            rows[:, len(interpretation.unknowns) :],
-        )
+        count = len(interpretation.unknowns)
+        places, scores = rows[:, :count], rows[:, count:]
         every = Objective.of(statements, settings, base)
         ranking = rank_starts(objective, objective.take(every, scores))
         # every seed has starts of its own
-        seeds, some = settings["seeds"], snakemake.params.seeds
-        starts = places[
-            [
-                rank
-                for seed in some
-                for rank in ranking[seeds.index(seed) :: len(seeds)][: settings["budget"]["starts"]]
-            ]
-        ]
+        seeds, most = settings["seeds"], settings["budget"]["starts"]
+        ranks = [ranking[seeds.index(seed) :: len(seeds)][:most] for seed in snakemake.params.seeds]
+        starts = places[np.concatenate(ranks)]
     found = find_inputs(
         interpretation, objective, starts, settings["budget"], snakemake.params.seeds[0]
     )
