@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.messages import format_value
+from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
 from thirdbody.units import (
@@ -104,7 +104,7 @@ def common_index(given: Mapping[str, Any]) -> Any:
 
 
 def is_column(given: Any) -> bool:
-    """Whether ``given`` is a ``Series`` or ``Index`` of pandas."""
+    """Whether ``given`` is a ``Series`` of pandas."""
     return hasattr(given, "iloc") and getattr(given, "ndim", 0) == 1
 
 
@@ -126,9 +126,9 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
     """The unit of numbers or quantities, and a float64 copy in SI; for an array with named
     dimensions, of its values."""
     key = unit.key
-    rows = getattr(given, "index", None) if is_column(given) else None
+    rows = None
     if is_column(given):
-        given = given.array if hasattr(given.array, "quantity") else given.to_numpy()
+        rows, given = given.index, _cells(key, given)
     own, bare = in_own_unit(unit, given, newtons_per_load)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
@@ -137,13 +137,21 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
         allowed &= array <= LARGEST
     wrong = array[~allowed]
     if wrong.size:
-        row = (
-            ""
-            if rows is None
-            else f" in row {rows[np.argmin((array >= least) & np.isfinite(array))]}"
-        )
+        row = "" if rows is None else f" in row {rows[np.argmin(allowed)]}"
         raise ValueError(f"{key} is {wrong[0]:g}{row}; allowed: {sign} finite numbers")
     return own, np.array(own.to_si(array, newtons_per_load))
+
+
+def _cells(key: str, column: Any) -> Any:
+    """The values of a column; ``ValueError`` names the row of a cell that is not a number."""
+    if hasattr(column.array, "quantity"):  # of pint-pandas
+        return column.array
+    if column.dtype.kind == "O":
+        for row, cell in column.items():
+            if isinstance(cell, bool) or not (isinstance(cell, Real) or has_unit(cell)):
+                message = f"{key} is {format_value(cell)} in row {row}"
+                raise ValueError(f"{message}; allowed: numbers")
+    return column.to_numpy()
 
 
 def broadcast_by_name(
@@ -203,7 +211,9 @@ def checked_names(argument: str, given: Any, known: Collection[str]) -> Collecti
         raise ValueError(f"{argument} is {format_value(given)}; {allowed}")
     for name in names:
         if not isinstance(name, str) or name not in known:
-            raise ValueError(f"{argument} has {format_value(name)}; {allowed}")
+            raise ValueError(
+                f"{argument} has {format_value(name)}; {allowed}{did_you_mean(name, known)}"
+            )
     return names
 
 

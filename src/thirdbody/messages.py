@@ -1,5 +1,7 @@
 """Values and file names in one-line messages; long ones are cut."""
 
+from collections.abc import Iterable
+from difflib import get_close_matches
 from os import PathLike
 from typing import Any
 
@@ -10,6 +12,13 @@ def format_value(value: Any) -> str:
     """The ``repr`` of a value on one line, cut if it is long."""
     text = " ".join(repr(value).split())
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
+
+
+def did_you_mean(given: Any, known: Iterable[str]) -> str:
+    """The end of a message about an unknown name: the ``known`` one nearest to it, if there is one."""
+    by_letters = {name.lower(): name for name in known}
+    near = get_close_matches(str(given).lower(), by_letters, 1)
+    return f"; did you mean {by_letters[near[0]]}?" if near else ""
 
 
 def format_path(path: str | PathLike) -> str:

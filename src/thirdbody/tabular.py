@@ -1,13 +1,22 @@
 """``Tabular``: tabular results for pandas, xarray and notebooks."""
 
 from dataclasses import fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+
+
+def indexed(table: "pd.DataFrame", index: "pd.Index | None", points: ArrayLike) -> "pd.DataFrame":
+    """A table whose rows belong to ``points``, flat indices into an array with the rows of ``index``
+    along its last axis, with the labels of these rows; unchanged if ``index`` is None."""
+    if index is None:
+        return table
+    return table.set_index(index.take(np.asarray(points, int) % max(len(index), 1)))
 
 
 class Tabular:
@@ -17,13 +26,21 @@ class Tabular:
     element.  Other classes override ``to_dataframe``.
     """
 
+    _index: "pd.Index | None" = None  # of the columns of pandas that were given
+
+    def _with_index(self, index: "pd.Index | None") -> Self:
+        """This new result with the index of the columns that were given."""
+        object.__setattr__(self, "_index", index)  # results are frozen
+        return self
+
     def to_dataframe(self) -> "pd.DataFrame":
         """The fields as columns."""
         import pandas as pd
 
-        return pd.DataFrame(
+        table = pd.DataFrame(
             {each.name: np.ravel(getattr(self, each.name)) for each in fields(self)}
         )
+        return indexed(table, self._index, range(len(table)))
 
     def to_dataset(self) -> "xr.Dataset":
         """The same table over the dimension ``row``."""
@@ -37,8 +54,17 @@ class Tabular:
 
     __hash__ = None
 
+    def __str__(self) -> str:
+        """The table, with six significant digits."""
+        try:
+            table = self.to_dataframe()
+        except ModuleNotFoundError:
+            return repr(self)
+        digits = "{:.6g}".format
+        return table.to_string(index=self._index is not None, float_format=digits)
+
     def _repr_html_(self) -> str | None:
         try:
-            return self.to_dataframe().to_html(index=False, max_rows=60)
+            return self.to_dataframe().to_html(index=self._index is not None, max_rows=60)
         except ModuleNotFoundError:  # notebooks then use __repr__
             return None

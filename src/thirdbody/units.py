@@ -7,7 +7,6 @@ the attribute ``units``, carry their own unit.  ``units.toml`` is the table of t
 
 import re
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from functools import cache
 from typing import Any
 
@@ -16,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.beside import toml_beside
 from thirdbody.extras import require
-from thirdbody.messages import format_value
+from thirdbody.messages import did_you_mean, format_value
 
 
 @dataclass(frozen=True)
@@ -53,15 +52,16 @@ for name, each in CONDITIONS.items():
     key, is_force = each["engineering"], name == "load"
     UNITS[key] = Unit(key, name, each["engineering_unit"], each["scale"], is_force)
 SI = {name: UNITS[name] for name in CONDITIONS}
+# other arguments of functions that take conditions
+OPTIONS = "parameters", "variables", "rtol", "progress"
 SEARCHED = {name: tuple(each["searched"]) for name, each in CONDITIONS.items()}
 
 
 def unit_of(key: Any) -> Unit:
     """The unit of a name; raises ``ValueError`` if there is no such name."""
     if not isinstance(key, str) or key not in UNITS:
-        near = get_close_matches(str(key), UNITS, 1)
-        meant = f"; did you mean {near[0]}?" if near else ""
-        raise ValueError(f"unknown axis {format_value(key)}; allowed: {', '.join(UNITS)}{meant}")
+        allowed = ", ".join(UNITS) + did_you_mean(key, (*UNITS, *OPTIONS))
+        raise ValueError(f"unknown axis {format_value(key)}; allowed: {allowed}")
     return UNITS[key]
 
 

@@ -1,5 +1,6 @@
 """What users give that used to be wrong numbers in silence: units, names, ranges; one line for each."""
 
+import inspect
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -203,7 +204,7 @@ def test_a_near_miss_is_named(solve):
     assert refusal(tb.solve, loadN=1.0).endswith("; did you mean load_N?")
 
 
-@pytest.mark.parametrize("bad", [None, "load", ["load"]])
+@pytest.mark.parametrize("bad", [5, "load", ["load"]])
 def test_variables_that_are_no_collection_of_known_names_are_refused(solve, bad):
     message = refusal(solve, variables=bad)
     assert message.startswith("variables ") and "; allowed: names from total_" in message
@@ -238,3 +239,24 @@ def test_threads_keep_their_warnings():
         with ThreadPoolExecutor(4) as pool:
             [*pool.map(ask, np.linspace(0.1, 0.2, 12))]
     assert [each.category for each in caught] == [tb.OutOfRangeWarning] * 12
+
+
+@pytest.mark.parametrize(
+    ("call", "meant"),
+    [
+        (lambda: tb.solve(load_n=1), "load_N"),
+        (lambda: tb.solve(viscosity_CST=1), "viscosity_cSt"),
+        (lambda: tb.solve(variable="separation"), "variables"),
+        (lambda: tb.solve(variables="seperation"), "separation"),
+        (lambda: tb.find("solid_load", 0.5, "load"), "solid_load_fraction"),
+        (lambda: tb.find("separation", 1e-6, "roughnes"), "roughness"),
+    ],
+)
+def test_the_name_that_was_meant_is_suggested(call, meant):
+    with pytest.raises(ValueError, match=f"; did you mean {meant}\\?$"):
+        call()
+
+
+@pytest.mark.parametrize("function", [tb.solve, tb.grid, tb.find])
+def test_signatures_fit_on_a_screen(function):
+    assert len(str(inspect.signature(function))) < 320

@@ -89,7 +89,8 @@ def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
     np.testing.assert_array_equal(table["lubrication_regime"].isna(), unsolved)
 
 
-REST = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
+SURFACE = dict(roughness_nm=300, particle_density_per_m2=1e11)
+REST = SURFACE | dict(particle_diameter_nm=500)
 OIL = {"viscosity_cSt": 90}
 DATA = pd.DataFrame({"load [N]": [5, 10], "solid load fraction": [0.9, 0.7]})
 
@@ -175,6 +176,67 @@ def test_a_bad_row_of_a_column_is_named():
     bad = TABLE["load"].replace(10.0, -1.0)
     with pytest.raises(ValueError, match="load_N is -1 in row b; allowed: positive finite numbers"):
         tb.solve(load_N=bad, viscosity_cSt=90, **REST)
+
+
+@pytest.mark.parametrize("cell", ["ten", None, True])
+def test_a_cell_that_is_no_number_is_named_with_its_row(cell):
+    bad = TABLE["load"].astype(object)
+    bad["b"] = cell
+    with pytest.raises(ValueError, match=f"load_N is {cell!r} in row b; allowed: numbers"):
+        tb.solve(load_N=bad, viscosity_cSt=90, **REST)
+
+
+def test_the_row_of_a_diameter_that_is_too_large_is_named():
+    sizes = pd.Series([300.0, 1e40], index=["a", "b"])
+    with pytest.raises(ValueError, match=r"particle_diameter is 1e\+40 in row b"):
+        tb.solve(load_N=1, viscosity_cSt=0, **SURFACE, particle_diameter=sizes)
+
+
+def test_each_point_of_a_column_and_other_arrays_has_the_label_of_its_row():
+    found = tb.solve(load_N=TABLE["load"], viscosity_cSt=[[0.0], [90.0]], **REST).to_dataframe()
+    assert found.index.tolist() == [*"abcabc"]
+    assert found.loc["b", "load [N]"].tolist() == [10.0, 10.0]
+    one = tb.solve(load_N=TABLE["load"].iloc[:1], viscosity_cSt=[0, 90], **REST).to_dataframe()
+    assert one.index.tolist() == [*"aa"]
+    none = tb.solve(load_N=TABLE["load"].iloc[:0], viscosity_cSt=90, **REST).to_dataframe()
+    assert none.empty and none.index.equals(TABLE.index[:0])
+
+
+@pytest.mark.parametrize(
+    "search",
+    [
+        lambda loads: tb.find("solid_load_fraction", [0.5], "viscosity_cSt", load_N=loads, **REST),
+        lambda loads: tb.transitions("viscosity_cSt", load_N=loads, **REST),
+    ],
+)
+def test_searches_have_the_index_of_the_columns(search):
+    table = search(TABLE["load"]).to_dataframe()
+    assert table.index.equals(TABLE.index.take(table["query"].astype(int)))
+    assert set(table.index) == {*"abc"}
+
+
+def test_turning_points_have_the_index_of_the_columns():
+    found = tb.turning_point(viscosity_cSt=TABLE["oil"], **REST)
+    assert found.to_dataframe().index.equals(TABLE.index)
+
+
+def test_a_condition_of_measurements_has_their_index():
+    runs = pd.DataFrame(
+        {"load [N]": [5, 10, 20], "solid load fraction": 0.9}, index=["a", "b", "c"]
+    )
+    found = tb.compare(runs, viscosity_cSt=TABLE["oil"], **REST)
+    assert found.table["viscosity_cSt"].to_dict() == TABLE["oil"].to_dict()
+    others = TABLE["oil"].set_axis([1, 2, 3])
+    with pytest.raises(ValueError, match="viscosity_cSt and measured have different indexes"):
+        tb.compare(runs, viscosity_cSt=others, **REST)
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_a_result_is_printed_on_short_lines_and_equals_itself(name):
+    function, _ = RESULTS[name]
+    found = function()
+    assert "array(" not in str(found) and "dtype" not in str(found)
+    assert found == function() and found != 1
 
 
 def test_a_comparison_has_the_index_of_the_measurements():

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-import pint
 import pytest
 
 import thirdbody as tb
@@ -48,7 +47,7 @@ def test_the_line_goes_through_both_points_and_is_straight_in_its_coordinates():
     ("given", "message"),
     [
         ({"grade": 47, "viscosity_index": 95}, "grade is 47; allowed: ISO VG 2, 3"),
-        ({"grade": 46}, "allowed: a grade with its viscosity_index, or points"),
+        ({"viscosity_index": 95}, "allowed: a grade, also with its viscosity_index, or points"),
         ({"grade": 2, "viscosity_index": 95}, "viscosity_index is 95; allowed: "),
         ({"points": {40: 46}}, "points is {40: 46}; allowed: two temperatures"),
         ({"points": {40: 5, 100: 46}}, "points is .*; allowed: two temperatures"),
@@ -204,7 +203,7 @@ def test_a_curve_is_there_where_one_condition_varies(tmp_path):
         figure = found.plot()
         figure.savefig(tmp_path / "a.png")  # in the resolution of its style
         width = int.from_bytes((tmp_path / "a.png").read_bytes()[16:20])
-        assert width == round(180 * figure.get_figwidth())
+        assert width == round(300 * figure.get_figwidth())
 
 
 def test_spreadsheets_of_other_countries_are_read(tmp_path):
@@ -231,9 +230,6 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         Assumed(boundary_friction=12)
     with pytest.warns(tb.OutOfRangeWarning, match="gap_nm is 1e-06 nm; usual: 1 to 100000 nm"):
         tb.cleanliness("18/16/13", gap_nm=1e-6)
-    kelvin = pint.UnitRegistry().Quantity(313.15, "K")
-    with pytest.raises(ValueError, match="temperature_C is a Quantity; allowed: numbers, in deg"):
-        tb.oil_viscosity(kelvin, grade=46, viscosity_index=95)
 
 
 @pytest.mark.parametrize(
@@ -355,6 +351,44 @@ def test_the_roughness_of_two_surfaces():
     for bad in ({}, {"Rq": 3}, {"Rq": (1, 2, 3)}, {"Ra": (1, -2)}, {"Rq": (1, 2), "Ra": (1, 2)}):
         with pytest.raises(ValueError, match="; allowed: "):
             tb.equivalent_roughness(**bad)
+
+
+def test_the_roughness_of_surfaces_with_units_and_of_tables():
+    pint = pytest.importorskip("pint")
+    lengths = pint.Quantity(0.24, "um"), pint.Quantity(180.0, "nm")
+    assert tb.equivalent_roughness(Rq=lengths).to("nm").magnitude == pytest.approx(300.0)
+    table = pd.DataFrame({"ball": [240.0, 30.0], "flat": [180.0, 40.0]}, index=["a", "b"])
+    found = tb.equivalent_roughness(Rq=(table["ball"], table["flat"]))
+    assert found.to_dict() == {"a": 300.0, "b": 50.0}
+    assert tb.equivalent_roughness(Rq=(table["ball"], 0.0)).equals(table["ball"])
+    for bad in ((lengths[0], 180.0), (pint.Quantity(1.0, "s"), 1.0), (-table["ball"], 1.0)):
+        with pytest.raises(ValueError, match="Rq is .*; allowed: "):
+            tb.equivalent_roughness(Rq=bad)
+
+
+def test_a_grade_alone_has_the_index_of_mineral_oils():
+    alone, given = (tb.oil_viscosity(60, grade="ISO VG 46", **each) for each in INDEXES)
+    assert alone == given
+
+
+def test_temperatures_of_a_table_give_a_column_of_the_table():
+    table = pd.DataFrame({"oil [C]": [40.0, 80.0]}, index=["cold", "hot"])
+    found = tb.oil_viscosity(table["oil [C]"], grade=46)
+    assert found.index.equals(table.index) and found["cold"] == pytest.approx(46.0)
+    layer = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
+    solved = tb.solve(load_N=10, viscosity_cSt=found, **layer).to_dataframe()
+    assert solved.index.equals(table.index)
+
+
+def test_what_is_no_file_of_a_topography_is_refused_in_one_line():
+    pytest.importorskip("SurfaceTopography")
+    with pytest.raises(ValueError, match="paths has array.*; allowed: paths of files"):
+        tb.surface(np.zeros((3, 3)))
+    with pytest.raises(FileNotFoundError, match="none.xyz cannot be read .No such file"):
+        tb.surface("none.xyz")
+
+
+INDEXES = {}, {"viscosity_index": 95}
 
 
 def test_oils_by_the_name_of_their_grade_and_temperatures_with_units():

@@ -6,6 +6,8 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which gives Table 1 for two steel bodies.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
@@ -13,7 +15,7 @@ from thirdbody.beside import toml_beside
 from thirdbody.conditions import check_number, check_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
-from thirdbody.messages import format_value
+from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS, plain_number
 
@@ -26,15 +28,16 @@ USUAL_DENSITY = 850.0  # of mineral oils [kg m-3]
 
 @dataclass(frozen=True)
 class Material:
-    """Young's modulus [GPa], Poisson's ratio [1] and hardness [GPa] of a body."""
+    """Young's modulus [GPa], Poisson's ratio [1] and hardness [GPa] of a body; numbers or quantities."""
 
     modulus_GPa: float
     poisson_ratio: float
     hardness_GPa: float
 
     def __post_init__(self):
-        numbers = {"modulus_GPa": self.modulus_GPa, "hardness_GPa": self.hardness_GPa}
-        check_numbers(numbers, USUAL_MATERIAL)
+        for name, (*_, unit) in USUAL_MATERIAL.items():
+            object.__setattr__(self, name, plain_number(name, getattr(self, name), unit))
+        check_numbers({name: getattr(self, name) for name in USUAL_MATERIAL}, USUAL_MATERIAL)
         check_number("poisson_ratio", self.poisson_ratio, positive=False)
         if self.poisson_ratio > 0.5:
             raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
@@ -64,10 +67,11 @@ def _material(name: str, given: Material | str) -> Material:
     """A material, or the one of this name."""
     if isinstance(given, Material):
         return given
-    if not isinstance(given, str) or given not in MATERIALS:
-        allowed = f"a Material, or one of {', '.join(MATERIALS)}"
+    word = given.replace("-", " ").lower() if isinstance(given, str) else None
+    if word not in MATERIALS:
+        allowed = f"a Material, or one of {', '.join(MATERIALS)}{did_you_mean(given, MATERIALS)}"
         raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
-    return MATERIALS[given]
+    return MATERIALS[word]
 
 
 def implied_speed(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_DENSITY) -> float:

@@ -6,6 +6,8 @@ the level bracket a crossing, which is refined to the requested error.  Where a 
 the level, the sampling is refined ``DEPTH`` times by ``FINER``.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,6 +21,7 @@ from thirdbody.conditions import (
     check_rtol,
     checked_array,
     checked_parameters,
+    common_index,
     ends_in_si,
     in_si,
 )
@@ -28,12 +31,12 @@ from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import QUANTITIES
-from thirdbody.messages import format_value
+from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
-from thirdbody.tabular import Tabular
+from thirdbody.tabular import Tabular, indexed
 from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, is_labelled, unit_of
 
 if TYPE_CHECKING:
@@ -82,18 +85,19 @@ class Crossings(Tabular):
 
     def __repr__(self) -> str:
         """The crossings as a table."""
-        if not self.value.size:
-            return f"Crossings along {self.along}: none"
-        table = self.to_dataframe().to_string(index=False, float_format="{:.6g}".format)
+        table = super().__str__() if self.value.size else "none"
         return f"Crossings along {self.along}:\n{table}"
 
-    def to_dataframe(self) -> "pd.DataFrame":
+    __str__ = __repr__
+
+    def to_dataframe(self) -> pd.DataFrame:
         """One row per crossing: query, value in the unit of ``along``, its error, direction and status."""
         import pandas as pd
 
         columns = {"query": self.query, self.along: self.value, "error": self.error}
         status = np.array(SOLUTION_STATUSES)[self.solution_status]
-        return pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
+        table = pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
+        return indexed(table, self._index, self.query)
 
 
 class Border(NamedTuple):
@@ -139,12 +143,13 @@ class Transition:
 class Transitions(Tabular, list):
     """A list of ``Transition``, sorted by query, then by value."""
 
-    def to_dataframe(self) -> "pd.DataFrame":
+    def to_dataframe(self) -> pd.DataFrame:
         """One row per change."""
         import pandas as pd
 
         table = pd.DataFrame([vars(each) for each in self], columns=[*Transition.__annotations__])
-        return table.assign(border=[each.border.flag for each in self])
+        table = table.assign(border=[each.border.flag for each in self])
+        return indexed(table, self._index, table["query"])
 
 
 def find(
@@ -206,7 +211,7 @@ def find(
     shape, others = queries(conditions, parameters, unit.condition, level=level)
     limits = [(variable, others.pop("level"))]
     _, *found = crossings(limits, unit, swept, others, parameters, rtol, progress)
-    return Crossings(along, shape, *found)
+    return Crossings(along, shape, *found)._with_index(common_index(conditions))
 
 
 def transitions(
@@ -241,7 +246,7 @@ def transitions(
         states = (border.below, border.above) if rises else (border.above, border.below)
         status = SOLUTION_STATUSES[status]
         changes.append(Transition(query, border, *states, value, error, status))
-    return changes
+    return changes._with_index(common_index(conditions))
 
 
 def turning_point(
@@ -284,7 +289,8 @@ def turning_point(
     points = {"load": loads[:, None]} | curves
     solved = solve_arrays(points, parameters, rtol, ["separation"])
     found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
-    return TurningPoints(*(column.reshape(shape) for column in vars(found).values()))
+    points = TurningPoints(*(column.reshape(shape) for column in vars(found).values()))
+    return points._with_index(common_index(conditions))
 
 
 def turning_window(
@@ -324,7 +330,8 @@ def turning_window(
 def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
     """The levels; ``ValueError`` for an unknown variable and for levels that it cannot have."""
     if not isinstance(variable, str) or variable not in QUANTITIES:
-        raise ValueError(f"variable is {format_value(variable)}; allowed: {', '.join(QUANTITIES)}")
+        allowed = ", ".join(QUANTITIES) + did_you_mean(variable, QUANTITIES)
+        raise ValueError(f"variable is {format_value(variable)}; allowed: {allowed}")
     quantity = QUANTITIES[variable]
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
     most, allowed = (0.01, "0 to 0.01 m") if quantity.units == "m" else (1.0, "0 to 1")

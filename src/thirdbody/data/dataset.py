@@ -1,6 +1,8 @@
 """Solved points as a dataset with names and units over the five axes: a grid, in memory or block by
 block in a file, or a scene (the curves of one figure)."""
 
+from __future__ import annotations
+
 from collections.abc import Collection, Mapping
 from itertools import product
 from math import prod
@@ -52,10 +54,10 @@ def grid(
     *,
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
-    variables: Collection[str] = CONTRACT,
+    variables: str | Collection[str] | None = None,
     progress: bool = True,
     **conditions: ArrayLike,
-) -> "xr.Dataset":
+) -> xr.Dataset:
     """Solve every combination of five axes and return a dataset.
 
     Parameters
@@ -65,8 +67,8 @@ def grid(
     rtol : float, optional
         Requested relative error of every variable [1].  From 1e-3 on, large grids are interpolated
         over the separation, in a fifth of the time; below, every point is solved individually.
-    variables : collection of str, optional
-        Variables of ``Solution`` to compute; ``solution_status`` is always included, and
+    variables : str or collection of str, optional
+        Variables of ``Solution`` to compute, by default all but ``separation_count``; ``solution_status`` is always included, and
         ``separation_count`` if a point has the status ``several_separations``.
     progress : bool, optional
         Whether a long call reports its progress, as in ``solve``.
@@ -120,7 +122,7 @@ def stream(
     *,
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
-    variables: Collection[str] = CONTRACT,
+    variables: str | Collection[str] | None = None,
     compression: int = 0,
     progress: bool = True,
     **conditions: ArrayLike,
@@ -135,7 +137,7 @@ def stream(
         NetCDF-4 file to write; it is written atomically.
     parameters, rtol, progress, **conditions
         As in ``grid``.
-    variables : collection of str, optional
+    variables : str or collection of str, optional
         As in ``grid``; ``separation_count`` is only included on request.
     compression : int, optional
         Level of zlib, from 0 to 9.  At the default 0 nothing is compressed, because that would take
@@ -202,7 +204,7 @@ def _checked_grid(parameters, rtol, variables, progress, conditions):
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
-    variables = checked_names("variables", variables, VARIABLES)
+    variables = CONTRACT if variables is None else checked_names("variables", variables, VARIABLES)
     names = [name for name in VARIABLES if name in variables or name == STATUS]
     axes = in_si(conditions, parameters)
     for key in conditions:

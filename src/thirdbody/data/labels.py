@@ -10,6 +10,7 @@ import xarray as xr
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
+from thirdbody.tabular import indexed
 from thirdbody.units import Unit, decimal
 
 POINT = "point"  # a dimension along which several conditions vary, or none does
@@ -68,7 +69,7 @@ def labelled_frame(
         if unit and (unit != "1" or name == "load")
     }
     frame = frame.rename(columns=headings)
-    return frame if index is None or len(index) != len(frame) else frame.set_index(index)
+    return indexed(frame, index, range(len(frame)))
 
 
 def _dimensions(shape, conditions) -> list[str]:

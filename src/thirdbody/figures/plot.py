@@ -1,5 +1,7 @@
 """``plot``: the panels of the paper for any dataset or curve, over the load or over another axis."""
 
+from __future__ import annotations
+
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
@@ -41,7 +43,7 @@ ALLOWED = (
 
 
 def plot(
-    data: "Solution | xr.Dataset | str | PathLike",
+    data: Solution | xr.Dataset | str | PathLike,
     *,
     over: str = "load",
     variables: str | Sequence[str] = LUBRICATED,

@@ -1,5 +1,7 @@
 """``compare``: measurements compared with the model, with ensemble ranges and residuals."""
 
+from __future__ import annotations
+
 import codecs
 import csv
 import re
@@ -19,6 +21,7 @@ from thirdbody.conditions import (
     check_numbers,
     checked_parameters,
     in_si,
+    is_column,
     warn_outside,
     without_warnings,
 )
@@ -160,9 +163,9 @@ def compare(
     if speed_m_per_s is not None:
         check_numbers({"speed_m_per_s": speed_m_per_s}, BEARING)
         _check_speed(speed_m_per_s, parameters)
-    table = _conditions(columns, conditions, parameters)
-    if isinstance(measured, pd.DataFrame):
-        table = table.set_index(measured.index)
+    rows = len(next(iter(columns.values())))
+    index = measured.index if isinstance(measured, pd.DataFrame) else pd.RangeIndex(rows)
+    table = _conditions(columns, conditions, parameters, index)
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
     table, curve = (
@@ -299,13 +302,16 @@ def _quantity(heading, name, unit, column, notes):
     return quantity
 
 
-def _conditions(columns, conditions, parameters):
+def _conditions(columns, conditions, parameters, index):
     """The conditions of each measurement in engineering units, with the speed if there is one."""
     names = zip(CONDITIONS, ENGINEERING)
     given = {name: columns[words] for words, name in names if words in columns}
-    for key in conditions:
+    for key, values in conditions.items():
         if unit_of(key).condition in given:
             raise ValueError(f"{key} is given twice; allowed: a column, or one number")
+        if is_column(values) and not values.index.equals(index):
+            message = f"{key} and measured have different indexes"
+            raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
     found = in_si(given | conditions, parameters)
     table = {
         key: decimal(UNITS[key].from_si(found[name], parameters.newtons_per_load))
@@ -313,11 +319,11 @@ def _conditions(columns, conditions, parameters):
     }
     if "speed" in columns:
         table["speed_m_per_s"] = columns["speed"].to("m/s").magnitude
-    rows = len(next(iter(columns.values())))
     for name, values in table.items():
-        if values.shape not in ((), (rows,)):
-            raise ValueError(f"{name} has shape {values.shape}; allowed: one number, or {rows}")
-    return pd.DataFrame(table, index=range(rows)).astype(float)
+        if values.shape not in ((), (len(index),)):
+            allowed = f"one number, or {len(index)}"
+            raise ValueError(f"{name} has shape {values.shape}; allowed: {allowed}")
+    return pd.DataFrame(table, index=index).astype(float)
 
 
 def _curve(table):

@@ -1,26 +1,39 @@
 """Numbers from data sheets of oils: ``oil_viscosity`` at a temperature, and ``cleanliness``, the
 particles per area of a film, from the ISO 4406 code."""
 
+from __future__ import annotations
+
 import math
 import re
 from collections.abc import Mapping
 from numbers import Integral
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.conditions import check_number, check_numbers, checked_array, checked_parameters
+from thirdbody.conditions import (
+    check_number,
+    check_numbers,
+    checked_array,
+    checked_parameters,
+    is_column,
+)
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import is_quantity
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 # ISO 3448: kinematic viscosity at 40 C [cSt] of each grade, +-10 %
 GRADES = {2: 2.2, 3: 3.2, 5: 4.6, 7: 6.8}
 GRADES |= {grade: float(grade) for grade in (10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460)}
 GRADES |= {grade: float(grade) for grade in (680, 1000, 1500, 2200, 3200)}
+USUAL_INDEX = 95.0  # of the mineral oils in ISO 3448
 LEAST, MOST = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
 GRADE = re.compile(r"(?:ISO *)?(?:VG)? *(\d+)", re.IGNORECASE)
 COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
@@ -43,7 +56,7 @@ def oil_viscosity(
     grade: int | str | None = None,
     viscosity_index: float | None = None,
     points: Mapping[float, float] | None = None,
-) -> NDArray:
+) -> NDArray | pd.Series:
     """Kinematic viscosity [cSt] of an oil at a temperature, from the Walther line through two points.
 
     log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is valid at
@@ -54,11 +67,13 @@ def oil_viscosity(
     Parameters
     ----------
     temperature_C : array_like
-        Temperatures [C], or a quantity, from -70 to 370 C; the result has the same shape.
+        Temperatures [C], or a quantity, from -70 to 370 C; the result has the same shape.  A column of
+        pandas gives a column.
     grade : int or str, optional
         ISO viscosity grade, 46 or "ISO VG 46" (ISO 3448): the middle of its range at 40 C, which is +-10 %.
     viscosity_index : float, optional
-        Required with the grade; gives the second point, at 100 C (ASTM D2270, ISO 2909).
+        Of the oil of a grade, by default 95, that of mineral oils in ISO 3448; gives the second point,
+        at 100 C (ASTM D2270, ISO 2909).
     points : mapping, optional
         Instead of these, two temperatures [C] with measured viscosities [cSt].
 
@@ -70,15 +85,19 @@ def oil_viscosity(
     >>> tb.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
     array([38.5])
     """
+    if is_column(temperature_C):
+        oil = dict(grade=grade, viscosity_index=viscosity_index, points=points)
+        found = oil_viscosity(temperature_C.to_numpy(), **oil)
+        return type(temperature_C)(found, temperature_C.index, name="viscosity_cSt")
     temperature_C = _in_celsius(temperature_C)
     temperature = checked_array("temperature_C", temperature_C, "numbers, in degrees Celsius")
     given = f"temperature_C is {format_value(temperature_C)}"
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
         raise ValueError(f"{given}; allowed: {COLDEST:g} to {HOTTEST:g}")
-    if (points is None) == (grade is None) or (grade is None) != (viscosity_index is None):
+    if (points is None) == (grade is None) or (grade is None and viscosity_index is not None):
         raise ValueError(
             f"grade is {format_value(grade)}, viscosity_index {format_value(viscosity_index)} and "
-            f"points {format_value(points)}; allowed: a grade with its viscosity_index, or points"
+            f"points {format_value(points)}; allowed: a grade, also with its viscosity_index, or points"
         )
     if points is None:
         if isinstance(grade, str) and (named := GRADE.fullmatch(grade)):
@@ -86,7 +105,8 @@ def oil_viscosity(
         if not isinstance(grade, Integral) or grade not in GRADES:
             allowed = ", ".join(map(str, GRADES))
             raise ValueError(f"grade is {format_value(grade)}; allowed: ISO VG {allowed}")
-        points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], viscosity_index)}
+        index = USUAL_INDEX if viscosity_index is None else viscosity_index
+        points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], index)}
     (cold, thick), (hot, thin) = _checked_points(points)
     slope = (_doubled(thick) - _doubled(thin)) / math.log10((hot + ZERO) / (cold + ZERO))
     doubled = _doubled(thick) - slope * np.log10((temperature + ZERO) / (cold + ZERO))

@@ -1,31 +1,37 @@
 """``equivalent_roughness``: sigma of two surfaces from their roughness parameters."""
 
-import math
+from __future__ import annotations
 
-from thirdbody.conditions import check_number
+import math
+from typing import Any
+
+import numpy as np
+
+from thirdbody.conditions import checked_array, is_column
 from thirdbody.messages import format_value
+from thirdbody.units import is_quantity
 
 
 def equivalent_roughness(
-    *, Rq: tuple[float, float] | None = None, Ra: tuple[float, float] | None = None
-) -> float:
+    *, Rq: tuple[Any, Any] | None = None, Ra: tuple[Any, Any] | None = None
+) -> Any:
     """Equivalent root mean square roughness sigma of two surfaces, sqrt(Rq_1^2 + Rq_2^2).
 
     Parameters
     ----------
-    Rq, Ra : pair of float
-        Root mean square, or arithmetic mean, of the heights of both surfaces, in any unit.  For Gaussian
-        heights Rq is sqrt(pi/2) Ra.
+    Rq, Ra : pair of numbers
+        Root mean square, or arithmetic mean, of the heights of both surfaces: numbers in one unit,
+        quantities of pint, or columns of pandas.  For Gaussian heights Rq is sqrt(pi/2) Ra.
 
     Returns
     -------
-    float
-        sigma, in the same unit.
+    float, quantity or column
+        sigma, in the unit of the first surface.
 
     Raises
     ------
     ValueError
-        Unless exactly one pair of numbers is given, none negative.
+        Unless exactly one pair is given, of numbers that are not negative, or of lengths.
 
     Examples
     --------
@@ -44,7 +50,21 @@ def equivalent_roughness(
         one, other = pair
     except (TypeError, ValueError):
         raise ValueError(f"{name} is {format_value(pair)}; allowed: two numbers") from None
-    for value in (one, other):
-        check_number(name, value, positive=False)
+    one, other = (_checked_heights(name, each) for each in (one, other))
     factor = math.sqrt(math.pi / 2.0) if name == "Ra" else 1.0
-    return factor * math.hypot(one, other)
+    try:
+        return factor * (one**2 + other**2) ** 0.5
+    except Exception:  # pint raises many types
+        allowed = "two numbers, or two lengths with units"
+        raise ValueError(f"{name} is {format_value(pair)}; allowed: {allowed}") from None
+
+
+def _checked_heights(name, given):
+    """Heights as given, lists as arrays; ``ValueError`` unless they are lengths and not negative."""
+    allowed = "zero or positive numbers"
+    is_length = is_quantity(given) and given.is_compatible_with("m")
+    bare = given.to_numpy() if is_column(given) else given.magnitude if is_length else given
+    numbers = checked_array(name, bare, allowed)
+    if not ((numbers >= 0.0) & np.isfinite(numbers)).all():
+        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
+    return given if is_length or is_column(given) else numbers if numbers.ndim else float(numbers)

@@ -15,7 +15,7 @@ from thirdbody.conditions import (
     warn_outside,
 )
 from thirdbody.extras import require
-from thirdbody.messages import format_path
+from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
 from thirdbody.units import CONDITIONS
@@ -130,8 +130,14 @@ def _read(path, curved, options):
     """A topography in metres, without tilt; missing points are interpolated."""
     from SurfaceTopography import read_topography
 
-    with open(path, "rb"):  # raises OSError
-        pass
+    if not isinstance(path, str | PathLike):
+        allowed = "paths of files; tb.equivalent_roughness takes numbers"
+        raise ValueError(f"paths has {format_value(path)}; allowed: {allowed}")
+    try:
+        with open(path, "rb"):
+            pass
+    except OSError as error:
+        raise type(error)(f"{format_path(path)} cannot be read ({error.strerror})") from None
     try:
         topography = read_topography(str(path), **options)
         if topography.unit is None:

@@ -65,8 +65,6 @@ class Solution(Tabular):
         The unit of each condition as it was given, by name; of quantities the one in engineering units.
     newtons_per_load : float, optional
         F_t/F_t* [N]; datasets then include the load in newtons.
-    index : pandas.Index, optional
-        That of the columns of a table, if conditions are such.
     """
 
     total_contact_area: NDArray | None = None
@@ -84,7 +82,6 @@ class Solution(Tabular):
     conditions: Mapping[str, Any] = field(default_factory=dict)
     units: Mapping[str, Unit] = field(default_factory=lambda: SI)
     newtons_per_load: float | None = None
-    index: pd.Index | None = None
 
     @property
     def known(self) -> dict[str, Any]:
@@ -161,7 +158,7 @@ class Solution(Tabular):
         """
         from thirdbody.data.labels import labelled_frame
 
-        return labelled_frame(self.to_dataset(), self.units, self.newtons_per_load, self.index)
+        return labelled_frame(self.to_dataset(), self.units, self.newtons_per_load, self._index)
 
     def __repr__(self) -> str:
         known = {name: np.asarray(each) for name, each in self.known.items()}
@@ -169,8 +166,10 @@ class Solution(Tabular):
         lines = [f"{name:<28}{_in_words(name, each)}" for name, each in known.items()]
         return "\n".join([f"Solution of shape {shape}", *lines])
 
+    __str__ = __repr__
 
-OTHERS = "conditions", "units", "newtons_per_load", "index"
+
+OTHERS = "conditions", "units", "newtons_per_load"
 VARIABLES = tuple(each.name for each in fields(Solution) if each.name not in OTHERS)
 FLAGS = tuple(FLAG_MEANINGS)
 WHOLE = (*FLAGS, "separation_count")

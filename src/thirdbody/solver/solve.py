@@ -1,5 +1,7 @@
 """``solve``: the contact state of any number of points."""
 
+from __future__ import annotations
+
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 
@@ -42,7 +44,7 @@ def solve(
     *,
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
-    variables: str | Collection[str] = VARIABLES,
+    variables: str | Collection[str] | None = None,
     progress: bool = True,
     **conditions: ArrayLike,
 ) -> Solution:
@@ -50,8 +52,8 @@ def solve(
 
     The five conditions are given by name and broadcast against each other.  Each is a number in the
     unit of its name, or a quantity of pint, astropy, unyt or quantities in any compatible unit.
-    Arrays of xarray broadcast by dimension name; their attribute ``units`` is used.  Columns of pandas
-    must have equal indexes.
+    Arrays of xarray broadcast by dimension name; their attribute ``units`` is used.  Columns of
+    pandas, which must have equal indexes, give results with that index in ``to_dataframe``.
 
     Parameters
     ----------
@@ -72,7 +74,7 @@ def solve(
         Materials, geometry and interpretations of the model, by default the published ones.
     rtol : float
         Requested relative error of every variable, from 1e-11 to 1e-2.
-    variables : str or collection of str
+    variables : str or collection of str, optional
         Names of the fields of ``Solution`` to compute; the others are None.
     progress : bool, optional
         Whether a long call reports progress on standard error: a bar on a terminal, after two
@@ -122,13 +124,13 @@ def solve(
     """
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
-    variables = checked_names("variables", variables, VARIABLES)
+    variables = VARIABLES if variables is None else checked_names("variables", variables, VARIABLES)
     check_progress(progress)
     arrays = in_si(conditions, parameters)  # copies, which the caller cannot change later
     units = {unit.condition: unit for unit in map(unit_in_tables, *zip(*conditions.items()))}
     if not any(map(is_labelled, conditions.values())):
         solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-        return replace(solution, units=units, index=common_index(conditions))
+        return replace(solution, units=units)._with_index(common_index(conditions))
     given = {unit_of(key).condition: each for key, each in conditions.items()}
     named, arrays, pattern = broadcast_by_name(given, arrays)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
