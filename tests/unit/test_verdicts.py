@@ -159,7 +159,7 @@ def test_everything_is_judged_by_the_real_model(parameters):
     content["ensemble"] = []
     content["folds"] = [
         {"figures": [9], "inputs": inputs},
-        {"figures": [11], "inputs": inputs | {"summit_radius": 5e-5}},
+        {"figures": [11], "inputs": inputs | {"elastic_depth_ratio": 0.5}},
     ]
     judge_all = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
     found = verdicts.judge_everything(judge_all, content, [content], SETTINGS)
