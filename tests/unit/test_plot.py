@@ -107,7 +107,7 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
         (data, {"over": "roughness"}, "data has one roughness; allowed: two or more"),
         (data.squeeze().drop_vars("roughness"), {}, "data has no roughness; allowed"),
         (data, {"band": []}, "band is of type list; allowed"),
-        (data.expand_dims(day=2), {}, "data has the dimension 'day'; allowed: load"),
+        (data.expand_dims(day=2), {}, "data has the dimension 'day', with points .*; allowed: one"),
     ):
         with pytest.raises(ValueError, match=message):
             tb.plot(given, **options)
@@ -130,3 +130,93 @@ def test_more_curves_than_a_legend_can_name_are_refused(grid):
     data = grid(particle_diameter=sizes, viscosity=[1e-5, 9e-5]).isel(load=[0])
     with pytest.raises(ValueError, match="data make 30 curves over viscosity; allowed: at most 24"):
         tb.plot(data, over="viscosity")
+
+
+def test_other_shapes_of_the_same_data_are_drawn_alike(grid):
+    data = grid()
+    expected = curves(tb.plot(data))
+    table = data.to_dataframe()
+    for other in (
+        table.to_xarray(),
+        table,
+        table.reset_index(),
+        data.squeeze(),
+        data.transpose(),
+        data.stack(point=["load", "viscosity"]),
+        data.stack(point=["load", "viscosity"]).reset_index("point"),
+        data.swap_dims(load="normal_load"),
+    ):
+        found = curves(tb.plot(other))
+        for drawn, lines in zip(found, expected, strict=True):
+            np.testing.assert_allclose(drawn, lines)
+
+
+def test_pairs_of_conditions_are_no_curves(parameters):
+    given = {"particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11}
+    pairs = tb.solve(load=[1e-6, 1e-5], viscosity=[0.0, 9e-5], **given, parameters=parameters)
+    with pytest.raises(ValueError, match="data has the dimension 'point', with points that are"):
+        tb.plot(pairs)
+
+
+def test_a_load_in_newtons_is_drawn_in_newtons(grid):
+    rest = dict(viscosity_cSt=90, particle_diameter_nm=300, roughness_nm=300)
+    loads = [1.0, 2.0, 5.0]
+    found = tb.solve(load_N=loads, **rest, particle_density_per_m2=1e11)
+    for figure in (tb.plot(found), tb.plot(found.to_dataset(), over="load_N")):
+        for axes in figure.axes:
+            assert axes.get_xlabel() == SCALES["normal_load"].label
+            np.testing.assert_allclose(axes.lines[0].get_xdata(), loads)
+    assert tb.plot(found, over="load").axes[0].get_xlabel() == SCALES["load"].label
+    with pytest.raises(ValueError, match="data has no normal_load; allowed: over='load'"):
+        tb.plot(found.to_dataset().drop_vars("normal_load"), over="load_N")
+
+
+def test_a_band_is_drawn_over_newtons(grid):
+    data = grid(viscosity=9e-5)
+    ends = {f"solid_load_fraction_{end}": data["solid_load_fraction"] for end in ("low", "high")}
+    chosen = dict(variables="solid_load_fraction", band=data.assign(ends))
+    (axes,) = tb.plot(data, over="load_N", **chosen).axes
+    (outline,) = axes.collections[-1].get_paths()
+    newtons = data["normal_load"].values
+    np.testing.assert_allclose([outline.vertices[:, 0].max()], newtons.max())
+
+
+def test_a_solution_without_its_status_is_drawn(parameters):
+    given = {"particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11}
+    chosen = dict(variables="solid_load_fraction", parameters=parameters)
+    found = tb.solve(load=LOADS, viscosity=9e-5, **given, **chosen)
+    assert panels(tb.plot(found)) == ["solid_load_fraction"]
+
+
+def test_it_draws_on_axes_of_ones_own(grid):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    data = grid()
+    own, (left, right) = pyplot.subplots(1, 2)
+    assert tb.plot(data, variables="solid_load_fraction", ax=right) is own
+    assert not left.lines and len(right.lines) == 3
+    assert [text.get_text() for text in right.get_legend().get_texts()] == ["dry", "50", "90"]
+    tb.plot(data, variables=PANELS[:2], over="viscosity", ax=pyplot.subplots(1, 2)[1])
+    message = "ax has 1 axes; allowed: 2, for particle_contact_area_ratio, total_contact_area"
+    with pytest.raises(ValueError, match=message):
+        tb.plot(data, variables=PANELS[:2], ax=left)
+    with pytest.raises(ValueError, match="ax is 3; allowed: axes of matplotlib"):
+        tb.plot(data, ax=3)
+    pyplot.close("all")
+
+
+@pytest.mark.parametrize("over", ["load", "particle_diameter"])
+def test_a_key_of_many_curves_is_within_the_figure(parameters, over):
+    axes = {
+        "load": dict(viscosity=np.linspace(1e-5, 1e-4, 27), particle_diameter=3e-7),
+        "particle_diameter": dict(
+            viscosity=np.linspace(1e-5, 1e-4, 8), particle_diameter=[3e-7, 5e-7]
+        ),
+    }
+    loads = LOADS if over == "load" else LOADS[:3]
+    given = AXES | {"load": loads} | axes[over]
+    figure = tb.plot(tb.grid(**given, parameters=parameters, rtol=1e-3), over=over)
+    figure.canvas.draw()
+    (key,) = figure.legends
+    assert len(key.get_texts()) > 20
+    inner, outer = key.get_window_extent(), figure.bbox
+    assert inner.x0 >= outer.x0 and inner.x1 <= outer.x1 and inner.y0 >= outer.y0

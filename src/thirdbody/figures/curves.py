@@ -9,6 +9,7 @@ import matplotlib
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
@@ -20,7 +21,7 @@ from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import CURVE, Panel, Series, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
 from thirdbody.figures.scales import (
     SCALES,
@@ -35,7 +36,8 @@ BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
 CELL = 3.5, 2.9  # of a panel with its labels [inches]
-KEY_HEIGHT = 0.9  # of a key below the panels [inches]
+KEY_HEIGHT, KEY_LINE = 0.9, 0.16  # of a key below the panels, at least, and of its lines [inches]
+KEY_LETTERS, HANDLE_LETTERS = 118, 10  # across a figure; as wide as the handle of an entry
 MARKERS = "os^vPX>"  # every second one is hollow, so that neighbouring levels differ; diamonds are printed values
 DARKEST, LIGHTEST = 0.05, 0.78  # of the colour map: black is two-body contact, white is paper
 GREY = "0.5"
@@ -127,12 +129,14 @@ class CurveFigure:
         ensemble_range: PlainDataset | None = None,
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
-    ) -> Drawing:
+        axes: Sequence[Axes] = (),
+    ) -> Figure:
         """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
         ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``; ``ensemble_range``
         has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and ``windows`` are rows
-        of the tables ``printed``, those of this figure, and ``tpca_windows``.
+        of the tables ``printed``, those of this figure, and ``tpca_windows``.  With ``axes``, the panels are
+        drawn there.
         """
         curves = curves_in(data, turning_points, ensemble_range)
         if not self.two_body:
@@ -165,7 +169,7 @@ class CurveFigure:
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
-        return draw_panels(panels, looks.values(), title, common, newtons_per_load)
+        return draw_panels(panels, looks.values(), title, common, newtons_per_load, axes)
 
 
 ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
@@ -216,9 +220,9 @@ def _curve_series(content, curves, printed) -> Iterator[Series]:
     if content.locus or y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
     yield from marks.printed_series(x, y, curves, printed)
-    if x == "load":
+    if x in ("load", "normal_load"):
         for curve in (curve for curve in curves if curve.has(f"{y}_low")):
-            load, low, high = (curve.values[name] for name in ("load", f"{y}_low", f"{y}_high"))
+            load, low, high = (curve.values[name] for name in (x, f"{y}_low", f"{y}_high"))
             some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
             ends = load[some], low[some], high[some]
             yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
@@ -259,32 +263,61 @@ def draw_panels(
     title: str = "",
     common: Sequence[str] = (),
     newtons_per_load: float | None = None,
-) -> Drawing:
+    axes: Sequence[Axes] = (),
+) -> Figure:
     """Draw panels of curves, and a key for ``looks`` with a label and for marks; with ``newtons_per_load``,
-    F_t/F_t* [N], load axes also show newtons."""
+    F_t/F_t* [N], load axes also show newtons.  With ``axes``, one for each panel, they are drawn there, and
+    the key is in the last of them; otherwise on a new figure."""
     labels = {series.look.get("label") for panel in panels for series in panel.series}
     looks = [*looks, *(look for look in marks.LOOKS.values() if look.get("label") in labels)]
     labelled = [look for look in looks if look.get("label")]
     entries = {look["label"]: Line2D([], [], **look) for look in labelled}
+    if axes:
+        if len(axes) != len(panels):
+            names = ", ".join(panel.y for panel in panels)
+            raise ValueError(f"ax has {len(axes)} axes; allowed: {len(panels)}, for {names}")
+        for each, panel in zip(axes, panels, strict=True):
+            _draw_panel(each, panel, newtons_per_load)
+        if entries:
+            axes[-1].legend(handles=list(entries.values()), title=title or None)
+        return axes[0].figure
     rows, beside = math.ceil(len(panels) / 2), len(panels) % 2 == 1
-    below = 0.0 if beside else KEY_HEIGHT
+    beside = beside and key_columns(entries, 0.5) * KEY_ROWS >= len(entries)
+    lines = math.ceil(len(entries) / key_columns(entries))
+    below = 0.0 if beside else max(KEY_HEIGHT, KEY_LINE * lines)
     figure = empty_panels(panels, (2 * CELL[0], rows * CELL[1] + below))
-    for axes, panel in zip(figure.axes, figure.panels, strict=True):
-        for series in panel.series:
-            if series.kind == marks.BAND:
-                outline = np.column_stack((series.x, series.y))
-                axes.add_collection(PolyCollection([outline], **series.look))
-            elif panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
-                axes.plot(series.x, series.y, **series.look)
-            elif series.kind == marks.TOLERANCE:
-                axes.axvspan(*series.x, **series.look)
-            else:
-                for end in series.x:
-                    axes.axvline(end, **series.look)
-        set_scales(axes, panel.x, panel.y, newtons_per_load)
+    for each, panel in zip(figure.axes, figure.panels, strict=True):
+        _draw_panel(each, panel, newtons_per_load)
     if entries:
         add_key(figure, list(entries.values()), title, common, beside)
     return figure
+
+
+def _draw_panel(axes, panel, newtons_per_load):
+    """The series of a panel, and the scales of its axes."""
+    for series in panel.series:
+        if series.kind == marks.BAND:
+            outline = np.column_stack((series.x, series.y))
+            axes.add_collection(PolyCollection([outline], **series.look))
+        elif panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
+            axes.plot(series.x, series.y, **series.look)
+        elif series.kind == marks.TOLERANCE:
+            axes.axvspan(*series.x, **series.look)
+        else:
+            for end in series.x:
+                axes.axvline(end, **series.look)
+    set_scales(axes, panel.x, panel.y, newtons_per_load)
+
+
+def key_columns(labels: Iterable[str], width: float = 1.0) -> int:
+    """How many columns of a key with these labels fit on a fraction ``width`` of a figure."""
+    lengths = [len(each) for each in labels]
+    for columns in range(KEY_COLUMNS, 1, -1):
+        parts = np.array_split(lengths, columns)
+        letters = sum(part.max(initial=0) + HANDLE_LETTERS for part in parts if part.size)
+        if letters <= width * KEY_LETTERS:
+            return columns
+    return 1
 
 
 def add_key(
@@ -296,7 +329,8 @@ def add_key(
 ) -> None:
     """Add a key below all panels, or beside the last one in the free cell of two columns, with a title and
     the conditions common to all curves."""
-    place = {"loc": "outside lower center", "ncols": KEY_COLUMNS}
+    columns = key_columns([str(each.get_label()) for each in entries])
+    place = {"loc": "outside lower center", "ncols": columns}
     if beside:
         cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
         columns = math.ceil(len(entries) / KEY_ROWS)

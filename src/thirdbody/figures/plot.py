@@ -8,17 +8,19 @@ from itertools import product
 from math import prod
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib.style
 import numpy as np
+import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from thirdbody.conditions import checked_names
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_plain
-from thirdbody.data.quantities import STATUS
+from thirdbody.data.quantities import NORMAL_LOAD, STATUS
 from thirdbody.figures.curves import (
     BLUE,
     CURVE_FIGURES,
@@ -31,40 +33,39 @@ from thirdbody.figures.curves import (
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.scales import SCALES, note
+from thirdbody.messages import did_you_mean, format_value
 from thirdbody.units import UNITS
 
-if TYPE_CHECKING:
-    from thirdbody.solver.solution import Solution
-
 MOST_CURVES = 24  # of which a legend names each
-ALLOWED = (
-    "a solution, a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
-)
+ALLOWED = "a solution, a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, its table or file"
 
 
 def plot(
-    data: Solution | xr.Dataset | str | PathLike,
+    data: Any,
     *,
-    over: str = "load",
+    over: str | None = None,
     variables: str | Sequence[str] = LUBRICATED,
     like: str | None = None,
     turning_points: Sequence[Mapping] | str | PathLike = (),
     band: xr.Dataset | str | PathLike | None = None,
+    ax: Axes | Sequence[Axes] | None = None,
 ) -> Figure:
     """Draw A_sa,t*, A_t*, L_s and H_c of any dataset of solved points over one of its axes.
 
     Parameters
     ----------
-    data : Solution, xarray.Dataset or path
-        A solution, a dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the
-        workflow.
-    variables : str or sequence of str, optional
-        Draw only these of the four quantities.
+    data : Solution, xarray.Dataset, pandas.DataFrame or path
+        A solution, a dataset of ``grid`` or ``Solution.to_dataset``, the table of such a dataset, or a
+        file of ``stream`` or of the workflow.  Points in a list must be all combinations of their
+        conditions.
     over : str, optional
-        The axis along x, by any of its names, such as "load" or "viscosity_cSt".  Over the load,
+        The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
+        the load, in newtons if that of a solution was given so.  Over the load,
         one of viscosity, particle diameter and density may vary, in addition to dry and lubricated
         contact, and any number of roughnesses.  Over another axis, all others may vary: each
         combination is a curve.
+    variables : str or sequence of str, optional
+        Draw only these of the four quantities.
     like : str, optional
         Draw the panels of this figure of the paper, "fig03" to "fig13"; only over the load.
     turning_points : sequence of mapping, or path, optional
@@ -72,6 +73,8 @@ def plot(
         ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
     band : xarray.Dataset or path, optional
         Ensemble range on the axes of ``data``, drawn over the load: a file in ``results/bands/``.
+    ax : matplotlib.axes.Axes, or sequence of them, optional
+        Draw there, one for each panel; by default on a new figure.
 
     Returns
     -------
@@ -101,28 +104,56 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity ν (cSt)'
     """
-    if over not in [*UNITS]:
-        raise ValueError(f"over is {over!r}; allowed: {', '.join(UNITS)}")
-    over = UNITS[over].condition
-    if like is not None and like not in CURVE_FIGURES:
-        raise ValueError(f"like is {like!r}; allowed: {', '.join(CURVE_FIGURES)}")
+    if over is None:
+        given = getattr(data, "units", None) if is_solution(data) else None
+        over = "load_N" if given and given["load"].is_force else "load"
+    for name, value, known in (("over", over, UNITS), ("like", like, CURVE_FIGURES)):
+        if value is not None and value not in known:
+            allowed = ", ".join(known) + did_you_mean(value, known)
+            raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
+    unit = UNITS[over]
     variables = checked_names("variables", variables, LUBRICATED)
+    axes = _checked_axes(ax)
     complete = _with_all_dimensions("data", data)
-    if complete.sizes[over] < 2:
-        raise ValueError(f"data has one {over}; allowed: two or more, which curves are drawn over")
+    if complete.sizes[unit.condition] < 2:
+        message = (
+            f"data has one {unit.condition}; allowed: two or more, which curves are drawn over"
+        )
+        raise ValueError(message)
     with matplotlib.style.context(STYLE, after_reset=True):
-        if over != "load":
-            return _plot_over(complete, over, variables)
+        if unit.condition != "load":
+            return _plot_over(complete, unit.condition, variables, axes)
         ranges = None if band is None else _with_all_dimensions("band", band)
         if isinstance(turning_points, str | PathLike):
             turning_points = read_turning_points(turning_points)
         drawn = curve_figure(like or "data", complete)
         chosen = tuple(each for each in drawn.contents if like or each.y in variables)
+        if unit.is_force:
+            if NORMAL_LOAD.name not in complete:
+                raise ValueError("data has no normal_load; allowed: over='load'")
+            chosen = tuple(
+                replace(each, x=NORMAL_LOAD.name) if each.x == "load" else each for each in chosen
+            )
         drawn = replace(drawn, contents=chosen)
-        return drawn.plot(complete, turning_points, ranges)
+        return drawn.plot(complete, turning_points, ranges, axes=axes)
 
 
-def _plot_over(data: xr.Dataset, over: str, variables: Collection[str]) -> Figure:
+def is_solution(data: Any) -> bool:
+    """Whether ``data`` is a ``Solution``, which figures do not import."""
+    return hasattr(data, "conditions") and hasattr(data, "to_dataset")
+
+
+def _checked_axes(ax) -> list[Axes]:
+    """The axes to draw on, none for a new figure."""
+    axes = [] if ax is None else list(np.ravel(ax))
+    if (ax is not None and not axes) or not all(isinstance(each, Axes) for each in axes):
+        raise ValueError(f"ax is {format_value(ax)}; allowed: axes of matplotlib")
+    return axes
+
+
+def _plot_over(
+    data: xr.Dataset, over: str, variables: Collection[str], axes: Sequence[Axes]
+) -> Figure:
     """Panels of ``variables`` over one axis, with a curve for each combination of the other axes."""
     others = [name for name in DIMENSIONS if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
@@ -143,7 +174,7 @@ def _plot_over(data: xr.Dataset, over: str, variables: Collection[str]) -> Figur
     looks = level_styles(len(curves))
     looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
-    return draw_panels(panels, looks, common=common)
+    return draw_panels(panels, looks, common=common, axes=axes)
 
 
 def plot_curve(curve: Any) -> Figure:
@@ -207,22 +238,47 @@ def _note(data, name, value) -> str:
 
 def _with_all_dimensions(name, data) -> xr.Dataset:
     """A dataset over the five axes in their order; missing ones have length one."""
-    if hasattr(data, "to_dataset") and hasattr(data, "separation"):  # a ``Solution``
+    if is_solution(data):
         data = data.to_dataset()
+        if STATUS not in data:  # not asked for
+            data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
     if isinstance(data, str | PathLike):
         if not Path(data).is_file():
             raise FileNotFoundError(f"{name} is {str(data)!r}, which is not a file")
         data = read_plain(data).to_xarray()
+    if isinstance(data, pd.DataFrame):
+        named = [each for each in data.index.names if each in DIMENSIONS]
+        data = data.reset_index(named).reset_index(drop=True).to_xarray()
     if not isinstance(data, xr.Dataset):
         raise ValueError(f"{name} is of type {type(data).__name__}; allowed: {ALLOWED}")
-    missing = [each for each in DIMENSIONS if each not in data.coords]
+    missing = [each for each in DIMENSIONS if each not in data]
     if name == "data" and STATUS not in data:
         missing.append(STATUS)
     if missing:
         raise ValueError(f"{name} has no {missing[0]}; allowed: {ALLOWED}")
+    data = data.set_coords(DIMENSIONS)
+    if not set(data.dims) <= set(DIMENSIONS):
+        data = _placed_on_axes(name, data)
     data = data.expand_dims([each for each in DIMENSIONS if data[each].ndim == 0])
-    other = [each for each in data.dims if each not in DIMENSIONS]
-    if other:
-        allowed = "load, viscosity, particle_diameter, roughness and particle_density"
-        raise ValueError(f"{name} has the dimension {other[0]!r}; allowed: {allowed}")
+    if NORMAL_LOAD.name in data:  # also where it was repeated along other axes
+        newtons = data["load"].values * _newtons_per_load(data)
+        data = data.drop_vars(NORMAL_LOAD.name).assign_coords(normal_load=("load", newtons))
     return data.transpose(*DIMENSIONS).sortby([*DIMENSIONS])
+
+
+def _placed_on_axes(name, data) -> xr.Dataset:
+    """Points along other dimensions on the five axes, if they are all combinations of their conditions."""
+    table = data.reset_coords().to_dataframe()
+    levels = [each for each in table.index.names if each not in table]
+    table = table.reset_index(levels).set_index([*DIMENSIONS])
+    complete = prod(map(len, table.index.remove_unused_levels().levels))
+    if table.index.has_duplicates or len(table) != complete:
+        other = next(each for each in data.dims if each not in DIMENSIONS)
+        message = f"{name} has the dimension {other!r}, with points that are not all combinations"
+        raise ValueError(f"{message}; allowed: one point for each of {', '.join(DIMENSIONS)}")
+    return table.to_xarray()
+
+
+def _newtons_per_load(data) -> float:
+    """F_t/F_t* [N] of a dataset."""
+    return float(np.nanmax(data[NORMAL_LOAD.name].values) / np.nanmax(data["load"].values))
