@@ -184,3 +184,24 @@ def test_inputs_without_an_ensemble_have_no_range_and_say_so(interface, defaults
         assert {row.low for row in answer.rows} == {None}
         assert {row.range_text for row in answer.rows} == {""}
     assert "separation_low" not in alone.curve("load", 1.0, 10.0, count=2).values
+
+
+def test_in_a_full_film_there_is_no_contact_mode(interface):
+    thick = interface.changed(viscosity_cSt=1000).state()
+    assert thick.value("lubrication_regime") == "full film"
+    assert thick.value("contact_mode") is None
+    assert any(
+        note.startswith("full film: the solids carry less than 0.03") for note in thick.notes
+    )
+    changes = interface.transitions("viscosity", between=(50, 2000))
+    end = changes.value("mixed_to_full_film")
+    for row in changes.rows:
+        assert row.value is None or row.value <= end
+    modes = interface.transitions("viscosity", "contact_mode", between=(50, 2000))
+    left_out = [note for note in modes.notes if note.startswith("left out")]
+    assert left_out and all("full film" in note for note in left_out)
+    assert modes.value("mixed_to_full_film") == end  # beyond which no mode is given
+    assert any(note.endswith("2000 cSt: full film") for note in modes.notes)
+    compared = interface.compare(interface.changed(viscosity_cSt=1000))
+    modes = {row.name: (row.value, row.other) for row in compared.rows}["contact_mode"]
+    assert modes[0] is not None and modes[1] is None

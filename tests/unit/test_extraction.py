@@ -35,6 +35,8 @@ def test_each_row_has_the_values_and_the_status_of_its_point(parameters, rows_of
         solution = tb.solve(load=load, **given._asdict(), parameters=inputs)
         named = [SOLUTION_STATUSES[index] for index in solution.solution_status]
         assert [row["solution_status"] for row in rows] == named
+        newtons = load * inputs.newtons_per_load
+        assert [row["normal_load_N"] for row in rows] == pytest.approx(newtons)
         beside = np.multiply.outer([1.0 - 1e-6, 1.0 + 1e-6], load)
         around = tb.solve(load=beside, **given._asdict(), parameters=inputs)
         for index, row in enumerate(rows if not changes else ()):

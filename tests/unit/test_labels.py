@@ -178,6 +178,18 @@ def test_a_bad_row_of_a_column_is_named():
         tb.solve(load_N=bad, viscosity_cSt=90, **REST)
 
 
+def test_the_file_of_a_solution_is_compared_as_it_is(tmp_path):
+    found = tb.solve(load_N=TABLE["load"], viscosity_cSt=TABLE["oil"], **REST)
+    table = found.to_dataframe()
+    table.to_csv(tmp_path / "solved.csv")
+    for measured in (table, tmp_path / "solved.csv"):
+        again = tb.compare(measured)
+        assert again.variables == ("solid_load_fraction", "fluid_load_fraction", "separation_nm")
+        for name in again.variables:
+            np.testing.assert_allclose(again.table[f"{name}_residual"], 0.0, atol=1e-5)
+        assert any("film_thickness [1]" in note for note in again.notes)
+
+
 @pytest.mark.parametrize("cell", ["ten", None, True])
 def test_a_cell_that_is_no_number_is_named_with_its_row(cell):
     bad = TABLE["load"].astype(object)

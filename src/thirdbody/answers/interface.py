@@ -12,6 +12,7 @@ from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few
 from thirdbody.answers.find import (
     BORDERS,
     RATIOS,
+    Border,
     Transition,
     transitions,
     turning_point,
@@ -32,20 +33,27 @@ from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
 from thirdbody.data.sizes import sizes_note
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.model.regimes import FULL_FILM_LIMIT, LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
 from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, unit_of
 
 LENGTH = UNITS["roughness_nm"]  # unit of sizes and of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
-MEANINGLESS = ("outside_film_formula", "area_exceeded")  # changes with these statuses are left out
+# changes with these statuses are left out, and why; ``full_film`` are changes of the contact mode there
+LEFT_OUT = {name: STATUS_MEANINGS[name] for name in ("outside_film_formula", "area_exceeded")}
+LEFT_OUT["full_film"] = (
+    f"the solids carry less than {FULL_FILM_LIMIT:g} of the load, and no contact mode is given"
+)
+FULL_FILM_BORDER = BORDERS[1]
+FULL_FILM = LUBRICATION_REGIMES.index("full_film")
 State = Mapping[str, Value]  # variables, or other quantities of an answer
 # by name, the words and the unit of the rows
 STATE = {
     name: (f"{each.long_name}, {each.symbol}", LENGTH.text if name == "separation" else each.units)
     for name, each in QUANTITIES.items()
 } | {name: (flag.long_name, "") for name, flag in FLAGS.items()}
+STATE["separation"] = "mean separation, of a film its thickness, d", LENGTH.text
 TURNING = {
     "load_N": ("load at the turning point, F_t", "N"),
     "load": ("the same over A_n E_ss, F_TPCA*", "1"),
@@ -166,7 +174,8 @@ class Interface:
 
         The answer has a row for each change, with increasing values, and one for each limit that is
         not crossed; ``found`` is whether there is a change.  Changes where the equations are not
-        valid are left out.
+        valid are left out, and those of the contact mode in a full film, where hardly anything touches;
+        then the ends of the full film are also given.
         """
         along = unit_of(along).condition
         key = ENGINEERING[along]
@@ -175,26 +184,33 @@ class Interface:
         given = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
-                transitions(key, parameters=each, between=between, **given)
+                self._marked(transitions(key, parameters=each, between=between, **given), key, each)
                 for each in (self.parameters, *self.members)
             ]
-        mine, *of_members = (_by_name(each, flags) for each in every)
+        left_out = [
+            each
+            for each in every[0]
+            if each.border.flag in flags and each.solution_status in LEFT_OUT
+        ]
+        shown = [border for border in BORDERS if border.flag in flags]
+        if any(each.solution_status == "full_film" for each in left_out):
+            shown = list(dict.fromkeys([*shown, FULL_FILM_BORDER]))
+        mine, *of_members = (_by_name(each, shown) for each in every)
         unit = UNITS[key].text
         passed = {name: (_words(name), unit) for name in mine if "_to_" in name}
         missed = {
             border.name: (f"between {_words(border.name)}", unit)
-            for border in BORDERS
-            if border.flag in flags and border.name not in mine
+            for border in shown
+            if border.name not in mine
         }
         sizes = [mine[name] for name in passed] if along == "particle_diameter" else []
         notes = (
             f"searched: {_words(along)} {between[0]:g} to {between[1]:g} {unit}",
             *(f"at {end:g} {unit}: {self._words_at(key, end)}" for end in between),
             *(
-                f"left out at {each.value:.4g} {unit}, {each.solution_status}: "
-                f"{STATUS_MEANINGS[each.solution_status]}"
-                for each in every[0]
-                if each.border.flag in flags and each.solution_status in MEANINGLESS
+                f"left out at {each.value:.4g} {unit}, {_words(each.solution_status)}: "
+                f"{LEFT_OUT[each.solution_status]}"
+                for each in left_out
             ),
             *self._ensemble_notes(*sizes),
         )
@@ -248,6 +264,19 @@ class Interface:
         found = ends_in_si(name, ends, UNITS[key], self.parameters)
         return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
 
+    def _marked(
+        self, changes: Sequence[Transition], key: str, parameters: Parameters
+    ) -> list[Transition]:
+        """The changes along ``key``, those of the contact mode in a full film with this status."""
+        given = self.conditions | {key: [each.value for each in changes], "parameters": parameters}
+        regimes = solve(**given, variables="lubrication_regime").lubrication_regime
+        return [
+            replace(each, solution_status="full_film")
+            if regime == FULL_FILM and each.border.flag == "contact_mode"
+            else each
+            for each, regime in zip(changes, regimes, strict=True)
+        ]
+
     def _solved(self, **changes) -> list[Solution]:
         """Solutions with ``changes`` of the conditions, for the inputs and for each member."""
         given = self.conditions | changes
@@ -281,6 +310,8 @@ class Interface:
         """Remarks on a state."""
         name = state["solution_status"].replace(" ", "_")
         status = [] if name == SOLUTION_STATUSES[0] else [f"{name}: {STATUS_MEANINGS[name]}"]
+        if state["lubrication_regime"] == "full film":
+            status.append(f"full film: {LEFT_OUT['full_film']}")
         few = few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
         return *status, *few, *self._ensemble_notes(self.particle_diameter_nm)
 
@@ -308,6 +339,8 @@ def _state(solution: Solution) -> State:
     for name, flag in FLAGS.items():
         index = int(getattr(solution, name))
         state[name] = _words(flag.meanings[index]) if index >= 0 else None
+    if state["lubrication_regime"] == "full film":
+        state["contact_mode"] = None
     return state
 
 
@@ -322,11 +355,11 @@ def _change(name: str, of_member: tuple[Value, Value], mine: tuple[Value, Value]
     return None if None in of_member else of_member[1] - of_member[0]
 
 
-def _by_name(changes: list[Transition], flags: Collection[str]) -> dict[str, float]:
-    """Values of valid changes of ``flags``, numbered if they occur again; and of the first at each border."""
+def _by_name(changes: list[Transition], borders: Sequence[Border]) -> dict[str, float]:
+    """Values of valid changes at ``borders``, numbered if they occur again; and of the first at each border."""
     found = {}
     for each in changes:
-        if each.border.flag in flags and each.solution_status not in MEANINGLESS:
+        if each.border in borders and each.solution_status not in LEFT_OUT:
             name = f"{each.before}_to_{each.after}"
             times = 1 + sum(other.startswith(name) for other in found)
             found[name if times == 1 else f"{name}_{times}"] = each.value

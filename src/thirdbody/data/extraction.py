@@ -49,6 +49,7 @@ def _rows(figure, conditions, columns, dataset, parameters) -> list[dict]:
     given = {"load": columns["load"]} | dict(zip(Condition._fields, conditions, strict=True))
     rtol = float(dataset.attrs["rtol"])
     status = solve_arrays(given, parameters, rtol, [STATUS]).solution_status
+    columns["normal_load_N"] = columns["load"] * parameters.newtons_per_load
     columns[STATUS] = [SOLUTION_STATUSES[index] for index in status]
     rows = zip(*columns.values(), strict=True)
     return [

@@ -13,6 +13,7 @@ from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
 from thirdbody.tabular import indexed
 from thirdbody.units import Unit, decimal
 
+RATIOS = "load", "film_thickness"  # dimensionless, unlike others of this name
 POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
@@ -66,7 +67,7 @@ def labelled_frame(
     headings = {
         name: f"{name} [{unit}]"
         for name, unit in headings.items()
-        if unit and (unit != "1" or name == "load")
+        if unit and (unit != "1" or name in RATIOS)
     }
     frame = frame.rename(columns=headings)
     return indexed(frame, index, range(len(frame)))

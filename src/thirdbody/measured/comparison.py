@@ -43,6 +43,7 @@ USUAL["speed"] = BEARING["speed_m_per_s"][:2]
 # other words for measured quantities
 ALIASES = {"cof": "friction coefficient", "coefficient of friction": "friction coefficient"}
 DIMENSIONLESS = "-", "1"  # units of ratios
+LENGTHS = {name for name, (_, unit, *_) in MEASURED.items() if unit == "nm"}
 CURVE = 80  # points of the model's curve where one condition varies
 # "load [N]", "load (N)" or "load / N"
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\)|/\s*([^/]+?))?\s*$")
@@ -124,7 +125,7 @@ def compare(
         ``speed [m/s]``, ``particle diameter [um]``, ``roughness [nm]``, ``particle density [1/mm^2]``;
         and the measured quantities of ``estimates.toml``, such as ``friction coefficient`` and
         ``film thickness [nm]``.  A cell of a measured quantity without digits is a missing value.
-        ``notes`` name these, and other columns, which are left out.
+        ``notes`` name these, and other columns, which are left out, such as H_c, ``film thickness [1]``.
     speed_m_per_s, oil_density_kg_per_m3, ball_radius_mm : float, optional
         The rolling speed of ``parameters`` [m/s], required if and only if there is a column of speeds.
         The published inputs stand for the speed that the message about a contradiction states.  With
@@ -211,7 +212,8 @@ def _read(measured):
         if name in columns:
             message = f"measured has the column {format_value(heading)}, a second one of {name}"
             raise ValueError(f"{message}; allowed: one of each")
-        if name in MEASURED or name in CONDITIONS:
+        is_relative = name in LENGTHS and unit in DIMENSIONLESS  # H_c
+        if (name in MEASURED or name in CONDITIONS) and not is_relative:
             columns[name] = _quantity(heading, name, unit, column, notes)
         else:
             others.append(str(heading))
