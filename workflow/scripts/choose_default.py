@@ -43,10 +43,8 @@ with logged(snakemake.log[0]):
     default = ranking[0]
     interpretation = Interpretation.of(default, settings)
     plain = Objective.of(statements, settings, base)
-    inputs = {
-        unknown.name: contents[default]["inputs"][unknown.name]
-        for unknown in interpretation.unknowns
-    }
+    names = *(unknown.name for unknown in interpretation.unknowns), *interpretation.opposites
+    inputs = {name: contents[default]["inputs"][name] for name in names}
     missed = [
         id
         for id, verdict in verdicts[default].items()
