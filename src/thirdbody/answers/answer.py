@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.quantities import spread
-from thirdbody.messages import format_value
+from thirdbody.messages import did_you_mean, format_value
 from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
@@ -105,7 +105,8 @@ class Answer(Tabular):
         """The value of the row with a name; ``ValueError`` if there is none."""
         values = {row.name: row.value for row in self.rows}
         if name not in values:
-            raise ValueError(f"name is {format_value(name)}; allowed: {', '.join(values)}")
+            allowed = ", ".join(values) + did_you_mean(name, values)
+            raise ValueError(f"name is {format_value(name)}; allowed: {allowed}")
         return values[name]
 
     def as_text(self, width: int = WIDTH) -> str:

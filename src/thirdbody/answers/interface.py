@@ -207,7 +207,7 @@ class Interface:
         notes = (
             f"searched: {_words(along)} {between[0]:g} to {between[1]:g} {unit}",
             *(f"at {end:g} {unit}: {self._words_at(key, end)}" for end in between),
-            *(
+            *dict.fromkeys(
                 f"left out at {each.value:.4g} {unit}, {_words(each.solution_status)}: "
                 f"{LEFT_OUT[each.solution_status]}"
                 for each in left_out
