@@ -116,9 +116,10 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.set_minor_locator(NullLocator())
     if SCALES[y].zones:
-        top = limits.y1 if 0.0 < limits.y1 < 0.5 else 1.0
+        over_sizes = x == "diameter_ratio"  # where tolerances are shaded
+        top = limits.y1 if 0.0 < limits.y1 < 0.5 and not over_sizes else 1.0
         axes.set_ylim(-0.08 * top, 1.08 * top)
-        _draw_zones(axes, SCALES[y])
+        _draw_zones(axes, SCALES[y], shaded=not over_sizes)
     if x == "load" and newtons_per_load is not None:
         ends = lambda load: load * newtons_per_load, lambda newtons: newtons / newtons_per_load
         upper = axes.secondary_xaxis("top", functions=ends)
@@ -128,11 +129,12 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
 
 
-def _draw_zones(axes, scale):
+def _draw_zones(axes, scale, shaded):
     """The middle regime or mode shaded behind the curves, and the names of all at the right edge."""
     low, high = axes.get_ylim()
     limits, names = ZONES[scale.zones]
-    axes.axhspan(limits[0], min(limits[1], high), color=ZONE, linewidth=0.0, zorder=0.5)
+    if shaded:
+        axes.axhspan(limits[0], min(limits[1], high), color=ZONE, linewidth=0.0, zorder=0.5)
     limits = [limit for limit in limits if limit < high]
     edges = np.array([low, *limits, high])
     right = axes.secondary_yaxis("right")

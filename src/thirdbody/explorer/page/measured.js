@@ -5,8 +5,10 @@ import { VARIABLES, spaced } from "./names.js";
 import { numberIn } from "./text.js";
 
 const LENGTH = { nm: 1e-9, um: 1e-6, "μm": 1e-6, mm: 1e-3, m: 1 };
-const NUMBER = { "": 1, 1: 1, "%": 0.01 };
-const MISSING = /^(nan?|n\/a)?$/i; // cells without a measurement
+const NUMBER = { "": 1, 1: 1, "-": 1, "%": 0.01 };
+const MISSING = /^(?!.*inf)\D*$/i; // cells without a measurement have no digits
+// "load [N]", "load (N)" or "load / N"
+const HEADING = /^(.*?)(?:\s*[[(]\s*(.*?)\s*[)\]]|\s*\/\s*([^/]+?))?\s*$/;
 // Headings, variables, and units in SI. The same heading can stand for two variables.
 const COLUMNS = [
   ["load", "normal_load", { N: 1, mN: 1e-3, kN: 1e3 }],
@@ -26,8 +28,8 @@ let rows = []; // values in SI by the names of variables
 
 // The variable of a heading such as "load [N]" and the size of its unit; undefined if no heading is called so.
 function columnOf(heading) {
-  const [, words, typed = ""] = heading.match(/^(.*?)(?:\s*[[(]\s*(.*?)\s*[)\]])?\s*$/);
-  const unit = typed.normalize("NFKC").replaceAll("^", ""); // mm² and mm^2 as mm2, the micro sign as μ
+  const [, words, inBrackets, afterSlash] = heading.match(HEADING);
+  const unit = (inBrackets ?? afterSlash ?? "").normalize("NFKC").replaceAll("^", ""); // mm² and mm^2 as mm2, the micro sign as μ
   const name = words.trim().toLowerCase().replaceAll("_", " ").replace(/^normal /, "");
   const known = COLUMNS.filter(([each]) => each === name);
   const column = known.find(([, , units]) => Object.hasOwn(units, unit));
@@ -44,13 +46,22 @@ function textOf(bytes) {
   return text.includes("\uFFFD") ? new TextDecoder("windows-1252").decode(bytes) : text;
 }
 
+// Whether the first row below headings without units has those units.
+const areUnits = (headings, cells) =>
+  !headings.some((heading) => /[[(/]/.test(heading)) &&
+  !cells.some((cell) => /\d/.test(cell)) &&
+  cells.some((cell) => !["", "-"].includes(cell.trim()));
+const withUnits = (headings, units) => headings.map((heading, place) => `${heading} [${(units[place] ?? "").trim()}]`);
+
 // Read a table; returns a line that says what was read, or why nothing was.
 export function readMeasured(file, bytes) {
   const written = textOf(bytes).split(/\r\n?|\n/).filter((line) => line.trim() && !line.startsWith("#"));
   const separator = [";", "\t"].find((each) => written[0]?.includes(each)) ?? ",";
-  const [headings = [], ...lines] = d3.dsvFormat(separator).parseRows(written.join("\n"));
+  const text = written.join("\n").replaceAll(`${separator} "`, `${separator}"`);
+  const [headings = [], ...lines] = d3.dsvFormat(separator).parseRows(text);
   try {
-    const columns = headings.map((heading, place) => ({ heading, place, ...columnOf(heading.trim()) }));
+    const named = areUnits(headings, lines[0] ?? []) ? withUnits(headings, lines.shift()) : headings;
+    const columns = named.map((heading, place) => ({ heading, place, ...columnOf(heading.trim()) }));
     const [used, ignored] = [columns.filter(({ name }) => name), columns.filter(({ name }) => !name)];
     if (used.length < 2) throw new Error("needs two columns such as “load [N]” and “solid load fraction [%]”");
     const twice = used.find(({ name }, place) => used.slice(0, place).some((each) => each.name === name));
