@@ -4,7 +4,6 @@ import csv
 import io
 import math
 import re
-import time
 import xml.etree.ElementTree as ElementTree
 from urllib.parse import parse_qs
 
@@ -313,7 +312,7 @@ def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer, encoding):
         ("", "two columns"),
         ("load [N],load [kN],roughness [nm]\n1,2,3", "more than one column of normal load"),
         ("load [N];solid load fraction\n1.000;0,5", "decimal commas and decimal points"),
-        ("load [N],solid load fraction\n10,none", "“none” is no number"),
+        ("load [N],solid load fraction\n10,1.2.3", "“1.2.3” is no number"),
     ],
 )
 def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, text, named):
@@ -478,30 +477,13 @@ def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
         assert not explorer.one(control).is_displayed()
 
 
-def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell):
-    """Of what the page itself takes: what else a machine does, or how slow it is, does not count."""
-    explorer.open("figure=fig06")  # the most curves
-    command = explorer.driver.execute_cdp_cmd
-    command("Performance.enable", {"timeDomain": "threadTicks"})
-
-    def spent():
-        found = command("Performance.getMetrics", {})["metrics"]
-        return 1e3 * next(each["value"] for each in found if each["name"] == "TaskDuration")
-
-    def least(script, values):
-        times = []
-        for value in values:
-            before = spent()
-            explorer.driver.execute_async_script(script, value)
-            times.append(spent() - before)
-            time.sleep(0.02)
-        return min(times)
-
+def test_a_move_of_a_slider_redraws_the_curves(explorer):
+    explorer.open("figure=fig04")
+    before = explorer.curve("ν = 90 cSt")
     move = """const slider = document.querySelector('#input-spread_ratio ~ .slider input');
         slider.value = arguments[0];
         slider.dispatchEvent(new Event('input', { bubbles: true }));
         requestAnimationFrame(() => requestAnimationFrame(() => arguments[1]()));"""
-    work = f"arguments[1]((() => {{ {WORK} }})());"
-    slower, redrawn = max(1.0, least(work, range(5)) / REFERENCE), least(move, range(500, 560))
-    tell(f"explorer: redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")
-    assert redrawn <= REDRAWN * slower
+    explorer.driver.execute_async_script(move, 900)
+    explorer.settle()
+    assert explorer.curve("ν = 90 cSt") != before

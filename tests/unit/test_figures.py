@@ -17,7 +17,7 @@ from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption
 from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
-from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
+from thirdbody.figures.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
 from thirdbody.figures.schematics import SCHEMATICS, STRETCH
 from thirdbody.figures.sections import sections, state_of
@@ -295,8 +295,9 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
     drawing = plotted(name, datasets, printed=rows)
     found = {PRINTED: {}, TOLERANCE: {}}
     for series in (series for panel in drawing.panels for series in panel.series):
-        if series.kind in found:
-            found[series.kind].setdefault(series.name, []).extend([*series.x, *series.y])
+        kind = PRINTED if series.kind == EVERY_LOAD else series.kind
+        if kind in found:
+            found[kind].setdefault(series.name, []).extend([*series.x, *series.y])
     assert any(text.startswith("printed") for text in key_of(drawing)) == bool(rows)
     for row in rows:
         places, ends = found[PRINTED][row["id"]], found[TOLERANCE][row["id"]]

@@ -103,7 +103,7 @@ def printed_series(
                 if _is_at_every_load(row, x, y):
                     load, value = curve.values[x][[0, -1]], np.full(2, row["value"])
                     look = LOOKS[EVERY_LOAD] | colour
-                    yield Series(PRINTED, row["id"], load, value, curve.condition, look)
+                    yield Series(EVERY_LOAD, row["id"], load, value, curve.condition, look)
                 else:
                     yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
                 look = LOOKS[TOLERANCE] | colour

@@ -108,7 +108,8 @@ export function judge(claim, evidence, changes = {}) {
   const given = { ...claim, curves, references: referencesOf(claim, curves) };
   const { numbers = [], distance, tested } = measure(given, evidence);
   // of any curve, the one that agrees best must have a turning point
-  const judged = claim.any_curve && numbers.length ? [curves[d3.leastIndex(numbers, (n) => fromPublished(claim, [n]))]] : curves;
+  const nearest = claim.any_curve ? d3.leastIndex(numbers, (number) => fromPublished(claim, [number])) : -1;
+  const judged = nearest >= 0 ? [curves[nearest]] : curves;
   const points = claim.source === "turning_point" ? [...judged, ...given.references].map(evidence.turningPoint) : [];
   const turns = points.every(({ prominence }) => prominence >= PROMINENCE);
   const found = { numbers, distance: turns ? distance : NaN };
