@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
-LARGEST = 1e30  # x_a in any unit, whose square float64 holds
+LARGEST = 1e100  # x_a in any unit, whose square float64 holds
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 # least and most usual value of numbers by name, and their unit

@@ -142,10 +142,7 @@ def _particles(state, parameters, position, lower, upper, reach, random) -> dict
     if reach is not None:
         right = (position > 0.6 * position[-1]) & (position < (1 - CLEARANCE) * position[-1])
         gap = np.where(right, upper - lower, np.inf)
-        # it touches both surfaces where there are such sizes
-        largest = size_quantiles(1.0, 0.0, state["particle_diameter"], parameters)
-        least = gap.min() if gap.min() < largest else max(gap.min() - reach, 0.0)
-        places[0], smallest[0] = position[np.argmin(gap)], least
+        places[0], smallest[0] = position[np.argmin(gap)], max(gap.min() - reach, 0.0)
     fractions = random.uniform(size=count)
     sizes = size_quantiles(fractions, smallest, state["particle_diameter"], parameters)
     settled = [
