@@ -319,7 +319,7 @@ IN_FIG04 = {
     # inputs of the model
     "another k": inputs(k=1.0001),
     "another sigma_s": inputs(sigma_s=1.0001),
-    "another interpretation": inputs(film_load="fluid"),
+    "another interpretation": inputs(film_load="total"),
     "unknown input": inputs(friction=0.1),
     "no inputs": lambda dataset: dataset.delncattr("model_parameters"),
     "rubbish for inputs": attribute("", "model_parameters", "rubbish"),
