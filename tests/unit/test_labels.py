@@ -199,8 +199,8 @@ def test_a_cell_that_is_no_number_is_named_with_its_row(cell):
 
 
 def test_the_row_of_a_diameter_that_is_too_large_is_named():
-    sizes = pd.Series([300.0, 1e40], index=["a", "b"])
-    with pytest.raises(ValueError, match=r"particle_diameter is 1e\+40 in row b"):
+    sizes = pd.Series([300.0, 1e140], index=["a", "b"])
+    with pytest.raises(ValueError, match=r"particle_diameter is 1e\+140 in row b"):
         tb.solve(load_N=1, viscosity_cSt=0, **SURFACE, particle_diameter=sizes)
 
 

@@ -5,7 +5,6 @@
 rule sample_inputs:
     input:
         evaluations=SEARCHED,
-        claims=configured("claims"),
     output:
         samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
@@ -15,6 +14,7 @@ rule sample_inputs:
     resources:
         runtime=30,
     params:
+        claims=configured("claims"),
         settings=settings_of,
         parameters=settings["uncalibrated"],
         sources=sources_of("sample_inputs.py", config=["claims"]),
@@ -29,7 +29,6 @@ rule summarise_inputs:
         evaluations=branch(is_shortlisted, then=SEARCHED, otherwise=SEARCHED[:1]),
         samples=branch(is_shortlisted, then=expand(f"{FOUND}/seed{{seed}}_samples.csv", seed=SEEDS)),
         folds=branch(is_shortlisted, then=expand(f"{FOUND}/fold{{fold}}.csv", fold=FOLDS)),
-        claims=configured("claims"),
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",
     log:
@@ -37,6 +36,7 @@ rule summarise_inputs:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        claims=configured("claims"),
         settings=settings_of,
         parameters=settings["uncalibrated"],
         sources=sources_of("summarise_inputs.py", config=["claims"]),
@@ -54,7 +54,6 @@ SUMMARISED = expand(
 rule choose_default:
     input:
         calibrated=SUMMARISED,
-        claims=configured("claims"),
     output:
         chosen="<results>/calibration/chosen.json",
     log:
@@ -62,6 +61,7 @@ rule choose_default:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        claims=configured("claims"),
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],
         sources=sources_of("choose_default.py", config=["claims"]),

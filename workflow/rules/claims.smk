@@ -6,10 +6,6 @@ CALIBRATED_SUM = digest([*CALIBRATED, settings["calibrated"]])
 
 rule judge_claims:
     input:
-        claims=configured("claims"),
-        inputs=configured("inputs"),
-        default=ancient(settings["calibrated"]),
-        calibrated=ancient(CALIBRATED),
         templates=[project_file(f"src/thirdbody/study/claims.{kind}.j2") for kind in ("md", "html")],
     output:
         table="<results>/claims/claims.csv",
@@ -26,10 +22,13 @@ rule judge_claims:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        claims=configured("claims"),
+        default=settings["calibrated"],
+        calibrated=CALIBRATED,
         settings=settings["calibration"],
         parameters=settings["uncalibrated"],
         laid_over=settings["inputs"],
-        calibrated=CALIBRATED_SUM,
+        calibrated_sum=CALIBRATED_SUM,
         sources=sources_of("judge_claims.py", config=["claims", "inputs"]),
     message:
         "Evaluating every statement of the paper"
@@ -41,7 +40,7 @@ rule judge_claims:
 SUMMARIES = {
     "claims": "<results>/claims/claims.csv",
     "sensitivity": "<results>/tables/sensitivity.csv",
-    "fronts": ancient(CALIBRATED),
+    "fronts": [],  # drawn from calibrated files
 }
 
 
@@ -60,7 +59,8 @@ rule render_summary:
         "../envs/thirdbody.yaml"
     params:
         default=Path(settings["calibrated"]).stem,
-        calibrated=CALIBRATED_SUM,
+        calibrated=CALIBRATED,
+        calibrated_sum=CALIBRATED_SUM,
         sources=lambda wildcards: sources_of(
             "render_summary.py", f"thirdbody.figures.{wildcards.summary}"
         ),

@@ -5,11 +5,7 @@ rule build_explorer:
     input:
         points=expand("<results>/figures/{figure}.csv", figure=SCENES),
         captions=expand("<results>/figures/{figure}.md", figure=SCENES),
-        claims=configured("claims"),
-        inputs=configured("inputs"),
-        tables=configured("paper_tables"),
         verdicts="<results>/claims/claims.json",
-        calibrated=ancient(CALIBRATED),
         page=[
             project_file(path)
             for folder in ("page", "vendor")
@@ -27,10 +23,13 @@ rule build_explorer:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        claims=configured("claims"),
+        tables=configured("paper_tables"),
         parameters=settings["parameters"],
         calibration=settings["calibration"],
         ensemble=settings["ensemble"],
-        calibrated=CALIBRATED_SUM,
+        calibrated=CALIBRATED,
+        calibrated_sum=CALIBRATED_SUM,
         sources=sources_of("build_explorer.py", config=["claims", "inputs", "paper_tables"]),
     message:
         "Building the explorer"

@@ -39,8 +39,6 @@ rule find_windows:
 
 
 rule gather_printed:
-    input:
-        claims=configured("claims"),
     output:
         table="<results>/extracted/printed/all.csv",
     log:
@@ -48,6 +46,7 @@ rule gather_printed:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        claims=configured("claims"),
         sources=sources_of("gather_printed.py", config=["claims"]),
     message:
         "Gathering the printed numbers of the paper"
@@ -56,8 +55,6 @@ rule gather_printed:
 
 
 rule recompute_paper_tables:
-    input:
-        printed=configured("paper_tables"),
     output:
         table1="<results>/extracted/table1/all.csv",
         table2="<results>/extracted/table2/all.csv",
@@ -67,6 +64,7 @@ rule recompute_paper_tables:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        printed=configured("paper_tables"),
         parameters=settings["parameters"],
         sources=sources_of("recompute_paper_tables.py", config=["paper_tables"]),
     message:

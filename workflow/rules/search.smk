@@ -8,8 +8,6 @@ wildcard_constraints:
 
 
 rule scatter_inputs:
-    input:
-        claims=configured("claims"),
     output:
         scattered="<results>/calibration/{interpretation}/scattered.csv",
     log:
@@ -19,6 +17,7 @@ rule scatter_inputs:
     resources:
         runtime=30,
     params:
+        claims=configured("claims"),
         settings=settings_of,
         parameters=settings["uncalibrated"],
         sources=sources_of("scatter_inputs.py", config=["claims"]),
@@ -30,7 +29,6 @@ rule scatter_inputs:
 
 rule search_inputs:
     input:
-        claims=configured("claims"),
         start=start_of,
     output:
         evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
@@ -41,6 +39,7 @@ rule search_inputs:
     resources:
         runtime=30,
     params:
+        claims=configured("claims"),
         settings=settings_of,
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
@@ -61,6 +60,7 @@ use rule search_inputs as search_fold with:
         settings=settings_of,
         parameters=settings["uncalibrated"],
         seeds=SEEDS,
+        claims=configured("claims"),
         fold=lambda wildcards: int(wildcards.fold),
         sources=sources_of("search_inputs.py", config=["claims"]),
     message:

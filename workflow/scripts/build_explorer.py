@@ -14,19 +14,19 @@ with logged(snakemake.log[0]):
     page, parameters = snakemake.output.page, snakemake.params.parameters
     unknowns = snakemake.params.calibration["unknowns"]
     entries = read_entries()
-    interpretations = [read_yaml(path) for path in snakemake.input.calibrated]
+    interpretations = [read_yaml(path) for path in snakemake.params.calibrated]
     inputs = {
         name: entry | unknowns.get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()
     }
     content = page_content(
         zip(snakemake.input.points, snakemake.input.captions, strict=True),
-        load_claims(snakemake.input.claims),
+        load_claims(snakemake.params.claims),
         json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8")),
         inputs,
         {each["interpretation"]: each["inputs"] for each in interpretations},
         snakemake.params.ensemble,
-        {row["symbol"]: row["printed"] for row in read_yaml(snakemake.input.tables)["table2"]},
+        {row["symbol"]: row["printed"] for row in read_yaml(snakemake.params.tables)["table2"]},
     )
     with atomic_write(page) as part:
         part.write_text(page_text(content), encoding="utf-8")

@@ -27,7 +27,7 @@ def _fractions(judge_all, verdicts, folds):
 
 with logged(snakemake.log[0]):
     settings = snakemake.params.settings
-    statements = load_claims(snakemake.input.claims)
+    statements = load_claims(snakemake.params.claims)
     base = snakemake.params.parameters
     judge_all = Judge(statements, base, settings["newtons"])
     contents = {

@@ -6,4 +6,4 @@ from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims, printed_rows
 
 with logged(snakemake.log[0]), atomic_write(snakemake.output.table) as part:
-    write_csv(part, printed_rows(load_claims(snakemake.input.claims)), TABLES["printed"])
+    write_csv(part, printed_rows(load_claims(snakemake.params.claims)), TABLES["printed"])

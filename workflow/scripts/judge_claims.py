@@ -9,12 +9,12 @@ from thirdbody.study.claims import load_claims
 from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown, judge_everything
 
 with logged(snakemake.log[0]):
-    default = snakemake.input.default
-    calibrated = snakemake.input.calibrated
+    default = snakemake.params.default
+    calibrated = snakemake.params.calibrated
     settings = snakemake.params.settings
     laid_over = snakemake.params.laid_over
     judge_all = Judge(
-        load_claims(snakemake.input.claims),
+        load_claims(snakemake.params.claims),
         snakemake.params.parameters,
         settings["newtons"],
     )

@@ -9,7 +9,7 @@ from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     inputs = Parameters(**snakemake.params.parameters)
-    printed = read_yaml(snakemake.input.printed)
+    printed = read_yaml(snakemake.params.printed)
     with atomic_write(*snakemake.output) as parts:
         for part, table in zip(parts, snakemake.output.keys(), strict=True):
             write_csv(part, paper_table(printed[table], inputs), TABLES["paper_table"])

@@ -13,11 +13,11 @@ from thirdbody.job_log import logged
 
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.summary
-    data = snakemake.input.data
     if figure in TABLES:
-        drawn = read_csv(data, TABLES[figure])
+        drawn = read_csv(snakemake.input.data, TABLES[figure])
     else:
-        files = sorted(data, key=lambda path: Path(path).stem != snakemake.params.default)
+        calibrated = snakemake.params.calibrated
+        files = sorted(calibrated, key=lambda path: Path(path).stem != snakemake.params.default)
         drawn = [content for content in map(read_yaml, files) if content["fronts"]]
     plot = import_module(f"thirdbody.figures.{figure}").plot
     with matplotlib.style.context(snakemake.input.style, after_reset=True):

@@ -10,7 +10,7 @@ from thirdbody.study.search import posterior_sample
 with logged(snakemake.log[0]):
     settings, seed = snakemake.params.settings, int(snakemake.wildcards.seed)
     base = snakemake.params.parameters
-    objective = Objective.of(load_claims(snakemake.input.claims), settings, base)
+    objective = Objective.of(load_claims(snakemake.params.claims), settings, base)
     found = np.vstack([read_rows(path) for path in snakemake.input.evaluations])
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     drawn = posterior_sample(interpretation, objective, found, settings["budget"], seed)

@@ -10,7 +10,7 @@ from thirdbody.study.search import scatter
 with logged(snakemake.log[0]):
     settings = snakemake.params.settings
     objective = Objective.of(
-        load_claims(snakemake.input.claims), settings, snakemake.params.parameters
+        load_claims(snakemake.params.claims), settings, snakemake.params.parameters
     )
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     places = scatter(interpretation, settings["budget"])

@@ -9,7 +9,7 @@ from thirdbody.study.search import best_of, find_inputs, rank_starts
 
 with logged(snakemake.log[0]):
     fold, settings = snakemake.params.fold, snakemake.params.settings
-    statements = load_claims(snakemake.input.claims)
+    statements = load_claims(snakemake.params.claims)
     base = snakemake.params.parameters
     # a number is the fold whose statements are left out
     fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted

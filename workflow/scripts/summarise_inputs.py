@@ -14,7 +14,7 @@ with logged(snakemake.log[0]):
     content = summary(
         Interpretation.of(snakemake.wildcards.interpretation, settings),
         Judge(
-            load_claims(snakemake.input.claims),
+            load_claims(snakemake.params.claims),
             snakemake.params.parameters,
             settings["newtons"],
         ),

@@ -16,6 +16,9 @@ from thirdbody.model.particles import has_particles
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.solver.points import make_contact
 
+# tolerance of d over that of the load: a relative change of d changes F_t* by more
+SEPARATION_MARGIN = 0.01
+
 LIMITS = (
     ("solid_load_fraction", BOUNDARY_LIMIT),
     ("solid_load_fraction", FULL_FILM_LIMIT),
@@ -69,6 +72,6 @@ def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
     outside = (at_first > 0.0) == (at_last > 0.0)
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
     ends = (np.where(outside, nearest, end) for end in (first, last))
-    d, width = bracketed_roots(excess, *ends, 0.1 * rtol * last)
+    d, width = bracketed_roots(excess, *ends, SEPARATION_MARGIN * rtol * last)
     load, _, steepest = load_at(solids, viscosity, roughness, d)
     return load, load * (steepest * width + rtol)
