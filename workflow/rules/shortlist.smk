@@ -29,6 +29,8 @@ def nearby(wildcards):
 def start_of(wildcards):
     """The files with the inputs from which a search starts."""
     for name in nearby(wildcards):
+        if "fold" in wildcards.keys():
+            return [f"{RESULTS}/calibration/{name}/fold{wildcards.fold}.csv"]
         seeds = SEEDS if name in shortlisted() else SEEDS[:1]
         return [f"{RESULTS}/calibration/{name}/seed{seed}.csv" for seed in seeds]
     return [f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"]
@@ -39,5 +41,6 @@ def shortlisted():
     return json.loads(Path(chosen).read_text(encoding="utf-8"))
 
 
-def is_shortlisted(wildcards):
-    return wildcards.interpretation in shortlisted()
+def is_cross_validated(wildcards):
+    """Whether an interpretation, or the one that it is near to, is on the shortlist."""
+    return not {wildcards.interpretation, *nearby(wildcards)}.isdisjoint(shortlisted())

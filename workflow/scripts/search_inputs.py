@@ -18,9 +18,11 @@ with logged(snakemake.log[0]):
     rows = np.vstack([read_rows(path) for path in snakemake.input.start])
     if nearby := settings["interpretations"][interpretation.name].get("nearby"):
         other = Interpretation.of(nearby, settings)
+        hops = settings["budget"]["nearby_hops"]
         known = other.fixed | other.values(best_of(rows)[:-1])
         starts = interpretation.positions(known)[None]
     else:
+        hops = settings["budget"]["hops"]
         count = len(interpretation.unknowns)
         places, scores = rows[:, :count], rows[:, count:]
         every = Objective.of(statements, settings, base)
@@ -30,6 +32,6 @@ with logged(snakemake.log[0]):
         ranks = [ranking[seeds.index(seed) :: len(seeds)][:most] for seed in snakemake.params.seeds]
         starts = places[np.concatenate(ranks)]
     found = find_inputs(
-        interpretation, objective, starts, settings["budget"], snakemake.params.seeds[0]
+        interpretation, objective, starts, settings["budget"], hops, snakemake.params.seeds[0]
     )
     write_rows(snakemake.output.evaluations, found)

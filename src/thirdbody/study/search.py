@@ -21,10 +21,7 @@ from thirdbody.study.calibration import SLOPE_OF_LOSS, Interpretation, Objective
 DIFFERENCES = 0.01, 0.004  # steps of the slopes in both rounds of a descent, in the unit cube
 # iterations of least squares from every start, and in both rounds from the best and after a hop
 SCREENING, DESCENT, HOPPING = 6, (20, 20), (8, 10)
-HOP, HOPPING = (
-    0.1,
-    (8, 10),
-)  # standard deviation of a hop, in the unit cube, and iterations of both rounds after it
+HOP = 0.1  # standard deviation of a hop, in the unit cube
 FIRST_STEPS = (
     0.03,
     0.01,
@@ -52,13 +49,14 @@ def find_inputs(
     objective: Objective,
     starts: NDArray,
     budget: Mapping[str, Any],
+    hops: int,
     seed: int,
 ) -> NDArray:
     """Search the unknowns for the least objective from several ``starts``, shape (starts, unknowns): all
     positions with the objective [1] in the last column.
 
     Least squares descend from every start, and from the best ``budget["descents"]`` of what they find; then
-    from ``budget["hops"]`` random steps away from the best so far.  Two evolutions follow from the best of all.
+    from ``hops`` random steps away from the best so far.  Two evolutions follow from the best of all.
     """
     rows, most = [], budget["iterations"]
     descent, hopping = (np.minimum(each, most).tolist() for each in (DESCENT, HOPPING))
@@ -72,7 +70,7 @@ def find_inputs(
     for end in ends[: budget["descents"]]:
         rows.append(_descend_twice(interpretation, objective, end[:-1], descent))
     random = np.random.default_rng(seed)
-    for _ in range(budget["hops"]):
+    for _ in range(hops):
         best = best_of(np.vstack(rows))[:-1]
         place = np.clip(best + HOP * random.normal(size=best.size), 0.0, 1.0)
         rows.append(_descend_twice(interpretation, objective, place, hopping))
