@@ -27,7 +27,9 @@ rule sample_inputs:
 rule summarise_inputs:
     input:
         evaluations=branch(is_cross_validated, then=SEARCHED, otherwise=SEARCHED[:1]),
-        samples=branch(is_cross_validated, then=expand(f"{FOUND}/seed{{seed}}_samples.csv", seed=SEEDS)),
+        samples=branch(
+            is_cross_validated, then=expand(f"{FOUND}/seed{{seed}}_samples.csv", seed=SEEDS)
+        ),
         folds=branch(is_cross_validated, then=expand(f"{FOUND}/fold{{fold}}.csv", fold=FOLDS)),
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",
