@@ -93,7 +93,7 @@ def test_golden_values_are_those_of_the_oracle(oracle, name):
 
 def test_no_separation_is_missed(oracle, tell):
     """As many as there are changes of sign of F_s + F_f - F_t among 1,000 separations."""
-    count = 200
+    count = 80
     model, conditions = draw(count, seed=14)
     model["E_ss"] = model["E_sa"] = model["E_ss"] / 30.0  # soft: F_s rises somewhere
     model["film_load"][:] = "fluid"
@@ -120,7 +120,7 @@ def test_no_separation_is_missed(oracle, tell):
         assert np.count_nonzero(above[1:] != above[:-1]) <= solved.count[index], index
         assert above[0] and not above[-1], index
         several += solved.count[index] > 1
-    assert several > 20
+    assert several > 10
     tell(f"oracle: several separations at {several} points, none missed")
 
 
