@@ -4,8 +4,9 @@ COPY . /thirdbody
 RUN cd /thirdbody \
  && python -m pip install --no-cache-dir --require-hashes --requirement locks/workflow.txt \
  && python -m pip install --no-cache-dir --no-deps --no-build-isolation . \
- && cp workflow/envs/container_home.* /usr/local/lib/python3.11/site-packages \
  && mkdir --mode=1777 /work
 WORKDIR /work
+# Snakemake asks for the home and the name of its user, who has neither with --user
+ENV HOME=/tmp USER=nobody
 ENTRYPOINT ["snakemake", "--snakefile", "/usr/local/lib/python3.11/site-packages/thirdbody/workflow/Snakefile"]
 CMD ["--cores", "2"]

@@ -51,7 +51,6 @@ $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --no-compile --require-hashes --requirement locks/workflow.txt
 	$(COMPILE)
 	$(BIN)/python -m pip install --quiet --no-compile --no-deps --no-build-isolation --editable .
-	cp workflow/envs/container_home.* $(VENV)/lib/python3*/site-packages
 	$(BIN)/python -m compileall -qq src benchmarks
 	touch $@
 
