@@ -31,10 +31,10 @@ VENDOR := src/thirdbody/explorer/vendor
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
 
-# one thread of linear algebra a process, as processes share the cores
+# one thread of linear algebra a process, as processes share the cores; one process more than cores, as some tests wait
 test: $(VENV)/test.done $(VENV)/slurm.done
 	$(BIN)/snakemake -c$(CORES)
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile --no-loadscope-reorder
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(CORES) + 1)) --dist=loadfile --no-loadscope-reorder
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html
