@@ -28,6 +28,7 @@ def rows():
         elif 3.0 < score < 3.5:
             verdict = verdicts.NOT_TESTED
         row = {"id": claim.id, "place": claim.place, "verdict": verdict, "cluster": claim.cluster}
+        row["statement"] = claim.statement
         row |= {"score": score, "predicted": "holds" if score < 0.5 else "fails"}
         rows.append(row | {"ensemble_agree": 3.0, "ensemble_size": 12.0})
     return rows
@@ -47,7 +48,12 @@ def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
         held = words.count(verdicts.HOLDS)
         judged = held + words.count(verdicts.FAILS)
         is_named = row["verdict"] != verdicts.HOLDS
-        assert text == (row["id"] if is_named else f"{part}: {held} of {judged} hold")
+        if is_named:
+            place, _, sentence = text.replace("\n", " ").partition(": ")
+            assert row["place"].startswith(place)
+            assert row["statement"].startswith(sentence.removesuffix(" …"))
+        else:
+            assert text == f"{part}: {held} of {judged} hold"
 
 
 def markers_at(drawing):
@@ -81,12 +87,12 @@ def test_each_headline_number_has_a_panel_and_each_interpretation_a_line():
         {"interpretation": "one", "fronts": {"a": [[0.5, 9.0], [2.0, 4.0]], "b": [[0.1, 5.0]]}},
         {"interpretation": "two", "fronts": {"a": [[0.4, 8.0]], "b": []}},
     ]
-    drawing = fronts.plot(interpretations)
-    assert [panel.title for panel in drawing.panels] == ["a", "b"]
+    drawing = fronts.plot(interpretations, {"a": "The first.", "b": "The second."})
+    assert [panel.title for panel in drawing.panels] == ["The first.", "The second."]
     one, two = drawing.panels[0].series
     assert (one.name, two.name) == ("one", "two")
     # what is good near the statement is good farther off
     assert_allclose(np.column_stack([one.x, one.y])[:2], [[0.5, 9.0], [2.0, 4.0]])
     assert one.y[-1] == 4.0
-    texts = [text.get_text() for text in drawing.legends[0].get_texts()]
+    texts = [text.get_text() for text in drawing.axes[0].get_legend().get_texts()]
     assert texts == ["one", "two"]

@@ -1,4 +1,4 @@
-"""Draw a figure from a table of its name, or from calibrated files; nothing is solved here."""
+"""Draw a figure from the table of its name, or the fronts in calibrated files; nothing is solved here."""
 
 from importlib import import_module
 from pathlib import Path
@@ -13,13 +13,14 @@ from thirdbody.job_log import logged
 
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.summary
-    if figure in TABLES:
-        drawn = read_csv(snakemake.input.data, TABLES[figure])
-    else:
+    table = Path(snakemake.input.data).stem
+    drawn = [read_csv(snakemake.input.data, TABLES[table])]
+    if figure == "fronts":
         calibrated = snakemake.params.calibrated
         files = sorted(calibrated, key=lambda path: Path(path).stem != snakemake.params.default)
-        drawn = [content for content in map(read_yaml, files) if content["fronts"]]
+        fronts = [content for content in map(read_yaml, files) if content["fronts"]]
+        drawn = [fronts, {row["id"]: row["statement"] for row in drawn[0]}]
     plot = import_module(f"thirdbody.figures.{figure}").plot
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
-        save(plot(drawn), snakemake.output.png.removesuffix(".png"), caption(figure))
-    print(f"{figure}: {len(drawn)} rows or files drawn")
+        save(plot(*drawn), snakemake.output.png.removesuffix(".png"), caption(figure))
+    print(f"{figure}: {len(drawn[0])} rows or files drawn")

@@ -7,9 +7,9 @@ import jinja2
 from markupsafe import Markup
 
 from thirdbody.data.files import atomic_write
+from thirdbody.data.places import part_of_paper
 from thirdbody.figures.captions import WORDS
 from thirdbody.job_log import logged
-from thirdbody.study.claims import figures_named
 from thirdbody.typeset import html
 
 # a line on each table
@@ -29,7 +29,7 @@ def figure_entry(caption, statements, scenes):
     first, _, last = Path(caption).read_text(encoding="utf-8").partition("\n\n")
     title, _, text = first.removeprefix("**").partition(".**")
     number = int(stem.removeprefix("fig")) if stem.startswith("fig") else None
-    here = [each for each in statements if number in figures_named(each["place"])]
+    here = [each for each in statements if part_of_paper(each["place"]) == f"Figure {number}"]
     failed = [each for each in here if each["verdict"] == "fails"]
     return {
         "stem": stem,

@@ -9,7 +9,15 @@ from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.figures import marks
 from thirdbody.figures.drawing import CURVE, Panel
-from thirdbody.figures.scales import SCALES, label, note, unit_text, value_text
+from thirdbody.figures.scales import (
+    SCALES,
+    label,
+    note,
+    panel_title,
+    quantity,
+    unit_text,
+    value_text,
+)
 
 WORDS = toml_beside(__file__)
 ZONES = WORDS.pop("zones")
@@ -35,20 +43,15 @@ def caption(
     return f"{sentences}\n\n**Alternative text.** {words['alternative']}\n"
 
 
-def _quantity(name) -> str:
-    title = SCALES[name].title
-    return title[0].lower() + title[1:]
-
-
 def _notes(panels) -> list[str]:
     """Sentences on the panels, the load axis, the conditions, and the meaning of marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
     kinds = {series.kind for panel in panels for series in panel.series}
     contents = []
     for panel in panels:
-        own = f" at {panel.title}" if panel.title != SCALES[panel.y].title else ""
-        over = "" if panel.x == "load" else f" over the {_quantity(panel.x)}"
-        contents.append(f"({panel.letter}) {_quantity(panel.y)}{own}{over}")
+        own = f" at {panel.title}" if panel.title != panel_title(panel.x, panel.y) else ""
+        over = "" if panel.x == "load" else f" over the {quantity(panel.x)}"
+        contents.append(f"({panel.letter}) {quantity(panel.y)}{own}{over}")
     sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in kinds]
@@ -83,7 +86,7 @@ def _description(panel) -> str:
     parts = []
     if curves:
         y = np.concatenate([curve.y for curve in curves])
-        parts.append(f"{len(curves)} curves of {_quantity(panel.y)} {_range(y)}")
+        parts.append(f"{len(curves)} curves of {quantity(panel.y)} {_range(y)}")
         taken = zip(*(curve.curve for curve in curves), strict=True)
         varying = [name for name, values in zip(Condition._fields, taken) if len({*values}) > 1]
         for curve in dict.fromkeys((curves[0], curves[-1])):
@@ -94,7 +97,7 @@ def _description(panel) -> str:
         places = [series.x for series in panel.of_kind(kind)]
         if places and kind not in (marks.LOCUS, marks.BAND, marks.TOLERANCE):
             x = np.concatenate(places)
-            parts.append(f"{look['label']}: {x.size}, {_quantity(panel.x)} {_range(x)}")
+            parts.append(f"{look['label']}: {x.size}, {quantity(panel.x)} {_range(x)}")
     return f"Panel {panel.letter}: {'; '.join(parts)}."
 
 

@@ -1,7 +1,9 @@
-"""Overview of the verdicts: the statements of each figure in a row, missed ones by name."""
+"""Overview of the verdicts: the statements of each figure in a row, missed ones in words."""
 
 import math
+import textwrap
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -10,8 +12,9 @@ from thirdbody.data.places import part_of_paper
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
 
 WIDTH = 7.2  # inches
-LINE_INCHES = 0.17  # height of a line
-KEY_INCHES = 1.4  # of the key and the axis
+LINE_INCHES = 0.22  # height of a line, of which each has up to two of text
+LETTERS = 76  # in a line of text
+KEY_INCHES = 1.5  # of the title, the axis and the key
 MARGIN = 0.35  # beside the least and the largest score
 AGREEMENT = 0.75  # fraction of the ensemble from which a marker is filled
 # verdict: colour of its marker; dark and light, so that they differ in grey
@@ -32,6 +35,14 @@ def score_of(distance: float) -> float:
 LAST = score_of(DISTANCES[-1])  # larger scores are drawn here
 
 
+class Line(NamedTuple):
+    """A line of the figure: a part of the paper with the statements that hold, or one of the others."""
+
+    text: str
+    rows: Sequence[Mapping]
+    is_part: bool
+
+
 def plot(rows: Sequence[Mapping]) -> Drawing:
     """The score of each statement, from rows of the table ``claims``: those that hold on one line
     per figure of the paper, all others on separate lines below."""
@@ -39,30 +50,32 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     height = len(lines) * LINE_INCHES + KEY_INCHES
     figure = Drawing(figsize=(WIDTH, height), layout="constrained")
     axes = figure.add_subplot()
+    axes.set_title("Statements of the paper: those left of the line hold", loc="left")
+    axes.set_yticks(range(len(lines)), [line.text for line in lines], fontsize=6)
     series = []
-    for line, (text, found) in enumerate(lines):
-        if text not in {row["id"] for row in found}:
-            axes.axhspan(line - 0.5, line + 0.5, color="0.94", linewidth=0, zorder=0)
-        for row in found:
+    for place, (line, text) in enumerate(zip(lines, axes.get_yticklabels(), strict=True)):
+        if line.is_part:
+            axes.axhspan(place - 0.5, place + 0.5, color="0.94", linewidth=0, zorder=0)
+            text.set_fontweight("bold")
+        for row in line.rows:
             score = min(row["score"], LAST)
-            series.append(Series(CURVE, row["id"], np.array([score]), np.array([line])))
+            series.append(Series(CURVE, row["id"], np.array([score]), np.array([place])))
             look = {"color": COLOURS[row["verdict"]], "marker": "o" if _is_predicted(row) else "D"}
             if row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]:
                 look["markerfacecolor"] = "white"
-            axes.plot(score, line, linestyle="none", zorder=2, **look)
+            axes.plot(score, place, linestyle="none", zorder=2, **look)
     axes.axvline(1.0, color="black", linewidth=0.8, zorder=1.5)
     axes.set(xlim=(-MARGIN, LAST + MARGIN), ylim=(len(lines) - 0.5, -0.5))
     axes.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000+"])
-    axes.set_yticks(range(len(lines)), [text for text, _ in lines])
     axes.tick_params(axis="y", length=0)
-    axes.set_xlabel("deviation in tolerances; logarithmic beyond 1")
+    axes.set_xlabel("Deviation in tolerances, logarithmic beyond 1")
     figure.legend(handles=_key(rows), loc="outside lower center", ncols=3)
     figure.panels = [Panel("", "score", "line", series, letter="A")]
     return figure
 
 
-def _lines(rows) -> list[tuple[str, list[Mapping]]]:
-    """Text and statements of each line, in the order of the paper."""
+def _lines(rows) -> list[Line]:
+    """The lines in the order of the paper."""
     parts: dict[str, list] = {}
     for row in rows:
         parts.setdefault(part_of_paper(row["place"]), []).append(row)
@@ -72,9 +85,17 @@ def _lines(rows) -> list[tuple[str, list[Mapping]]]:
         held = verdicts.count("holds")
         judged = held + verdicts.count("fails")
         together = [row for row in group if row["verdict"] == "holds"]
-        lines.append((f"{part}: {held} of {judged} hold", together))
-        lines += [(row["id"], [row]) for row in group if row["verdict"] != "holds"]
+        lines.append(Line(f"{part}: {held} of {judged} hold", together, is_part=True))
+        others = [row for row in group if row["verdict"] != "holds"]
+        lines += [Line(_sentence(row), [row], is_part=False) for row in others]
     return lines
+
+
+def _sentence(row) -> str:
+    """A statement with its place, on at most two lines."""
+    place = row["place"].partition(", section")[0]
+    text = f"{place}: {row['statement']}"
+    return "\n".join(textwrap.wrap(text, LETTERS, max_lines=2, placeholder=" …"))
 
 
 def _is_predicted(row) -> bool:

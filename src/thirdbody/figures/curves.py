@@ -21,17 +21,19 @@ from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
+from thirdbody.figures.crowding import keep_apart, label_curves
 from thirdbody.figures.drawing import CURVE, Panel, Series, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
 from thirdbody.figures.scales import (
-    SCALES,
     label,
+    panel_title,
     parameter_title,
     set_scales,
     shared_notes,
     value_text,
 )
 
+MOST_RANGES = 5  # drawn in a panel; the file of the data drawn has all
 BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
@@ -160,7 +162,9 @@ class CurveFigure:
                     series = tuple(_curve_series(content, chosen, printed))
                 shared = shared_notes([curve.condition for curve in chosen])
                 own = ", ".join(text for text in shared if text not in common)
-                panels.append(Panel(own or SCALES[content.y].title, content.x, content.y, series))
+                panels.append(
+                    Panel(own or panel_title(content.x, content.y), content.x, content.y, series)
+                )
         panels = [panel for panel in panels if panel.series]
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
@@ -288,6 +292,11 @@ def draw_panels(
     figure = empty_panels(panels, (2 * CELL[0], rows * CELL[1] + below))
     for each, panel in zip(figure.axes, figure.panels, strict=True):
         _draw_panel(each, panel, newtons_per_load)
+    over_sizes = [a for a, p in zip(figure.axes, figure.panels) if p.x == "diameter_ratio"]
+    for each in over_sizes[1:]:
+        each.sharex(over_sizes[0])
+    if len(over_sizes) > 1:
+        over_sizes[0].autoscale(axis="x")
     if entries:
         add_key(figure, list(entries.values()), title, common, beside)
     return figure
@@ -295,18 +304,34 @@ def draw_panels(
 
 def _draw_panel(axes, panel, newtons_per_load):
     """The series of a panel, and the scales of its axes."""
-    for series in panel.series:
-        if series.kind == marks.BAND:
-            outline = np.column_stack((series.x, series.y))
-            axes.add_collection(PolyCollection([outline], **series.look))
-        elif panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
-            axes.plot(series.x, series.y, **series.look)
+    ranges, lines = panel.of_kind(marks.BAND), {}
+    shown = np.unique(np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int))
+    for series in [ranges[place] for place in shown if ranges]:
+        outline = np.column_stack((series.x, series.y))
+        axes.add_collection(PolyCollection([outline], **series.look))
+    for series in [one for one in panel.series if one.kind != marks.BAND]:
+        if panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
+            (lines[series],) = axes.plot(series.x, series.y, **series.look)
         elif series.kind == marks.TOLERANCE:
             axes.axvspan(*series.x, **series.look)
         else:
             for end in series.x:
                 axes.axvline(end, **series.look)
     set_scales(axes, panel.x, panel.y, newtons_per_load)
+    marked = []
+    for kind in (marks.TURNING_POINTS, marks.PRINTED):
+        some = [line for series, line in lines.items() if series.kind == kind]
+        keep_apart(axes, some)
+        marked += some
+    if panel.x == "load":
+        levels = [one for one in lines if one.kind == CURVE and _is_level(one)]
+        texts = [one.look["label"] for one in levels]
+        label_curves(axes, [lines[one] for one in levels], texts, marked)
+
+
+def _is_level(series):
+    """Whether the label of a curve is a number."""
+    return series.look.get("label", "")[:1].isdigit()
 
 
 def key_columns(labels: Iterable[str], width: float = 1.0) -> int:

@@ -24,6 +24,7 @@ TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
 EVERY_LOAD = "printed at every load"
 PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
+LIMIT_OF_ALL = "printed limit of all surfaces"
 # markers of points that have not converged; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
 LOOKS = toml_beside(__file__)
@@ -80,9 +81,12 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
 
 
 def printed_limit(row: Mapping) -> Iterator[Series]:
-    """A printed end of a window, and its tolerance: a ``row`` of the table ``printed``."""
+    """A printed end of a window, and its tolerance: a ``row`` of the table ``printed``.  Statements on all
+    surfaces have a line of their own."""
     value, ends = np.array([row["value"]]), np.array([row["low"], row["high"]])
-    yield Series(PRINTED, row["id"], value, np.zeros(1), look=LOOKS[PRINTED_LIMIT])
+    own = row["id"].startswith(row["figure"] or "none")
+    look = LOOKS[PRINTED_LIMIT if own else LIMIT_OF_ALL]
+    yield Series(PRINTED, row["id"], value, np.zeros(1), look=look)
     yield Series(TOLERANCE, row["id"], ends, np.zeros(2), look=LOOKS[LIMIT_TOLERANCE])
 
 

@@ -94,6 +94,19 @@ SCALES = {name: Scale(**row) for name, row in ROWS.items()} | {
 }
 
 
+def panel_title(x: str, y: str) -> str:
+    """Title of a panel of ``y`` over ``x``."""
+    symbol = SCALES[x].label.partition(" ")[0]
+    over = "" if x in ("load", "normal_load", "diameter_ratio") else f" over {symbol}"
+    return SCALES[y].title + over
+
+
+def quantity(name: str) -> str:
+    """The title of a scale within a sentence."""
+    title = SCALES[name].title
+    return title[0].lower() + title[1:]
+
+
 def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:
     """Set scales, ticks, labels and limits of axes after all data have been drawn; with
     ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge."""
@@ -111,7 +124,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
             axes.set(**{f"{axis.axis_name}scale": "log"})
             axis.set_major_formatter(lambda value, _: power_text(value))
         if scale.unit != 1.0:
-            axis.set_major_formatter(lambda value, _, unit=scale.unit: f"{value / unit:g}")
+            axis.set_major_formatter(_in_unit(axis, scale.unit))
             if logarithmic:
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.set_minor_locator(NullLocator())
@@ -127,6 +140,17 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         upper.xaxis.set_minor_locator(NullLocator())
         upper.set_in_layout(False)  # the title leaves room for it
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
+
+
+def _in_unit(axis, unit):
+    """Text of a tick in a unit, with as many decimals as the others."""
+
+    def text(value, _):
+        ticks = [f"{tick:.6g}" for tick in axis.get_majorticklocs() / unit]
+        decimals = 0 if axis.get_scale() == "log" else max(len(t.partition(".")[2]) for t in ticks)
+        return f"{value / unit:.{decimals}f}" if decimals else f"{value / unit:g}"
+
+    return text
 
 
 def _draw_zones(axes, scale, shaded):

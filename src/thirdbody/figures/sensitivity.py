@@ -5,12 +5,14 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
 
 from thirdbody.data.readable import MEASURES, result_name
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
 
 WIDTH, ROW = 7.5, 0.17  # of the figure, height of a row [inches]
 BESIDE = 2.3  # inches for the names of the results, the titles and the note
+ENDS = {"elasticity": "both", "sobol_total": "max"}  # of the colour bars, beyond which values lie
 LETTERS = 110  # in a line of the note
 # measure: colour map, values at its ends, smallest value that is printed
 SHADES = {"elasticity": ("RdBu", (-3.0, 3.0), 0.05), "sobol_total": ("Blues", (0.0, 0.6), 0.015)}
@@ -37,7 +39,9 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     panels = [Panel(title, "result", name, series[name]) for name, title in MEASURES.items()]
     figure = empty_panels(panels, (WIDTH, 2 * ROW * len(inputs) + BESIDE), columns=1)
     for axes, measure in zip(figure.axes, MEASURES, strict=True):
-        _draw_cells(axes, values[measure], measure)
+        mesh = _draw_cells(axes, values[measure], measure)
+        bar = figure.colorbar(mesh, ax=axes, extend=ENDS[measure], pad=0.01, aspect=30)
+        bar.outline.set_visible(False)
         axes.set_yticks(np.arange(len(inputs)) + 0.5, [name.replace("_", " ") for name in inputs])
         axes.set_xticks([])
     style = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
@@ -57,7 +61,7 @@ def _by_weight(rows) -> list[str]:
     return sorted(weights, key=lambda name: tuple(weights[name].values()), reverse=True)
 
 
-def _draw_cells(axes: Axes, values: np.ndarray, measure: str) -> None:
+def _draw_cells(axes: Axes, values: np.ndarray, measure: str) -> QuadMesh:
     """A coloured cell for each value, with its number if it is not negligible."""
     colours, (low, high), least = SHADES[measure]
     mesh = axes.pcolormesh(
@@ -73,3 +77,4 @@ def _draw_cells(axes: Axes, values: np.ndarray, measure: str) -> None:
             style = {"ha": "center", "va": "center_baseline", "fontsize": 6}
             style["color"] = "white" if dark else "black"
             axes.text(column + 0.5, line + 0.55, text.replace("-", "−"), **style)
+    return mesh
