@@ -21,7 +21,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
 
 SEED = 20240507  # publication date of the paper
-LENGTHS = {"fig01": 40e-6, "fig02": 24e-6}  # of the sections of each schematic [m]: several summits
+LENGTHS = {"fig01": 70e-6, "fig02": 40e-6}  # of the sections of each schematic [m]: several summits
 POINTS = 500
 CLEARANCE = 0.12  # distance of contacts from the ends, as a fraction of the section
 ATTEMPTS = 1000
