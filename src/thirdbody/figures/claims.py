@@ -9,9 +9,8 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from thirdbody.data.places import part_of_paper
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
+from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series
 
-WIDTH = 7.2  # inches
 LINE_INCHES = 0.22  # height of a line, of which each has up to two of text
 LETTERS = 76  # in a line of text
 KEY_INCHES = 1.5  # of the title, the axis and the key
@@ -48,7 +47,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     per figure of the paper, all others on separate lines below."""
     lines = _lines(rows)
     height = len(lines) * LINE_INCHES + KEY_INCHES
-    figure = Drawing(figsize=(WIDTH, height), layout="constrained")
+    figure = Drawing(figsize=(TWO_COLUMNS, height), layout="constrained")
     axes = figure.add_subplot()
     axes.set_title("Statements of the paper: those left of the line hold", loc="left")
     axes.set_yticks(range(len(lines)), [line.text for line in lines], fontsize=6)
@@ -95,7 +94,9 @@ def _sentence(row) -> str:
     """A statement with its place, on at most two lines."""
     place = row["place"].partition(", section")[0]
     text = f"{place}: {row['statement']}"
-    return "\n".join(textwrap.wrap(text, LETTERS, max_lines=2, placeholder=" …"))
+    return "\n".join(
+        textwrap.wrap(text, LETTERS, max_lines=2, placeholder=" …", break_on_hyphens=False)
+    )
 
 
 def _is_predicted(row) -> bool:

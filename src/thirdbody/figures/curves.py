@@ -22,7 +22,7 @@ from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
 from thirdbody.figures.crowding import keep_apart, label_curves
-from thirdbody.figures.drawing import CURVE, Panel, Series, empty_panels
+from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Panel, Series, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
 from thirdbody.figures.scales import (
     label,
@@ -37,7 +37,7 @@ MOST_RANGES = 5  # drawn in a panel; the file of the data drawn has all
 BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
-CELL = 3.5, 2.9  # of a panel with its labels [inches]
+CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 KEY_HEIGHT, KEY_LINE = 0.9, 0.16  # of a key below the panels, at least, and of its lines [inches]
 KEY_LETTERS, HANDLE_LETTERS = 118, 10  # across a figure; as wide as the handle of an entry
 MARKERS = "os^vPX>"  # every second one is hollow, so that neighbouring levels differ; diamonds are printed values
@@ -289,7 +289,7 @@ def draw_panels(
     beside = beside and key_columns(entries, 0.5) * KEY_ROWS >= len(entries)
     lines = math.ceil(len(entries) / key_columns(entries))
     below = 0.0 if beside else max(KEY_HEIGHT, KEY_LINE * lines)
-    figure = empty_panels(panels, (2 * CELL[0], rows * CELL[1] + below))
+    figure = empty_panels(panels, (TWO_COLUMNS, rows * CELL_HEIGHT + below))
     for each, panel in zip(figure.axes, figure.panels, strict=True):
         _draw_panel(each, panel, newtons_per_load)
     over_sizes = [a for a, p in zip(figure.axes, figure.panels) if p.x == "diameter_ratio"]

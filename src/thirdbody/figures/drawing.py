@@ -30,6 +30,7 @@ FORMATS = {
 }
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md"))
 CURVE = "curve"
+ONE_COLUMN, TWO_COLUMNS = 84.0 / 25.4, 174.0 / 25.4  # widths of figures in journals [inches]
 SI_UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
 
 

@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from thirdbody.figures.claims import score_of
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import CURVE, ONE_COLUMN, Drawing, Panel, Series, empty_panels
 
 COLUMNS = 2
-CELL = 3.5, 2.6  # of a panel with its labels [inches]
+CELL = ONE_COLUMN, 2.6  # of a panel with its labels [inches]
 LETTERS = 52  # in a line of a title
 DISTANCES = (0, 0.5, 1, 2, 5, 20)  # ticks, in tolerances
 ABOVE = 25.0  # the objective is drawn up to this much above the least

@@ -8,9 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
 from thirdbody.data.readable import MEASURES, result_name
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
 
-WIDTH, ROW = 7.5, 0.17  # of the figure, height of a row [inches]
+ROW = 0.17  # height of a row [inches]
 BESIDE = 2.3  # inches for the names of the results, the titles and the note
 ENDS = {"elasticity": "both", "sobol_total": "max"}  # of the colour bars, beyond which values lie
 LETTERS = 110  # in a line of the note
@@ -37,7 +37,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
             name = f"{results[place[1]]}; {row['input']}; {value:.10g}"
             series[measure].append(Series(CURVE, name, *(CORNERS + place[::-1]).T))
     panels = [Panel(title, "result", name, series[name]) for name, title in MEASURES.items()]
-    figure = empty_panels(panels, (WIDTH, 2 * ROW * len(inputs) + BESIDE), columns=1)
+    figure = empty_panels(panels, (TWO_COLUMNS, 2 * ROW * len(inputs) + BESIDE), columns=1)
     for axes, measure in zip(figure.axes, MEASURES, strict=True):
         mesh = _draw_cells(axes, values[measure], measure)
         bar = figure.colorbar(mesh, ax=axes, extend=ENDS[measure], pad=0.01, aspect=30)
