@@ -4,10 +4,11 @@ Where F_s increases with d, F_s(d) + F_f(d) = F_t (Eq. 1) may have several roots
 surfaces reach the largest first and stay there, so this one is the solution.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.particles import EPSILON
 from thirdbody.solver.points import Points
 
@@ -20,29 +21,31 @@ BISECTIONS = 60  # bisections that reduce an interval to rounding
 LOAD_ROUNDING = 1e-12  # of a load, plus the noise of solids: closer to F_t a sign is uncertain
 
 
-def may_have_several(points: Points) -> NDArray:
-    """Whether the force balance may have more than one root, at each point."""
-    if points.contact.particles is None:
-        return np.zeros(points.log_load.shape, bool)
-    return np.exp(points.log_load) > greatest_single_load(points.parameters)
+class Largest(NamedTuple):
+    """The largest root of the force balance at each point: separations [m] on both sides of it, nan
+    without one.
+
+    ``count`` is the number of roots, where two are not counted if rounding hides what lies between
+    them.  Rounding may leave the largest root, or its existence, ``undecided``, as on a plateau or at a
+    crest near F_t.
+    """
+
+    low: NDArray
+    high: NDArray
+    count: NDArray
+    undecided: NDArray
 
 
-def bracket_largest(
-    points: Points, start: NDArray, end: NDArray
-) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+def bracket_largest(points: Points, start: NDArray, end: NDArray) -> Largest:
     """Find all roots of the force balance from ``start`` [m] on, and bracket the largest.
 
     The total load is sampled between all kinks of its contributions, up to beyond ``end`` [m] and
     all contacts, and again around each extremum that may reach F_t.
-
-    Returns separations [m] on both sides of the largest root, nan without one; the number of roots,
-    where two are not counted if rounding hides what lies between them; and whether rounding leaves
-    the largest root, or its existence, undecided, as on a plateau or at a crest near F_t.
     """
 
     def excess(separation, which):
         forces = points.take(which).forces(separation)
-        return forces.excess, LOAD_ROUNDING + forces.noise
+        return forces.excess.value, LOAD_ROUNDING + forces.errors.noise
 
     every = np.arange(start.size)
     # farther out, summits and particles together may carry more than each alone
@@ -74,7 +77,7 @@ def bracket_largest(
             undecided[index] |= not certain
             if certain:
                 low[index], high[index] = crest, foot
-    return low, high, count, undecided
+    return Largest(low=low, high=high, count=count, undecided=undecided)
 
 
 def _replace_covered(particles, excess, samples, values):
@@ -82,7 +85,8 @@ def _replace_covered(particles, excess, samples, values):
     where they do not."""
 
     def is_bare(separation, which):
-        return 1.0 - particles.take(which).contact(separation)[2] > EPSILON
+        _, coverage = particles.take(which).contact(separation)
+        return 1.0 - coverage.value > EPSILON
 
     rows, columns = samples.shape
     bare = is_bare(samples.ravel(), np.repeat(np.arange(rows), columns)).reshape(samples.shape)

@@ -300,9 +300,9 @@ def _parts(contact, d):
 
     nan where particles cover everything.
     """
-    solids = contact.log_solid_load(d, with_areas=True)
-    values = solids.log_load_beside, solids.area, solids.log_beside
-    slopes = solids.load_beside_slope, solids.area_slope, solids.beside_slope
+    solids = contact.at(d, with_areas=True)
+    parts = solids.log_summit_load, solids.particle_area, solids.log_summit_area
+    values, slopes = zip(*parts, strict=True)
     parts = np.stack([*values, *slopes], axis=1)
     if contact.particles is not None:
         parts[contact.particles.cover_all(solids.coverage)] = np.nan
