@@ -4,5 +4,5 @@ Imports ``thirdbody.model`` and ``thirdbody.conditions``.  Start with ``solve``,
 function; its ``solve_arrays`` solves points of one kind together.  ``brackets`` finds separations on
 both sides of the root, ``balance`` converges to it, and ``solution`` derives the variables.
 ``points`` evaluates the forces (Eq. 1), ``summits`` the summits, ``several`` finds the largest of
-several roots, and ``sweep`` solves grids to three digits.
+several roots.  ``sweep`` solves grids to three digits, with the solids from ``solid_tables``.
 """

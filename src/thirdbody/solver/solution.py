@@ -202,13 +202,14 @@ def type_of(variable: str) -> type:
 def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
     """Variables of ``Solution`` by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
     points, ends = balance.points, balance.forces
+    solid, fluid = fractions(ends.log_solid.value - ends.log_fluid)  # Eq. 9
     both = quantities(
         separation=ends.separation,
-        log_solid=ends.log_solid.value,
-        log_fluid=ends.log_fluid,
+        solid_load_fraction=solid,
+        fluid_load_fraction=fluid,
         particle_area=ends.solids.particle_area.value,
         log_summit_area=ends.solids.log_summit_area.value,
-        ball_radius=points.parameters.ball_radius,
+        parameters=points.parameters,
     )
     found = {name: 0.5 * each.sum(axis=0) for name, each in both.items()}
     error = _error_bound(ends, both)
@@ -232,38 +233,42 @@ def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
 def quantities(
     *,
     separation: NDArray,
-    log_solid: NDArray,
-    log_fluid: NDArray,
+    solid_load_fraction: NDArray,
+    fluid_load_fraction: NDArray,
     particle_area: NDArray,
     log_summit_area: NDArray,
-    ball_radius: float,
+    parameters: Parameters,
 ) -> dict[str, NDArray]:
-    """Quantities of ``Solution`` by name (Eqs. 3, 9 and 10), in arrays of one shape.
+    """The ``QUANTITIES`` by name (Eqs. 3 and 10), in arrays of one shape.
 
     Parameters
     ----------
     separation : array
         d [m].
-    log_solid, log_fluid : array
-        ln F_s and ln F_f [1], both over the same load.
+    solid_load_fraction, fluid_load_fraction : array
+        L_s and L_f [1] (Eq. 9).
     particle_area : array
         A_sa/A_n [1].
     log_summit_area : array
         ln(A_ss-sa/A_n) [1], of the summits beside the particles.
-    ball_radius : float
-        R_x [m].
+    parameters : Parameters
+        Inputs of the model.
     """
-    solid, fluid = _fractions(log_solid - log_fluid)  # Eq. 9
-    particles, summits = _fractions(np.log(particle_area) - log_summit_area)  # Eq. 10
+    particles, summits = fractions(np.log(particle_area) - log_summit_area)
     return {
         "total_contact_area": particle_area + np.exp(log_summit_area),  # Eq. 3
-        "particle_contact_area_ratio": particles,
+        "particle_contact_area_ratio": particles,  # Eq. 10
         "surface_contact_area_ratio": summits,
-        "solid_load_fraction": solid,
-        "fluid_load_fraction": fluid,
+        "solid_load_fraction": solid_load_fraction,
+        "fluid_load_fraction": fluid_load_fraction,
         "separation": separation,
-        "film_thickness": separation / ball_radius,
+        "film_thickness": separation / parameters.ball_radius,
     }
+
+
+def fractions(log_odds: NDArray) -> tuple[NDArray, NDArray]:
+    """The fractions [1] of two parts in their sum, for ln of the first over the second."""
+    return 1.0 / (1.0 + np.exp(-log_odds)), 1.0 / (1.0 + np.exp(log_odds))
 
 
 def _remove_values(found, unsolved):
@@ -299,11 +304,6 @@ def add_flags(
         meaningful &= found["film_thickness"] <= THICKEST
         statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)
     found["solution_status"] = gravest_status(**statuses)
-
-
-def _fractions(log_odds):
-    """Of a sum, its first and its second part, for ln of their ratio."""
-    return 1.0 / (1.0 + np.exp(-log_odds)), 1.0 / (1.0 + np.exp(log_odds))
 
 
 def _error_bound(ends, both):
