@@ -70,18 +70,22 @@ class SummitPopulation:
     @classmethod
     def of(cls, surface: Surface, parameters: Parameters) -> SummitPopulation:
         """The population of a ``surface`` with the materials of ``parameters``."""
+        density_radius = surface.summit_density * surface.summit_radius
         return cls(
-            surface.summit_density * surface.summit_radius * surface.summit_deviation,
-            surface.summit_deviation / surface.summit_radius,
-            parameters.softer_hardness / parameters.elastic_modulus_surfaces,
-            parameters.yield_pressure_ratio,
-            parameters.plastic_interference_ratio,
+            summit_parameter=density_radius * surface.summit_deviation,
+            sharpness=surface.summit_deviation / surface.summit_radius,
+            hardness_ratio=parameters.softer_hardness / parameters.elastic_modulus_surfaces,
+            yield_ratio=parameters.yield_pressure_ratio,
+            plastic_ratio=parameters.plastic_interference_ratio,
         )
 
     def take(self, chosen) -> SummitPopulation:
         """The populations of the points selected by an index or mask ``chosen``."""
-        columns = self.summit_parameter[chosen], self.sharpness[chosen]
-        return replace(self, summit_parameter=columns[0], sharpness=columns[1])
+        return replace(
+            self,
+            summit_parameter=self.summit_parameter[chosen],
+            sharpness=self.sharpness[chosen],
+        )
 
     @property
     def yield_interference(self) -> float | NDArray:

@@ -85,7 +85,7 @@ class ParticleLayer:
         True
         """
         diameter = np.minimum(diameter, LARGEST_DIAMETER)
-        sizes = parameters.interpretation.size_distribution.law(diameter, roughness, parameters)
+        sizes = parameters.interpretation.size_distribution.law(diameter, roughness)
         smallest = max(sizes.smallest, DENSITY_ENDS)
         moment = _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
@@ -96,7 +96,8 @@ class ParticleLayer:
         else:
             every = moment.of_all * factor  # I(X_min, X_max)
             log_bare = np.log(_bare_fraction(parameters.hardness_surface_1 * every))
-        height = parameters.interpretation.particle_plane.height(roughness, parameters)
+        summit_offset = parameters.surface(roughness).summit_offset
+        height = parameters.interpretation.particle_plane.height(summit_offset)
         return cls(
             mean=sizes.mean + height,
             spread=sizes.spread,

@@ -34,7 +34,7 @@ from thirdbody.solver.summits import pieces_for
 from thirdbody.units import is_labelled, unit_in_tables, unit_of
 
 DEFAULT_RTOL = 1e-9
-LEAST_RTOL = 1e-12  # of points limited only by rounding
+ROUNDING_LIMIT = 1e-12  # tolerance of points limited only by rounding
 TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
 CHUNK = 65536  # points solved together
 QUADRATURE_CHUNK = 2048  # by quadrature, where each point has about a hundred nodes
@@ -215,7 +215,7 @@ def _attempts(rtol):
     quadrature = Attempt(
         table_rtol=None,
         chunk=QUADRATURE_CHUNK,
-        tolerance=LEAST_RTOL,
+        tolerance=ROUNDING_LIMIT,
         iterations=MOST_ITERATIONS,
     )
     return tables, tables._replace(iterations=MOST_ITERATIONS), quadrature
