@@ -63,7 +63,8 @@ def bracket(points: Points) -> Brackets:
 
 def _film_alone(points):
     if points.film is None:
-        return FilmAlone(*np.zeros((3, points.log_load.size)))
+        nothing = np.zeros(points.log_load.shape)
+        return FilmAlone(separation=nothing, low=nothing, high=nothing)
     separation, rounding = points.film_separation()
     return FilmAlone(
         separation=separation,
