@@ -62,6 +62,7 @@ def bracket(points: Points) -> Brackets:
 
 
 def _film_alone(points):
+    """Where the film carries all of F_t."""
     if points.film is None:
         nothing = np.zeros(points.log_load.shape)
         return FilmAlone(separation=nothing, low=nothing, high=nothing)

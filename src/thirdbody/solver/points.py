@@ -41,7 +41,7 @@ def make_contact(
     if has_particles(particle_diameter[0], particle_density[0]):
         particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
     surfaces = RoughSurfaces.of(roughness, parameters, table_rtol)
-    return Contact(surfaces, particles, parameters)
+    return Contact(summits=surfaces, particles=particles, parameters=parameters)
 
 
 class Forces(NamedTuple):
