@@ -145,6 +145,7 @@ class Search:
         size, settled = np.abs(excess), np.abs(excess) <= 2.0 * noise
         new = self.separation - excess / slope
         is_newton = (new >= self.low) & (new <= self.high) & (settled | (size <= 0.5 * self.last))
+        # of the contribution that changes fastest, over the sum of forces
         ratio = steepest / np.abs(slope)
         left = (size * ratio) ** 2 * (1.0 + ratio)  # error of the variables after the step
         converges = is_newton & (settled | (left <= STEP_LEFT * tolerance))

@@ -156,19 +156,23 @@ def solve_arrays(
     magnify the table error beyond ``rtol``, and those that may have several roots are solved by quadrature.
     """
     check_points(arrays)
-    columns = np.broadcast_arrays(*(arrays[name] for name in CONDITIONS))
-    shape = columns[0].shape
-    points = {name: each.ravel() for name, each in zip(CONDITIONS, columns, strict=True)}
-    result = {name: np.empty(columns[0].size, type_of(name)) for name in variables}
+    shape = np.broadcast(*(arrays[name] for name in CONDITIONS)).shape
+    columns = {name: np.broadcast_to(arrays[name], shape).ravel() for name in CONDITIONS}
+    roughness = columns["roughness"]
+    result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
     # points that cannot be computed get a status
-    with np.errstate(all="ignore"), Progress(columns[0].size, "points", progress) as bar:
-        kinds = _kinds(points, parameters)
-        by_table = _worth_a_table(points["roughness"], kinds & Kind.SEVERAL == 0, rtol)
-        left = np.ones(kinds.shape, bool)
+    with np.errstate(all="ignore"), Progress(roughness.size, "points", progress) as bar:
+        kinds = _kinds(columns, parameters)
+        by_table = _worth_a_table(roughness, kinds & Kind.SEVERAL == 0, rtol)
+        left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
-            for piece in _pieces(chosen, kinds, points["roughness"], attempt.chunk):
-                for places, found in _solved(points, piece, parameters, rtol, attempt):
+            for piece in _pieces(chosen, kinds, roughness, attempt.chunk):
+                some = {name: column[piece] for name, column in columns.items()}
+                points = Points.of(some, parameters, attempt.table_rtol)
+                brackets = bracket(points)
+                for balance in enclose(points, brackets, attempt.tolerance, attempt.iterations):
+                    places, found = piece[balance.places], describe(balance, rtol)
                     for name, values in result.items():
                         values[places] = found[name]
                     failed = found["solution_status"] == NOT_CONVERGED
@@ -186,11 +190,11 @@ class Kind(IntFlag):
     SEVERAL = 4
 
 
-def _kinds(points, parameters):
+def _kinds(columns, parameters):
     """The kind of each point."""
-    three_body = has_particles(points["particle_diameter"], points["particle_density"])
-    several = three_body & (points["load"] > greatest_single_load(parameters))
-    wet = has_film(points["viscosity"])
+    three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
+    several = three_body & (columns["load"] > greatest_single_load(parameters))
+    wet = has_film(columns["viscosity"])
     return Kind.PARTICLES * three_body + Kind.FILM * wet + Kind.SEVERAL * several
 
 
@@ -234,12 +238,3 @@ def _pieces(chosen, kinds, roughness, chunk):
         places = places[np.argsort(roughness[places], kind="stable")]
         most = SEVERAL_CHUNK if kind & Kind.SEVERAL else chunk
         yield from (places[start : start + most] for start in range(0, places.size, most))
-
-
-def _solved(points, piece, parameters, rtol, attempt):
-    """Yield indices of solved points of a ``piece``, and their variables by name."""
-    some = Points.of(
-        {name: each[piece] for name, each in points.items()}, parameters, attempt.table_rtol
-    )
-    for balance in enclose(some, bracket(some), attempt.tolerance, attempt.iterations):
-        yield piece[balance.places], describe(balance, rtol)

@@ -138,7 +138,7 @@ class _Surface:
         self.film = Film.of(viscosity[:, np.newaxis], roughness, parameters)
         self.films_share = parameters.interpretation.film_load.depends_on_shares
         self.log_total = log_load_parameter(self.log_load, parameters)  # ln W of F_t
-        self.alone = parameters.ball_radius * self.film.thickness(self.log_total)[0]
+        self.film_separation = parameters.ball_radius * self.film.thickness(self.log_total)[0]
 
     def solved(
         self, diameter: NDArray, density: NDArray, rtol: float, variables: Collection[str]
@@ -186,14 +186,14 @@ class _Surface:
 
     def _explicit(self, table):
         """Solve Eq. 1 where the total load gives the film thickness: d is known."""
-        solids = table(self.alone)
+        solids = table(self.film_separation)
         area = solids.particle_area.value
         solid = self._summits(solids.log_summit_load.value) + self._particles(area)
         fluid = 1.0 - solid
         error = solids.area_error + solids.load_error * np.maximum(1.0, solid / fluid)
         error[np.abs(fluid) <= solids.load_error] = np.inf
         return self._variables(
-            separation=np.clip(self.alone, *table.ends),
+            separation=np.clip(self.film_separation, *table.ends),
             solid_load_fraction=solid,
             fluid_load_fraction=fluid,
             particle_area=area,
@@ -268,7 +268,7 @@ class _Surface:
 
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], accurate enough to start Newton's method."""
-        places = np.geomspace(max(low, 0.5 * self.alone.min()), high, FILM_SAMPLES)
+        places = np.geomspace(max(low, 0.5 * self.film_separation.min()), high, FILM_SAMPLES)
         log_film, _ = self.film.load_parameter_and_slope(places / self.parameters.ball_radius)
         log_film -= log_load_parameter(0.0, self.parameters)
         return scipy.interpolate.make_interp_spline(places, log_film, k=1, axis=-1)
