@@ -21,8 +21,9 @@ from scipy.special import expit
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import film_load
+from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import TINY, has_particles
+from thirdbody.model.particles import has_particles
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.tabular import Tabular

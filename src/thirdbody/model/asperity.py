@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters, Surface
 
 
@@ -159,7 +160,7 @@ class SummitPopulation:
         # on a single axis, so that the sum at a point does not depend on other points
         above, shape = nodes.above, (*nodes.above.shape, 3 * NODES.size)
         terms, v = terms.reshape(shape), nodes.v.reshape(shape)
-        total = np.maximum(terms.sum(-1), np.finfo(float).tiny)
+        total = np.maximum(terms.sum(-1), TINY)
         moments = terms * v
         mean = moments.sum(-1) / total
         moments *= v

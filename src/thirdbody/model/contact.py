@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.model.floats import EPSILON, TINY
 from thirdbody.model.logarithms import WithSlope, log_product, log_sum
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import EPSILON, TINY, ParticleLayer, log_bare_fraction
+from thirdbody.model.particles import ParticleLayer, log_bare_fraction
 
 FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
 NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* whose area is zero too

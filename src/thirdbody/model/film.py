@@ -22,9 +22,9 @@ import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.interpolation import HermiteTable
+from thirdbody.model.floats import EPSILON
 from thirdbody.model.parameters import Parameters
 
-EPSILON = np.finfo(float).eps
 THICKEST = 0.01  # largest H_c that still describes a film between two bodies
 # of a thickness, in EPSILON: a constant, and one per size of the logarithms
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75

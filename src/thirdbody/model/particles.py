@@ -30,14 +30,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.interpolation import Guesses
 from thirdbody.model.asperity import gauss_legendre
+from thirdbody.model.floats import EPSILON, TINY
 from thirdbody.model.logarithms import WithSlope
 from thirdbody.model.parameters import Parameters
 
-TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
 LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overflow
 FULL = -700.0  # ln of a bare fraction that counts as zero
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
-LEAST = 5e-324  # smallest positive number: the unit of rounding below TINY
 DENSITY_ENDS = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
 NEXT_TO_LARGEST = 0.25  # width in alpha; less where phi decays by more than e over it

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.particles import EPSILON
+from thirdbody.model.floats import EPSILON
 from thirdbody.solver.brackets import Brackets
 from thirdbody.solver.points import Forces, Points
 

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import Contact, ErrorTerms, SolidState, greatest_single_load
-from thirdbody.model.film import EPSILON, INVERSE_ERROR, Film, has_film, log_load_parameter
+from thirdbody.model.film import INVERSE_ERROR, Film, has_film, log_load_parameter
+from thirdbody.model.floats import EPSILON
 from thirdbody.model.logarithms import WithSlope, log_sum
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles

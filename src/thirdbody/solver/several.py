@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.particles import EPSILON
+from thirdbody.model.floats import EPSILON
 from thirdbody.solver.points import Points
 
 SUMMIT_KNOTS = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.film import THICKEST, Film, log_load_parameter
+from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import TINY
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import Film, log_load_parameter
+from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import TINY, has_particles
+from thirdbody.model.particles import has_particles
 from thirdbody.progress import Progress
 from thirdbody.solver.solid_tables import TabulatedSolids, solid_tables
 from thirdbody.solver.solution import Solution, add_flags, quantities, type_of
