@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.messages import did_you_mean, format_value
+from thirdbody.model.floats import LEAST
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import LEAST
 from thirdbody.units import (
     CONDITIONS,
     ENGINEERING,

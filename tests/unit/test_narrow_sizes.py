@@ -36,7 +36,7 @@ def borne(inputs, separation, **given):
     """F_s* at separations [m]."""
     separation = np.asarray(separation, float)
     columns = [np.full(separation.shape, value) for value in {**GIVEN, **given}.values()]
-    return np.exp(make_contact(*columns, inputs, None).log_solid_load(separation).value)
+    return np.exp(make_contact(*columns, inputs, None).at(separation).log_load.value)
 
 
 @pytest.mark.parametrize("film_load", ["fluid", "total"])

@@ -146,8 +146,8 @@ def passed_diameter(
     def excess(log_diameter, some):
         columns = np.exp(log_diameter), roughness[some], density[some]
         contact = make_contact(*columns, parameters, rtol)
-        state = contact.log_solid_load(separation[some], with_areas=True)
-        return np.log(state.area) - state.log_beside - logit(level)
+        state = contact.at(separation[some], with_areas=True)
+        return np.log(state.particle_area.value) - state.log_summit_area.value - logit(level)
 
     every = np.arange(PLACES)
     low, high = (np.full(PLACES, np.log(size)) for size in (sizes[sizes > 0.0][0], sizes[-1]))
@@ -157,7 +157,7 @@ def passed_diameter(
         lambda log_size: excess(log_size, passed), low[passed], high[passed], 0.1 * rtol
     )
     contact = make_contact(np.exp(log_diameter), roughness, density, parameters, rtol)
-    solid = np.exp(contact.log_solid_load(separation).value)
+    solid = np.exp(contact.at(separation).log_load.value)
     film, _ = film_load(separation, axes["viscosity"][:, np.newaxis], surface, parameters)
     total = np.log(parameters.interpretation.film_load.total_load(solid, film))
     rising = np.maximum.accumulate(total, axis=-1)

@@ -21,8 +21,9 @@ from scipy.special import expit
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import film_load
+from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import TINY, has_particles
+from thirdbody.model.particles import has_particles
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.tabular import Tabular
@@ -184,8 +185,8 @@ def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
-    state = solids.log_solid_load(separation, with_areas=True)
-    return expit(np.log(state.area) - state.log_beside)
+    state = solids.at(separation, with_areas=True)
+    return expit(np.log(state.particle_area.value) - state.log_summit_area.value)
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
@@ -194,16 +195,17 @@ def load_at(
 ) -> tuple[NDArray, NDArray, NDArray]:
     """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1], and the largest |d ln F/dd| [m-1] of solids and
     film: arrays of one shape."""
-    inputs, loads = solids.parameters, solids.log_solid_load(separation)
-    solid = np.exp(loads.value)
+    inputs, log_solid = solids.parameters, solids.at(separation).log_load
+    solid = np.exp(log_solid.value)
     film, film_slope = film_load(separation, viscosity, roughness, inputs)
     load = inputs.interpretation.film_load.total_load(solid, film)
-    return load, solid / load, np.maximum(np.abs(loads.slope), np.abs(film_slope))
+    return load, solid / load, np.maximum(np.abs(log_solid.slope), np.abs(film_slope))
 
 
 def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
     """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd; negative where no particle
     touches."""
-    state = solids.log_solid_load(separation, with_areas=True)
-    slope = state.area_slope - state.area * state.beside_slope
-    return np.where(state.area > 0.0, slope, -TINY)
+    state = solids.at(separation, with_areas=True)
+    area = state.particle_area
+    slope = area.slope - area.value * state.log_summit_area.slope
+    return np.where(area.value > 0.0, slope, -TINY)

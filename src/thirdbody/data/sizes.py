@@ -11,7 +11,7 @@ from thirdbody.model.particles import ParticleLayer
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
     """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]: the mean and
     largest of sizes that are normal from 0 to X_max (Eq. 6), and d below which they carry load."""
-    mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
+    mean, spread = parameters.interpretation.size_distribution.sizes(diameter)
     largest = mean + parameters.truncation * spread
     if spread:
         normal = NormalDist(mean, spread)

@@ -90,7 +90,8 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
     # particles meet, plus the elastic zone as printed
     options, sigma = parameters.interpretation, state["roughness"]
     depth = parameters.elastic_depth_ratio * state["particle_diameter"]
-    reach = options.particle_plane.height(sigma, parameters) + options.elastic_limits.beyond * depth
+    plane = options.particle_plane.height(parameters.surface(sigma).summit_offset)
+    reach = plane + options.elastic_limits.beyond * depth
     held = reach if particle_carries else None
     for _ in range(ATTEMPTS):
         lower, upper = _surfaces(state, parameters, position, summits_touch, random)
@@ -157,7 +158,7 @@ def size_quantiles(
     fraction: ArrayLike, smallest: ArrayLike, diameter: float, parameters: Parameters
 ) -> NDArray:
     """Quantiles [m] of the sizes from ``smallest`` [m] to X_max, for x_a = ``diameter`` [m]."""
-    mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
+    mean, spread = parameters.interpretation.size_distribution.sizes(diameter)
     above = ndtr(parameters.truncation)
     below = np.minimum(ndtr((smallest - mean) / spread), above)
     return mean + spread * ndtri(below + (above - below) * fraction)

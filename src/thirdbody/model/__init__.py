@@ -3,5 +3,6 @@
 Uses numpy, scipy.special and no other package of the library.  Start with ``parameters``, the
 inputs, and ``interpretations`` of what the paper leaves open, then read ``asperity`` (F_ss, A_ss),
 ``particles`` (Eqs. 4 to 6) and ``film`` (Eqs. 7 and 8).  ``contact`` combines the solids at a given
-separation, and ``regimes`` classifies the state of an interface.
+separation, and ``regimes`` classifies the state of an interface.  Loads far below 1e-308 are
+kept as ``logarithms``; ``floats`` has the limits of float64, and ``bounds`` those of the inputs.
 """

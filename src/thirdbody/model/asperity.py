@@ -14,10 +14,12 @@ interference is w = omega/sigma_s.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters, Surface
 
 
@@ -41,6 +43,23 @@ def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float
         return np.where(ratio > 1.0, 1.0, yield_ratio)
     within = np.minimum(np.maximum(ratio, 1.0), plastic_ratio)
     return yield_ratio + (1.0 - yield_ratio) * np.log(within) / np.log(plastic_ratio)
+
+
+ELASTIC, ELASTOPLASTIC, PLASTIC = range(3)  # places of the three kinds of summits
+
+
+class _Nodes(NamedTuple):
+    """Summits at the quadrature nodes, in arrays of shape (..., 3, nodes), but ``above`` max(t, 0).
+
+    ``v`` is w + min(t, 0), ``area`` A/(pi R sigma_s) times the height density and the quadrature
+    weight, and ``pressure`` F/(A H), all [1].  The factor exp(-max(t, 0)^2/2) of the density is left
+    out, so that the tail keeps its digits where float64 would underflow.
+    """
+
+    above: NDArray
+    v: NDArray
+    area: NDArray
+    pressure: NDArray
 
 
 @dataclass(frozen=True)
@@ -70,18 +89,22 @@ class SummitPopulation:
     @classmethod
     def of(cls, surface: Surface, parameters: Parameters) -> SummitPopulation:
         """The population of a ``surface`` with the materials of ``parameters``."""
+        density_radius = surface.summit_density * surface.summit_radius
         return cls(
-            surface.summit_density * surface.summit_radius * surface.summit_deviation,
-            surface.summit_deviation / surface.summit_radius,
-            parameters.softer_hardness / parameters.elastic_modulus_surfaces,
-            parameters.yield_pressure_ratio,
-            parameters.plastic_interference_ratio,
+            summit_parameter=density_radius * surface.summit_deviation,
+            sharpness=surface.summit_deviation / surface.summit_radius,
+            hardness_ratio=parameters.softer_hardness / parameters.elastic_modulus_surfaces,
+            yield_ratio=parameters.yield_pressure_ratio,
+            plastic_ratio=parameters.plastic_interference_ratio,
         )
 
     def take(self, chosen) -> SummitPopulation:
         """The populations of the points selected by an index or mask ``chosen``."""
-        columns = self.summit_parameter[chosen], self.sharpness[chosen]
-        return replace(self, summit_parameter=columns[0], sharpness=columns[1])
+        return replace(
+            self,
+            summit_parameter=self.summit_parameter[chosen],
+            sharpness=self.sharpness[chosen],
+        )
 
     @property
     def yield_interference(self) -> float | NDArray:
@@ -91,34 +114,29 @@ class SummitPopulation:
     def log_load(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
         """ln(F_ss/(A_n E_ss)) of all summits [1], and its derivative with respect to the separation
         ``t`` [1]."""
-        above, v, area, pressure = self._summits(t)
-        return self._logarithm(above, v, area * pressure, self.hardness_ratio)[:2]
+        nodes = self._nodes(t)
+        return self._logarithm(nodes, nodes.area * nodes.pressure, self.hardness_ratio)[:2]
 
     def log_load_and_area(self, t: ArrayLike) -> NDArray:
         """ln F_ss* and ln(A_ss/A_n), each with its first two derivatives with respect to ``t``:
         shape (2, 3, ...)."""
-        above, v, area, pressure = self._summits(t)
-        load = self._logarithm(above, v, area * pressure, self.hardness_ratio)
-        return np.stack([load, self._logarithm(above, v, area, 1.0)])
+        nodes = self._nodes(t)
+        load = self._logarithm(nodes, nodes.area * nodes.pressure, self.hardness_ratio)
+        return np.stack([load, self._logarithm(nodes, nodes.area, 1.0)])
 
     def pressure(self, ratio: ArrayLike) -> NDArray:
         """F/(A H) [1] of a summit at omega/omega_1 = ``ratio`` [1]."""
         yielding = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
         return np.where(ratio < 1.0, self.yield_ratio * np.sqrt(ratio), yielding)
 
-    def _summits(self, t):
-        """max(t, 0), and at the quadrature nodes, in arrays of shape (..., 3, nodes): v = w +
-        min(t, 0); A/(pi R sigma_s) times the height density and the quadrature weight; and F/(A H).
-
-        The factor exp(-max(t, 0)^2/2) of the density is left out, so that the tail keeps its digits
-        where float64 would underflow.
-        """
+    def _nodes(self, t):
+        """The summits at the quadrature nodes for each separation ``t`` [1]."""
         t = np.asarray(t, dtype=float)
         above, below = np.maximum(t, 0.0), np.minimum(t, 0.0)
-        w_1 = self.yield_interference
+        w_1 = np.asarray(self.yield_interference)
         start = np.maximum(-below - WIDEST, 0.0)
         end = WIDEST**2 / (above + np.hypot(above, WIDEST)) - below
-        changes = np.asarray(w_1)[..., None] * [0.0, 1.0, self.plastic_ratio, np.inf]
+        changes = w_1[..., None] * [0.0, 1.0, self.plastic_ratio, np.inf]
         # with w = root^2, half powers of w are smooth
         edges = np.sqrt(np.minimum(np.maximum(changes, start[..., None]), end[..., None]))
         width = (edges[..., 1:] - edges[..., :-1])[..., None]
@@ -127,21 +145,22 @@ class SummitPopulation:
         v = w + below[..., None, None]
         weight = np.exp(-v * (above[..., None, None] + 0.5 * v))
         area = weight * w * root * (2.0 * width * WEIGHTS)
-        ratio = w[..., 1, :] / np.asarray(w_1)[..., None]
-        area[..., 1, :] *= area_growth(ratio, self.plastic_ratio)
-        area[..., 2, :] *= 2.0
+        ratio = w[..., ELASTOPLASTIC, :] / w_1[..., None]
+        area[..., ELASTOPLASTIC, :] *= area_growth(ratio, self.plastic_ratio)
+        area[..., PLASTIC, :] *= 2.0
         pressure = np.ones_like(w)
-        elastic = self.yield_ratio / np.sqrt(np.asarray(w_1))[..., None]
-        pressure[..., 0, :] = elastic * root[..., 0, :]
-        pressure[..., 1, :] = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
-        return above, v, area, pressure
+        elastic = self.yield_ratio / np.sqrt(w_1)[..., None]
+        pressure[..., ELASTIC, :] = elastic * root[..., ELASTIC, :]
+        yielding = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
+        pressure[..., ELASTOPLASTIC, :] = yielding
+        return _Nodes(above=above, v=v, area=area, pressure=pressure)
 
-    def _logarithm(self, above, v, terms, unit):
+    def _logarithm(self, nodes, terms, unit):
         """ln of the sum of ``terms`` times ``unit`` pi eta_s R sigma_s, and two derivatives."""
         # on a single axis, so that the sum at a point does not depend on other points
-        nodes = *above.shape, 3 * NODES.size
-        terms, v = terms.reshape(nodes), v.reshape(nodes)
-        total = np.maximum(terms.sum(-1), np.finfo(float).tiny)
+        above, shape = nodes.above, (*nodes.above.shape, 3 * NODES.size)
+        terms, v = terms.reshape(shape), nodes.v.reshape(shape)
+        total = np.maximum(terms.sum(-1), TINY)
         moments = terms * v
         mean = moments.sum(-1) / total
         moments *= v

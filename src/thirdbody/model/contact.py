@@ -13,37 +13,43 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.model.floats import EPSILON, TINY
+from thirdbody.model.logarithms import WithSlope, log_product, log_sum
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import EPSILON, TINY, ParticleLayer, log_bare_fraction
+from thirdbody.model.particles import ParticleLayer, log_bare_fraction
 
 FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
 NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* whose area is zero too
 
 
-class SolidLoad(NamedTuple):
-    """Load and area of summits and particles at a separation d: arrays of its shape.
+class ErrorTerms(NamedTuple):
+    """How far loads and areas at a separation d may be wrong: arrays of its shape.
 
-    ``value`` is ln F_s* [1] and ``slope`` its derivative d/dd [m-1]. |d ln v/dd| [m-1] is at most
-    ``steepest`` for each contribution v to loads and areas that is not zero in float64.  Rounding,
-    except in d itself, changes ``value`` by at most ``noise`` [1], and each such v by at most
-    ``rounding`` [1], relative.  ``area`` is A_sa/A_n [1], ``area_slope`` its derivative [m-1], and
-    ``coverage`` [1] the fraction covered by particles larger than d.  For the summits beside the
-    particles, ``log_load_beside`` is ln F_ss-sa* [1] and ``log_beside`` ln(A_ss-sa/A_n) [1], with
-    their slopes [m-1]; the area is None if not requested.
+    |d ln v/dd| [m-1] is at most ``steepest`` for each contribution v to loads and areas that is not
+    zero in float64.  Rounding and errors of tables, but not those of d, change each such v by at most
+    ``rounding`` [1], relative, and ln of the sum of loads by at most ``noise`` [1].
     """
 
-    value: NDArray
-    slope: NDArray
     steepest: NDArray
-    noise: NDArray
     rounding: NDArray
-    area: NDArray
-    area_slope: NDArray
+    noise: NDArray
+
+
+class SolidState(NamedTuple):
+    """Loads and areas of summits and particles at a separation d: arrays of its shape.
+
+    ``log_load`` is ln F_s* [1].  For the summits beside the particles, ``log_summit_load`` is
+    ln F_ss-sa* [1] and ``log_summit_area`` ln(A_ss-sa/A_n) [1], None if not requested.
+    ``particle_area`` is A_sa/A_n [1], and ``coverage`` [1] the fraction of the interface covered by
+    particles larger than d.  The noise in ``errors`` is that of ``log_load``.
+    """
+
+    log_load: WithSlope
+    log_summit_load: WithSlope
+    log_summit_area: WithSlope | None
+    particle_area: WithSlope
     coverage: NDArray
-    log_beside: NDArray | None
-    beside_slope: NDArray | None
-    log_load_beside: NDArray
-    load_beside_slope: NDArray
+    errors: ErrorTerms
 
 
 @dataclass(frozen=True)
@@ -75,59 +81,76 @@ class Contact:
         particles = self.particles and self.particles.take(chosen)
         return replace(self, summits=self.summits.take(chosen), particles=particles)
 
-    def log_solid_load(self, separation: NDArray, with_areas: bool = False) -> SolidLoad:
+    def at(self, separation: NDArray, with_areas: bool = False) -> SolidState:
         """Loads of summits and particles (Eqs. 2 and 4), and their areas (Eq. 5) if requested."""
-        t = (separation - self.summits.offset) / self.summits.deviation
-        t = np.minimum(t, FARTHEST)
-        log_area = log_area_slope = None
-        if with_areas:
-            (log_summits, slope), (log_area, log_area_slope) = self.summits.log_load_and_area(t)
-            log_area_slope = log_area_slope / self.summits.deviation
-        else:
-            log_summits, slope = self.summits.log_load(t)
-        slope = slope / self.summits.deviation * (t < FARTHEST)
-        rounding_of_d = np.abs(slope) * (separation + self.summits.offset)
-        rounding = EPSILON * (24.0 + 4.0 * np.abs(log_summits) + 2.0 * rounding_of_d)
+        log_load, log_area = self._summits_alone(separation, with_areas)
+        rounding_of_d = np.abs(log_load.slope) * (separation + self.summits.offset)
+        rounding = EPSILON * (24.0 + 4.0 * np.abs(log_load.value) + 2.0 * rounding_of_d)
         if self.particles is None:
-            has_load, zero = log_summits > NOTHING, np.zeros_like(slope)
-            limits = np.where(has_load, -slope, 0.0), rounding, np.where(has_load, rounding, 0.0)
-            beside = log_area, log_area_slope, log_summits, slope
-            return SolidLoad(log_summits, slope, *limits, zero, zero, zero, *beside)
-        area, area_slope, *coverage = self.particles.contact(separation)
-        bare_area = log_bare_fraction(*coverage)  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
-        log_bare, bare_slope = self.particles.log_bare_load(bare_area)
-        log_beside = log_summits + log_bare  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
-        log_particles = np.log(area) + np.log(self.parameters.particle_pressure)  # Eqs. 4 and 5
-        particle_slope = np.where(area > TINY, area_slope / area, 0.0)
-        value, fraction = log_sum(log_beside, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
-        log_bare_area, bare_area_slope = bare_area
-        rounding = rounding + 8.0 * EPSILON * np.exp(-np.minimum(log_bare_area, log_bare))
-        area_rounding = self.particles.rounding(separation, area, area_slope)
+            return _without_particles(log_load, log_area, rounding)
+        return self._with_particles(separation, log_load, log_area, rounding)
+
+    def _summits_alone(self, separation, with_areas):
+        """ln F_ss*, and ln(A_ss/A_n) if requested, as without particles."""
+        deviation = self.summits.deviation
+        t = np.minimum((separation - self.summits.offset) / deviation, FARTHEST)
+        log_area = None
+        if with_areas:
+            (log_load, load_slope), (log_area, area_slope) = self.summits.log_load_and_area(t)
+            log_area = WithSlope(value=log_area, slope=area_slope / deviation)
+        else:
+            log_load, load_slope = self.summits.log_load(t)
+        load_slope = load_slope / deviation * (t < FARTHEST)
+        return WithSlope(value=log_load, slope=load_slope), log_area
+
+    def _with_particles(self, separation, log_load, log_area, rounding):
+        """The state with particles, which take load and area from the summits they keep apart."""
+        area, coverage = self.particles.contact(separation)
+        bare_area = log_bare_fraction(coverage)
+        bare_load = self.particles.log_bare_load(bare_area)
+        log_summits = log_product(log_load, bare_load)  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
+        log_particles = WithSlope(  # Eqs. 4 and 5: F_sa is the hardness times A_sa
+            value=np.log(area.value) + np.log(self.parameters.particle_pressure),
+            slope=np.where(area.value > TINY, area.slope / area.value, 0.0),
+        )
+        log_solids, fraction = log_sum(log_summits, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
+        rounding = rounding + 8.0 * EPSILON * np.exp(-np.minimum(bare_area.value, bare_load.value))
+        area_rounding = self.particles.rounding(separation, area)
         noise = fraction * rounding + (1.0 - fraction) * area_rounding
-        has_load = log_beside > NOTHING
-        steepest = np.where(has_load, np.abs(slope) + bare_area_slope, 0.0)
-        return SolidLoad(
-            value,
-            fraction * (slope + bare_slope) + (1.0 - fraction) * particle_slope,
-            np.maximum(steepest, np.abs(particle_slope)),
-            noise + 4.0 * EPSILON * (1.0 + np.abs(value)),
-            np.maximum(np.where(has_load, rounding, 0.0), area_rounding),
-            area,
-            area_slope,
-            coverage[0],
-            log_area + log_bare_area if with_areas else None,
-            log_area_slope + bare_area_slope if with_areas else None,
-            log_beside,
-            slope + bare_slope,
+        has_load = log_summits.value > NOTHING
+        steepest = np.where(has_load, np.abs(log_load.slope) + bare_area.slope, 0.0)
+        errors = ErrorTerms(
+            steepest=np.maximum(steepest, np.abs(log_particles.slope)),
+            rounding=np.maximum(np.where(has_load, rounding, 0.0), area_rounding),
+            noise=noise + 4.0 * EPSILON * (1.0 + np.abs(log_solids.value)),
+        )
+        return SolidState(
+            log_load=log_solids,
+            log_summit_load=log_summits,
+            # Eq. 5: A_ss-sa = A_ss (1 - coverage)
+            log_summit_area=None if log_area is None else log_product(log_area, bare_area),
+            particle_area=area,
+            coverage=coverage.value,
+            errors=errors,
         )
 
 
-def log_sum(log_first: NDArray, log_second: NDArray) -> tuple[NDArray, NDArray]:
-    """ln of the sum of two loads given as logarithms, and the fraction of the first in the sum."""
-    excess = log_first - log_second
-    odds = np.exp(-np.abs(excess))  # smaller load over the larger
-    fraction = np.where(excess > 0.0, 1.0, odds) / (1.0 + odds)
-    return np.maximum(log_first, log_second) + np.log1p(odds), fraction
+def _without_particles(log_load, log_area, rounding):
+    """The state of two-body contact."""
+    has_load, nothing = log_load.value > NOTHING, np.zeros_like(log_load.slope)
+    errors = ErrorTerms(
+        steepest=np.where(has_load, -log_load.slope, 0.0),
+        rounding=np.where(has_load, rounding, 0.0),
+        noise=rounding,
+    )
+    return SolidState(
+        log_load=log_load,
+        log_summit_load=log_load,
+        log_summit_area=log_area,
+        particle_area=WithSlope(value=nothing, slope=nothing),
+        coverage=nothing,
+        errors=errors,
+    )
 
 
 def greatest_single_load(parameters: Parameters) -> float:

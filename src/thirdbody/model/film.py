@@ -14,7 +14,7 @@ Source: Masjedi & Khonsari (2015).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -22,9 +22,9 @@ import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.interpolation import HermiteTable
+from thirdbody.model.floats import EPSILON
 from thirdbody.model.parameters import Parameters
 
-EPSILON = np.finfo(float).eps
 THICKEST = 0.01  # largest H_c that still describes a film between two bodies
 # of a thickness, in EPSILON: a constant, and one per size of the logarithms
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
@@ -108,26 +108,34 @@ class Film:
         ln_V = math.log(parameters.hardness_parameter)
         ln_speed, ln_viscosity = math.log(parameters.speed_per_viscosity), np.log(viscosity)
         ln_U, ln_sigma = ln_speed + ln_viscosity, np.log(roughness / parameters.ball_radius)
-        a, of_U, of_G = -0.045 * kappa**0.18, 0.663 * kappa**0.025, 0.502 * kappa**0.064
+        of_W, of_U, of_G = -0.045 * kappa**0.18, 0.663 * kappa**0.025, 0.502 * kappa**0.064
         # Eq. 7 without the powers of W
         smooth = math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa)))
         smooth = smooth + of_U * ln_U + of_G * ln_G
         rough = math.log(0.025 * kappa**0.081) + 1.248 * ln_sigma + 0.119 * ln_V
         rough = rough - 0.884 * ln_U - 0.977 * ln_G
         size_U = abs(ln_speed) + np.abs(ln_viscosity)
-        smooth_size = of_U * size_U + of_G * abs(ln_G)
         rough_size = 0.884 * size_U + 1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V)
-        sizes = smooth_size, rough_size + 0.977 * abs(ln_G)
-        exponents, turning_ratio = (a, a - 0.133), of_U / (0.884 - of_U)
         hardest = parameters.softer_hardness / parameters.elastic_modulus_surfaces  # F_f*
-        greatest = log_load_parameter(math.log(hardest), parameters)
-        return cls(smooth, smooth + rough, *sizes, exponents, turning_ratio, greatest)
+        return cls(
+            smooth=smooth,
+            rough=smooth + rough,
+            smooth_size=of_U * size_U + of_G * abs(ln_G),
+            rough_size=rough_size + 0.977 * abs(ln_G),
+            exponents=(of_W, of_W - 0.133),
+            turning_ratio=of_U / (0.884 - of_U),
+            greatest=log_load_parameter(math.log(hardest), parameters),
+        )
 
     def take(self, chosen) -> Film:
         """The film at the points selected by an index or mask ``chosen``."""
-        columns = self.smooth, self.rough, self.smooth_size, self.rough_size
-        others = self.exponents, self.turning_ratio, self.greatest
-        return Film(*(each[chosen] for each in columns), *others)
+        return replace(
+            self,
+            smooth=self.smooth[chosen],
+            rough=self.rough[chosen],
+            smooth_size=self.smooth_size[chosen],
+            rough_size=self.rough_size[chosen],
+        )
 
     def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
         """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an array over the points."""

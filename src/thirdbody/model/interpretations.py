@@ -1,27 +1,22 @@
 """Interpretations of what the paper leaves open, each as an object.
 
 Five places of the paper have several interpretations.  ``INTERPRETATIONS`` maps the words of the
-configuration to them.  Only this module uses these words; all others use the objects in
-``Parameters.interpretation``.
+configuration to them; size distributions are classes, whose objects hold their ratios.  Only this
+module uses these words; all others use the objects in ``Parameters.interpretation``.
 
 To add an interpretation, add an object to ``INTERPRETATIONS`` and a word to ``config/inputs.yaml``,
 and implement it in the independent codes: ``verification/plain_model.py``,
 ``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
 """
 
-from __future__ import annotations
-
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import SimpleNamespace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.bounds import LEAST_SPREAD
-
-if TYPE_CHECKING:
-    from thirdbody.model.parameters import Parameters
 
 # --- third-body particles ---
 # ASSUME: X_min is 0, and X_max ``truncation`` deviations above the mean: Eqs. 4 and 5 print no values.
@@ -41,22 +36,38 @@ class SizeLaw:
     smallest: float
 
 
+@dataclass(frozen=True)
 class Uncentred:
-    """Size distribution phi_a of Eqs. 4-6, Eq. 6 as printed: m = 0, S = sigma_a; X_min = 0."""
+    """Size distribution phi_a of Eqs. 4-6, Eq. 6 as printed: m = 0, S = sigma_a; X_min = 0.
 
-    def law(self, diameter: NDArray, roughness: ArrayLike, parameters: Parameters) -> SizeLaw:
+    Mean and spread are ratios to x_a, ``gap_ratio`` is one to sigma; not every distribution uses all.
+    """
+
+    mean_ratio: float
+    spread_ratio: float
+    gap_ratio: float
+
+    def law(self, diameter: NDArray, roughness: ArrayLike) -> SizeLaw:
         """Coefficients of the integrals in Eqs. 4 and 5.
 
         For x_a [m] and sigma [m], a scalar or of its shape; array fields have the shape of x_a.
         """
-        spread = parameters.spread_ratio * diameter
-        return SizeLaw(np.zeros_like(spread), spread, spread**2, 0.0, 1.0, 0.0)
+        spread = self.spread_ratio * diameter
+        return SizeLaw(
+            mean=np.zeros_like(spread),
+            spread=spread,
+            square=spread**2,
+            constant=0.0,
+            linear=1.0,
+            smallest=0.0,
+        )
 
-    def sizes(self, diameter: ArrayLike, parameters: Parameters) -> tuple[ArrayLike, ArrayLike]:
+    def sizes(self, diameter: ArrayLike) -> tuple[ArrayLike, ArrayLike]:
         """Mean and standard deviation [m] of the normal size distribution, for x_a [m]."""
-        return 0.0, parameters.spread_ratio * diameter
+        return 0.0, self.spread_ratio * diameter
 
-    def can_be_equal(self, parameters: Parameters) -> bool:
+    @property
+    def can_be_equal(self) -> bool:
         """Whether all particles may have one size, because the gaps they meet vary."""
         return False
 
@@ -64,28 +75,38 @@ class Uncentred:
 class Centred(Uncentred):
     """N(m, sigma_a^2) about the mean diameter, as the text describes x_a; sizes from X_min = 0."""
 
-    def law(self, diameter, roughness, parameters):
-        mean, spread = parameters.mean_ratio, parameters.spread_ratio
+    def law(self, diameter, roughness):
+        mean, spread = self.mean_ratio, self.spread_ratio
         square = mean**2 + spread**2
-        constant, linear = 2.0 * mean * spread / square, spread**2 / square
-        moments = mean * diameter, spread * diameter, square * diameter**2
-        return SizeLaw(*moments, constant, linear, -mean / spread)
+        return SizeLaw(
+            mean=mean * diameter,
+            spread=spread * diameter,
+            square=square * diameter**2,
+            constant=2.0 * mean * spread / square,
+            linear=spread**2 / square,
+            smallest=-mean / spread,
+        )
 
-    def sizes(self, diameter, parameters):
-        return parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
+    def sizes(self, diameter):
+        return self.mean_ratio * diameter, self.spread_ratio * diameter
 
 
 class GapConvolved(Centred):
     """Particles of all sizes meet the local gap, whose variance adds to that of the sizes."""
 
-    def law(self, diameter, roughness, parameters):
-        mean = parameters.mean_ratio * diameter
-        spread = np.hypot(parameters.spread_ratio * diameter, parameters.gap_ratio * roughness)
-        square = (1.0 + parameters.spread_ratio**2) * diameter**2
-        return SizeLaw(mean, spread, square, 0.0, 0.0, -np.inf)
+    def law(self, diameter, roughness):
+        return SizeLaw(
+            mean=self.mean_ratio * diameter,
+            spread=np.hypot(self.spread_ratio * diameter, self.gap_ratio * roughness),
+            square=(1.0 + self.spread_ratio**2) * diameter**2,
+            constant=0.0,
+            linear=0.0,
+            smallest=-np.inf,
+        )
 
-    def can_be_equal(self, parameters):
-        return parameters.gap_ratio >= LEAST_SPREAD
+    @property
+    def can_be_equal(self):
+        return self.gap_ratio >= LEAST_SPREAD
 
 
 @dataclass(frozen=True)
@@ -95,11 +116,9 @@ class ParticlePlane:
 
     is_summit_plane: bool
 
-    def height(self, roughness: ArrayLike, parameters: Parameters) -> ArrayLike:
-        """Height of that plane above the mean plane [m], of the shape of ``roughness`` sigma [m]."""
-        if self.is_summit_plane:
-            return parameters.surface(roughness).summit_offset
-        return 0.0 * roughness
+    def height(self, summit_offset: ArrayLike) -> ArrayLike:
+        """Height of that plane above the mean plane [m], for a ``summit_offset`` y_s [m]."""
+        return summit_offset if self.is_summit_plane else 0.0 * summit_offset
 
 
 @dataclass(frozen=True)
@@ -161,9 +180,9 @@ class FilmLoad:
 
 INTERPRETATIONS = {
     "size_distribution": {
-        "uncentred": Uncentred(),
-        "centred": Centred(),
-        "gap_convolved": GapConvolved(),
+        "uncentred": Uncentred,
+        "centred": Centred,
+        "gap_convolved": GapConvolved,
     },
     "particle_plane": {"surface": ParticlePlane(False), "summit": ParticlePlane(True)},
     "elastic_limits": {"printed": ElasticLimits(-1.0), "physical": ElasticLimits(1.0)},
@@ -172,17 +191,18 @@ INTERPRETATIONS = {
 }
 
 
-def chosen_interpretations(parameters: Parameters) -> SimpleNamespace:
-    """The interpretations selected by the words in ``parameters``, by the names of
-    ``INTERPRETATIONS``.
+def chosen_interpretations(words: Mapping[str, object], **size_ratios: float) -> SimpleNamespace:
+    """The interpretations selected by the ``words``, each by a name in ``INTERPRETATIONS``; sizes are
+    distributed with the ``size_ratios``, the fields of ``Uncentred``.
 
-    Raises ``ValueError`` with the field, its word and the allowed words.
+    Raises ``ValueError`` with the name, its word and the allowed words.
     """
     chosen = {}
     for name, known in INTERPRETATIONS.items():
-        word = getattr(parameters, name)
+        word = words[name]
         if word not in list(known):  # a list, as the word may be unhashable
             allowed = ", ".join(map(str, known))
             raise ValueError(f"{name} is {word!r}; allowed: {allowed}")
         chosen[name] = known[word]
+    chosen["size_distribution"] = chosen["size_distribution"](**size_ratios)
     return SimpleNamespace(**chosen)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from thirdbody.messages import format_value
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.interpretations import chosen_interpretations
+from thirdbody.model.interpretations import INTERPRETATIONS, chosen_interpretations
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
@@ -41,7 +41,7 @@ class Surface:
 class Parameters:
     """All inputs of the model, in SI units.
 
-    ``config/inputs.yaml`` describes each field and the source of its value,
+    ``config/inputs.yaml`` has the symbol, unit and source of each field,
     ``thirdbody.model.bounds`` the allowed numbers; ``thirdbody.load_parameters`` returns the
     calibrated values.  Fields that are words select interpretations of the paper, which
     ``interpretation`` holds as objects.
@@ -70,44 +70,55 @@ class Parameters:
     ValueError: film_load is 'solid'; allowed: fluid, total
     """
 
-    elastic_modulus_surfaces: float
-    elastic_modulus_particle: float
+    # materials
+    elastic_modulus_surfaces: float  # of the contact between the two surfaces
+    elastic_modulus_particle: float  # of the contact between a particle and a surface
     hardness_surface_1: float
     hardness_surface_2: float
-    yield_pressure_ratio: float
-    plastic_interference_ratio: float
+    # a summit that yields
+    yield_pressure_ratio: float  # mean pressure over the hardness, at first yield
+    plastic_interference_ratio: float  # interference when fully plastic over that at first yield
+    # ball and film (Eqs. 7 and 8)
     ball_radius: float
     material_parameter: float
     hardness_parameter: float
-    speed_per_viscosity: float
+    speed_per_viscosity: float  # the speed parameter over the kinematic viscosity
     ellipticity: float
-    apparent_area: float
+    apparent_area: float  # to which loads and areas are relative
+    # summits; power laws of the roughness about its reference value
     reference_roughness: float
-    summit_parameter: float
+    summit_parameter: float  # density times radius of the summits times roughness
     summit_parameter_exponent: float
     summit_radius: float
     summit_radius_exponent: float
-    summit_deviation_ratio: float
-    summit_offset_ratio: float
+    summit_deviation_ratio: float  # standard deviation of the summits over the roughness
+    summit_offset_ratio: float  # height of the summits' plane over the roughness
     summit_offset_exponent: float
-    size_distribution: str
-    mean_ratio: float
-    spread_ratio: float
-    gap_ratio: float
-    truncation: float
-    participation: float
-    elastic_depth_ratio: float
-    particle_plane: str
-    elastic_limits: str
-    coverage_limits: str
-    film_load: str
+    # particles (Eqs. 4 to 6); diameters are ratios to x_a
+    size_distribution: str  # interpretation of Eq. 6
+    mean_ratio: float  # mean of the sizes
+    spread_ratio: float  # standard deviation of the sizes
+    gap_ratio: float  # standard deviation of the local gap over the roughness, if sizes meet it
+    truncation: float  # largest size above the mean, in standard deviations
+    participation: float  # fraction of the particles that carry load
+    elastic_depth_ratio: float  # depth of the elastic zone
+    particle_plane: str  # from which particles meet the separation
+    elastic_limits: str  # of the elastic integral in Eqs. 4 and 5
+    coverage_limits: str  # of the coverage in Eq. 4
+    # force balance
+    film_load: str  # the load in W of Eq. 8
 
     def __post_init__(self):
-        # the objects that the words select
-        object.__setattr__(self, "interpretation", chosen_interpretations(self))
+        interpretation = chosen_interpretations(  # the objects that the words select
+            {name: getattr(self, name) for name in INTERPRETATIONS},
+            mean_ratio=self.mean_ratio,
+            spread_ratio=self.spread_ratio,
+            gap_ratio=self.gap_ratio,
+        )
+        object.__setattr__(self, "interpretation", interpretation)
         outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
-        sizes = self.interpretation.size_distribution
-        if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
+        can_be_equal = interpretation.size_distribution.can_be_equal
+        if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and can_be_equal:
             return
         for name in outside:
             message = f"{name} is {format_value(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"

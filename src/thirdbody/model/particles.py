@@ -21,7 +21,7 @@ In both cases the weights of the two moments are e and 1 - e.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -30,14 +30,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.interpolation import Guesses
 from thirdbody.model.asperity import gauss_legendre
+from thirdbody.model.floats import EPSILON, TINY
+from thirdbody.model.logarithms import WithSlope
 from thirdbody.model.parameters import Parameters
 
-TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
 LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overflow
 FULL = -700.0  # ln of a bare fraction that counts as zero
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
-LEAST = 5e-324  # smallest positive number: the unit of rounding below TINY
-FARTHEST = -40.0  # alpha below which phi is zero in float64
+DENSITY_ENDS = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
 NEXT_TO_LARGEST = 0.25  # width in alpha; less where phi decays by more than e over it
 NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that width
@@ -76,15 +76,16 @@ class ParticleLayer:
         >>> diameter, density = np.array([500e-9]), np.array([1e11])
         >>> inputs = thirdbody.load_parameters()
         >>> layer = ParticleLayer.of(diameter, 300e-9, density, inputs)
-        >>> area, slope, coverage, coverage_slope = layer.contact(np.array([500e-9, 900e-9]))
-        >>> bool(area[0] > area[1])
+        >>> area, coverage = layer.contact(np.array([500e-9, 900e-9]))
+        >>> bool(area.value[0] > area.value[1])
         True
-        >>> bool(layer.contact(layer.reach)[0] < 1e-12 * area[1])
+        >>> beyond, _ = layer.contact(layer.reach)
+        >>> bool(beyond.value < 1e-12 * area.value[1])
         True
         """
         diameter = np.minimum(diameter, LARGEST_DIAMETER)
-        sizes = parameters.interpretation.size_distribution.law(diameter, roughness, parameters)
-        smallest = max(sizes.smallest, FARTHEST)
+        sizes = parameters.interpretation.size_distribution.law(diameter, roughness)
+        smallest = max(sizes.smallest, DENSITY_ENDS)
         moment = _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         factor = np.pi * parameters.participation / hardness * density * sizes.square
@@ -94,13 +95,28 @@ class ParticleLayer:
         else:
             every = moment.of_all * factor  # I(X_min, X_max)
             log_bare = np.log(_bare_fraction(parameters.hardness_surface_1 * every))
-        height = parameters.interpretation.particle_plane.height(roughness, parameters)
-        return cls(sizes.mean + height, sizes.spread, depth, factor, log_bare, moment, parameters)
+        summit_offset = parameters.surface(roughness).summit_offset
+        height = parameters.interpretation.particle_plane.height(summit_offset)
+        return cls(
+            mean=sizes.mean + height,
+            spread=sizes.spread,
+            depth=depth,
+            factor=factor,
+            log_bare=log_bare,
+            moment=moment,
+            parameters=parameters,
+        )
 
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points selected by an index or mask ``chosen``."""
-        columns = self.mean, self.spread, self.depth, self.factor, self.log_bare
-        return ParticleLayer(*(each[chosen] for each in columns), self.moment, self.parameters)
+        return replace(
+            self,
+            mean=self.mean[chosen],
+            spread=self.spread[chosen],
+            depth=self.depth[chosen],
+            factor=self.factor[chosen],
+            log_bare=self.log_bare[chosen],
+        )
 
     @property
     def reach(self) -> NDArray:
@@ -108,11 +124,10 @@ class ParticleLayer:
         beyond = self.parameters.interpretation.elastic_limits.beyond
         return self.mean + (self.parameters.truncation + beyond * self.depth) * self.spread
 
-    def contact(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+    def contact(self, separation: NDArray) -> tuple[WithSlope, WithSlope]:
         """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
 
-        Returns A_sa/A_n [1] and its slope d/dd [m-1], then the fraction of the interface covered by
-        particles larger than d [1] and its slope [m-1].
+        Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d [1].
         """
         limits = self.parameters.interpretation.elastic_limits
         alpha = (separation - self.mean) / self.spread
@@ -120,30 +135,36 @@ class ParticleLayer:
         (here, there), (here_slope, there_slope) = self.moment(both)  # here: I(d, X_max) over c_1
         own, other = self.parameters.elastic_weights
         area_factor = self.factor * self.parameters.hardness_surface_2
-        load_factor = self.factor * self.parameters.hardness_surface_1
-        return (
-            area_factor * np.maximum(own * here + other * there, 0.0),  # Eq. 5
-            area_factor / self.spread * (own * here_slope + other * there_slope),
-            load_factor * here,
-            load_factor / self.spread * here_slope,
+        area = WithSlope(
+            value=area_factor * np.maximum(own * here + other * there, 0.0),  # Eq. 5
+            slope=area_factor / self.spread * (own * here_slope + other * there_slope),
         )
+        covering_factor = self.factor * self.parameters.hardness_surface_1
+        coverage = WithSlope(
+            value=covering_factor * here,
+            slope=covering_factor / self.spread * here_slope,
+        )
+        return area, coverage
 
-    def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
-        """Relative rounding error [1] of the ``area`` that ``contact`` returns, with its ``slope``,
-        at ``separation`` d [m]; 0 where no particle touches."""
+    def rounding(self, separation: NDArray, area: WithSlope) -> NDArray:
+        """Relative rounding error [1] of the ``area`` that ``contact`` returns at ``separation`` d
+        [m]; 0 where no particle touches."""
         weights = sum(map(abs, self.parameters.elastic_weights))
         terms = (8.0 + self.moment.largest**2) * weights
-        terms = terms * self.moment.cancellation * area
-        rounding_of_d = 2.0 * np.abs(slope) * (separation + self.mean + self.depth * self.spread)
+        terms = terms * self.moment.cancellation * area.value
+        rounding_of_d = (
+            2.0 * np.abs(area.slope) * (separation + self.mean + self.depth * self.spread)
+        )
+        touch = area.value > 0.0
         # TINY for the digits lost below it; as divisors, LEAST and 0 would be slow
-        return EPSILON * ((terms + rounding_of_d + TINY) / np.where(area > 0.0, area, np.inf))
+        return EPSILON * ((terms + rounding_of_d + TINY) / np.where(touch, area.value, np.inf))
 
-    def log_bare_load(self, bare: tuple[NDArray, NDArray]) -> tuple[NDArray, ArrayLike]:
-        """ln of the bare fraction in the summit load, the bracket of Eq. 4, and its slope d/dd
-        [m-1]; ``bare`` is the same for the summit area (Eq. 5)."""
+    def log_bare_load(self, bare_area: WithSlope) -> WithSlope:
+        """ln of the bare fraction in the summit load [1], the bracket of Eq. 4; ``bare_area`` is that
+        in the summit area (Eq. 5)."""
         if self.parameters.interpretation.coverage_limits.contacting:
-            return bare
-        return self.log_bare, 0.0
+            return bare_area
+        return WithSlope(value=self.log_bare, slope=0.0)
 
     def cover_all(self, coverage: NDArray) -> NDArray:
         """Whether particles cover the whole interface in Eq. 4 or 5, for the ``coverage`` [1] of
@@ -207,12 +228,12 @@ class Moment:
 _moment = lru_cache(maxsize=64)(Moment)
 
 
-def log_bare_fraction(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
-    """ln of the bare fraction for a ``coverage`` and its ``slope`` d/dd [m-1], and its own slope;
-    below ``FULL`` and 0 where particles cover everything."""
-    bare = _bare_fraction(coverage)
-    covers = bare == TINY
-    return np.log(bare), np.where(covers, 0.0, -slope) / bare
+def log_bare_fraction(coverage: WithSlope) -> WithSlope:
+    """ln of the bare fraction [1] beside a ``coverage`` [1]; below ``FULL``, with a slope of 0, where
+    particles cover everything."""
+    bare = _bare_fraction(coverage.value)
+    slope = np.where(bare == TINY, 0.0, -coverage.slope) / bare
+    return WithSlope(value=np.log(bare), slope=slope)
 
 
 def _bare_fraction(coverage):

@@ -5,44 +5,28 @@ than rounding and table errors.  All variables are means of their values at thes
 differences bound the error.
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.particles import EPSILON, separation_carrying
+from thirdbody.model.floats import EPSILON
+from thirdbody.solver.brackets import Brackets
 from thirdbody.solver.points import Forces, Points
-from thirdbody.solver.several import bracket_largest, may_have_several
 
-FILM_MARGIN = 1e-3  # a film thinner by this fraction certainly carries more than the load
 STEP_LEFT = 1.0  # of the tolerance: error expected, with a large margin, after the next Newton step
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
-# added to ln F_t*, so that the first separation lies below the root at nearly all points
-SUMMIT_EXCESS, PARTICLE_EXCESS = 0.2, 0.002
 GROWTH = 4.0  # growth of an interval whose signs rounding hides
 
 
-class Brackets(NamedTuple):
-    """Bracket [m] of the root of the force balance at each point.
-
-    The root is between ``low`` and ``high``, near ``guess``; ``low`` is nan if there is none.
-    Where a film whose thickness F_t sets (Eq. 8 as printed) is ``held``, every separation in the
-    bracket is a solution.  ``count`` is the number of roots, of which the largest is bracketed, and
-    ``certain`` whether this holds despite rounding.
-    """
-
-    guess: NDArray
-    low: NDArray
-    high: NDArray
-    held: NDArray
-    count: NDArray
-    certain: NDArray
-
-
 class Balance(NamedTuple):
-    """The ``points`` in the order of ``places``, and the ``forces`` at two separations around the root
-    of each, of shape (2, points).  ``certain`` is whether their sum changes its sign despite rounding,
-    and ``count`` the number of roots."""
+    """Solved ``points``, their ``places`` among all, and the ``forces`` at two separations around the
+    root of each, of shape (2, points).  ``certain`` is whether their sum changes its sign despite
+    rounding, and ``count`` the number of roots."""
 
     points: Points
     places: NDArray
@@ -51,157 +35,169 @@ class Balance(NamedTuple):
     count: NDArray
 
 
-def bracket(points: Points) -> Brackets:
-    """Bracket the largest separation d >= 0 at which solids and film carry the load.
-
-    If the film depends on F_f, it carries the load alone at d = R_x H_c(F_t), so the root is there
-    or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one,
-    which the forces at the first separation show at most points.
-    Points that ``may_have_several`` roots must not use tables, whose errors may hide a root.
-    """
-    guess = first_separation(points)
-    alone, rounded = np.zeros((2, guess.size))
-    if points.film is not None:
-        alone, rounded = points.film_separation()
-        guess = np.maximum(guess, alone)
-    high = _upper_bounds(points, guess)
-    exists, held = np.ones(guess.shape, bool), np.zeros(guess.shape, bool)
-    low = start = alone * (1.0 - FILM_MARGIN)
-    if not points.shares_load:
-        start = alone * (1.0 + rounded)
-        guess = np.maximum(guess, start)
-        forces = points.forces(guess)
-        exists = forces.excess > forces.noise
-        low = np.where(exists, guess, start)
-        newton = guess - forces.excess / forces.slope
-        guess = np.where(exists & (newton < high), newton, guess)
-    several = may_have_several(points)
-    left = np.flatnonzero(~exists | several & ~points.shares_load)
-    if left.size:
-        forces = points.take(left).forces(start[left])
-        exists[left] = forces.excess >= -forces.noise
-        held[left] = (forces.excess < 0.0) & (points.film is not None)
-        exists &= ~held
-    count, certain = (exists | held).astype(int), np.ones(guess.shape, bool)
-    several = np.flatnonzero(several)
-    if several.size:
-        some = points.take(several)
-        near, far, number, undecided = bracket_largest(some, start[several], guess[several])
-        beyond = number > 0
-        # no root where particles cover everything at the film thickness
-        particles = some.contact.particles
-        covered = particles.cover_all(particles.contact(start[several])[2])
-        count[several] = (held[several] & ~covered) + number
-        if points.film is not None and not points.shares_load:
-            # on a plateau at the load, no root may be found beyond the film
-            held[several] = ~beyond & (held[several] | undecided)
-            count[several] = np.maximum(count[several], undecided)
-        exists[several] = beyond
-        certain[several] = ~undecided
-        there = several[beyond]
-        low[there], high[there] = near[beyond], far[beyond]
-        guess[there] = 0.5 * (near + far)[beyond]
-    low = np.where(held, alone * (1.0 - rounded), np.where(exists, low, np.nan))
-    high = np.where(held, alone * (1.0 + rounded), np.where(exists, high, np.nan))
-    return Brackets(guess, low, high, held, count, certain)
-
-
-def first_separation(points: Points) -> NDArray:
-    """Approximate separation d [m] at which the solids alone carry the load.
-
-    It is the larger of the separations for summits alone and for particles alone, at which the
-    solids carry one to three times the load.
-    """
-    surfaces, particles = points.contact.summits, points.contact.particles
-    t = surfaces.first_separation(points.log_load + SUMMIT_EXCESS)
-    guess = surfaces.offset + surfaces.deviation * t
-    if particles is not None:
-        log_area = points.log_load + PARTICLE_EXCESS - np.log(points.parameters.particle_pressure)
-        guess = np.maximum(guess, separation_carrying(log_area, particles))
-    return np.maximum(guess, 0.0)
-
-
-def _upper_bounds(points, guess):
-    """Upper bounds [m], at which summits, particles and film each carry far less than the load."""
-    far = np.maximum(guess, points.contact.summits.offset)
-    if points.contact.particles is not None:
-        far = np.maximum(far, points.contact.particles.reach)
-    return 2.0 * far + 10.0 * points.contact.summits.deviation
-
-
-def enclose(points: Points, brackets: Brackets, tolerance: float, iterations: int) -> Balance:
+def enclose(
+    points: Points, brackets: Brackets, tolerance: float, iterations: int
+) -> Iterator[Balance]:
     """Narrow the brackets by Newton's method until the variables converge to ``tolerance``.
 
-    When the next step would converge, the signs on both sides of it are checked; if rounding could
-    hide them, the interval is widened.  After so many ``iterations``, the rest is not ``certain``.
+    Yields the points as they are solved.  When the next step would converge, the signs on both sides
+    of it are checked; if rounding could hide them, the interval is widened.  After so many
+    ``iterations``, the rest is not ``certain``.
     """
-    d, low, high, held, count, certain = brackets
-    found = []  # indices of finished points, forces at both ends, and whether a sign changes
-    fixed = np.flatnonzero(held | np.isnan(low))
-    if fixed.size:
-        both = _at_both(points, fixed, low[fixed], high[fixed])
-        found.append((fixed, _held_by_film(both), np.ones(fixed.size, bool)))
-    active = np.flatnonzero(~held & ~np.isnan(low))
-    remaining = points.take(active)
-    d, low, high = (x[active] for x in (d, low, high))
-    last, doubt = np.full(d.shape, np.inf), np.ones(d.shape)
+    fixed = brackets.held | np.isnan(brackets.low)
+    if fixed.any():
+        yield _fixed(points, brackets, np.flatnonzero(fixed))
+    search = Search.of(points, brackets, np.flatnonzero(~fixed))
     for iteration in range(iterations):
-        if not active.size:
+        if not search.places.size:
             break
-        forces = remaining.forces(d)
-        noise, size, steepness = forces.noise, np.abs(forces.excess), np.abs(forces.slope)
-        low = np.where(forces.excess > noise, d, low)
-        high = np.where(forces.excess < -noise, d, high)
-        new = d - forces.excess / forces.slope
-        # Newton's step is taken while steps halve the excess; otherwise the bracket is halved
-        settled = size <= 2.0 * noise
-        newton = (new >= low) & (new <= high) & (settled | (size <= 0.5 * last))
-        ratio = forces.steepest / steepness
-        left = (size * ratio) ** 2 * (1.0 + ratio)
-        close = newton & (settled | (left <= STEP_LEFT * tolerance))
-        final = (high - low <= NARROW * d) | (iteration == iterations - 1)
-        d = np.where(newton, new, 0.5 * (low + high))
-        last = np.where(newton, size, np.inf)
-        close = np.flatnonzero(close | final)
-        if not close.size:
-            continue
-        width = np.maximum(tolerance / (8.0 * forces.steepest), 1.2 * noise / steepness)
-        width = doubt * np.maximum(width, NARROW * d)
-        a = np.where(final, low, np.fmax(d - width, low))[close]
-        b = np.where(final, high, np.fmin(d + width, high))[close]
-        both = _at_both(remaining, close, a, b)
-        above, below = both.excess > both.noise, both.excess < -both.noise
-        holds = above[0] & below[1]
-        done = np.flatnonzero(holds | final[close])
-        both = Forces(*(each.take(done, axis=1) for each in both))
-        found.append((active[close[done]], both, holds[done]))
-        kept = np.ones(d.size, bool)
-        kept[close[done]] = False
-        if done.size < close.size:  # where both signs are the same, iterate from there
-            lower, higher = kept[close] & below[0], kept[close] & above[1]
-            doubt[close[~(lower | higher)]] *= GROWTH
-            high[close[lower]], low[close[higher]] = a[lower], b[higher]
-            d[close[lower]] = np.fmax(2.0 * a - b, low[close])[lower]
-            d[close[higher]] = np.fmin(2.0 * b - a, high[close])[higher]
-        kept = np.flatnonzero(kept)
-        remaining, active = remaining.take(kept), active[kept]
-        d, low, high, last, doubt = (x[kept] for x in (d, low, high, last, doubt))
-    places, forces, holds = zip(*found, strict=True)
-    places = np.concatenate(places)
-    forces = Forces(*(np.concatenate(each, axis=1) for each in zip(*forces, strict=True)))
-    certain = certain[places] & np.concatenate(holds)
-    return Balance(points.take(places), places, forces, certain, count[places])
+        interval = search.step(tolerance, is_last=iteration == iterations - 1)
+        if interval.which.size:
+            solved = search.check(interval)
+            if solved.places.size:
+                yield solved
 
 
-def _at_both(points, chosen, low, high):
-    """The forces of the ``chosen`` points at ``low`` and ``high``, of shape (2, chosen)."""
-    forces = points.take(np.tile(chosen, 2)).forces(np.append(low, high), with_areas=True)
-    return Forces(*(each.reshape(2, -1) for each in forces))
+def _fixed(points, brackets, places):
+    """The points at ``places``, where the film keeps its separation or nothing carries the load."""
+    chosen = points.take(places)
+    forces = chosen.forces(np.stack([brackets.low[places], brackets.high[places]]), with_areas=True)
+    return Balance(
+        points=chosen,
+        places=places,
+        forces=_held_by_film(forces),
+        certain=brackets.certain[places],
+        count=brackets.count[places],
+    )
 
 
 def _held_by_film(forces):
     """The forces where a film of known thickness carries the load that the solids leave."""
-    fluid = -np.expm1(np.minimum(forces.log_solid, 0.0))
-    less = np.exp(forces.log_solid) / fluid  # F_s/F_f, which magnifies the rounding of F_s
-    rounding = forces.rounding + forces.solid_noise * less
-    return forces._replace(log_fluid=np.log(fluid), rounding=rounding)
+    log_solid = forces.log_solid.value
+    fluid = -np.expm1(np.minimum(log_solid, 0.0))
+    less = np.exp(log_solid) / fluid  # F_s/F_f, which magnifies the rounding of F_s
+    rounding = forces.errors.rounding + forces.solid_noise * less
+    errors = forces.errors._replace(rounding=rounding)
+    return forces._replace(log_fluid=np.log(fluid), errors=errors)
+
+
+class Interval(NamedTuple):
+    """Two separations [m] around the roots of some points, between which the sum of forces should
+    change sign.  ``which`` are their indices; where ``is_final`` it is accepted in any case."""
+
+    which: NDArray
+    low: NDArray
+    high: NDArray
+    is_final: NDArray
+
+
+@dataclass
+class Search:
+    """Newton's method at many points; those that are solved leave.
+
+    ``places`` are the indices of the points among all.  The root is between ``low`` and ``high``
+    [m], and forces are next evaluated at ``separation``.  ``last`` is the size of the excess before
+    the last step, infinite unless it was one of Newton's, and ``widening`` multiplies the width of
+    the interval whose signs are checked.
+    """
+
+    points: Points
+    places: NDArray
+    separation: NDArray
+    low: NDArray
+    high: NDArray
+    last: NDArray
+    widening: NDArray
+    certain: NDArray
+    count: NDArray
+
+    @classmethod
+    def of(cls, points: Points, brackets: Brackets, places: NDArray) -> Search:
+        """The search at the points at ``places``, which have a root, from their ``brackets``."""
+        return cls(
+            points=points.take(places),
+            places=places,
+            separation=brackets.guess[places],
+            low=brackets.low[places],
+            high=brackets.high[places],
+            last=np.full(places.shape, np.inf),
+            widening=np.ones(places.shape),
+            certain=brackets.certain[places],
+            count=brackets.count[places],
+        )
+
+    def keep(self, kept: NDArray) -> None:
+        """Go on with the points of the indices ``kept``."""
+        for name, each in vars(self).items():
+            setattr(self, name, each.take(kept))
+
+    def step(self, tolerance: float, is_last: bool) -> Interval:
+        """Narrow the brackets by the forces at the separations, and take the next step.
+
+        Newton's step is taken while steps halve the excess; otherwise the bracket is halved.
+        Returns an interval around the new separation where the next step would converge.
+        """
+        forces = self.points.forces(self.separation)
+        excess, slope = forces.excess
+        noise, steepest = forces.errors.noise, forces.errors.steepest
+        self.low = np.where(excess > noise, self.separation, self.low)
+        self.high = np.where(excess < -noise, self.separation, self.high)
+        size, settled = np.abs(excess), np.abs(excess) <= 2.0 * noise
+        new = self.separation - excess / slope
+        is_newton = (new >= self.low) & (new <= self.high) & (settled | (size <= 0.5 * self.last))
+        # of the contribution that changes fastest, over the sum of forces
+        ratio = steepest / np.abs(slope)
+        left = (size * ratio) ** 2 * (1.0 + ratio)  # error of the variables after the step
+        converges = is_newton & (settled | (left <= STEP_LEFT * tolerance))
+        is_final = (self.high - self.low <= NARROW * self.separation) | is_last
+        self.separation = np.where(is_newton, new, 0.5 * (self.low + self.high))
+        self.last = np.where(is_newton, size, np.inf)
+        width = np.maximum(tolerance / (8.0 * steepest), 1.2 * noise / np.abs(slope))
+        width = self.widening * np.maximum(width, NARROW * self.separation)
+        return self._interval(np.flatnonzero(converges | is_final), width, is_final)
+
+    def _interval(self, which, width, is_final):
+        """The interval of a ``width`` [m] to both sides of the separations, within the brackets."""
+        middle, low, high = self.separation[which], self.low[which], self.high[which]
+        width, is_final = width[which], is_final[which]
+        return Interval(
+            which=which,
+            low=np.where(is_final, low, np.fmax(middle - width, low)),
+            high=np.where(is_final, high, np.fmin(middle + width, high)),
+            is_final=is_final,
+        )
+
+    def check(self, interval: Interval) -> Balance:
+        """The points where the sum of forces changes sign in the ``interval``; they leave the search.
+
+        The others go on beyond the interval, or in a wider one.
+        """
+        which = interval.which
+        both = np.stack([interval.low, interval.high])
+        forces = self.points.take(which).forces(both, with_areas=True)
+        above = forces.excess.value > forces.errors.noise
+        below = forces.excess.value < -forces.errors.noise
+        changes = above[0] & below[1]
+        is_done = changes | interval.is_final
+        done = np.flatnonzero(is_done)
+        solved = Balance(
+            points=self.points.take(which[done]),
+            places=self.places[which[done]],
+            forces=forces.take(done),
+            certain=self.certain[which[done]] & changes[done],
+            count=self.count[which[done]],
+        )
+        if done.size < which.size:
+            self._look_beyond(interval, closer=below[0] & ~is_done, farther=above[1] & ~is_done)
+        self.keep(np.delete(np.arange(self.places.size), which[done]))
+        return solved
+
+    def _look_beyond(self, interval, closer, farther):
+        """Go on next to the ``interval`` where the root is ``closer`` or ``farther``, otherwise in a
+        wider one."""
+        which, low, high, _ = interval
+        self.widening[which[~(closer | farther)]] *= GROWTH
+        self.high[which[closer]], self.low[which[farther]] = low[closer], high[farther]
+        next_closer, next_farther = 2.0 * low - high, 2.0 * high - low
+        self.separation[which[closer]] = np.fmax(next_closer, self.low[which])[closer]
+        self.separation[which[farther]] = np.fmin(next_farther, self.high[which])[farther]

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import Contact, log_sum
-from thirdbody.model.film import EPSILON, INVERSE_ERROR, Film, has_film, log_load_parameter
+from thirdbody.model.contact import Contact, ErrorTerms, SolidState, greatest_single_load
+from thirdbody.model.film import INVERSE_ERROR, Film, has_film, log_load_parameter
+from thirdbody.model.floats import EPSILON
+from thirdbody.model.logarithms import WithSlope, log_sum
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
 from thirdbody.solver.summits import RoughSurfaces
+
+SOLIDS = "particle_diameter", "roughness", "particle_density"  # conditions of the solids
 
 
 def make_contact(
@@ -38,56 +42,64 @@ def make_contact(
     if has_particles(particle_diameter[0], particle_density[0]):
         particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
     surfaces = RoughSurfaces.of(roughness, parameters, table_rtol)
-    return Contact(surfaces, particles, parameters)
+    return Contact(summits=surfaces, particles=particles, parameters=parameters)
 
 
 class Forces(NamedTuple):
-    """Forces of solids and film at separations d: arrays of the shape of d.
+    """Forces of solids and film at separations d [m]: arrays of the shape of d.
 
-    ``excess`` is ln((F_s + F_f)/F_t) [1], ``slope`` its derivative d/dd [m-1], and ``noise`` its
-    error from rounding and tables.  ``steepest`` bounds |d ln v/dd| [m-1] of d and of each
-    contribution v to loads and areas; ``rounding`` is their relative error from rounding and
-    tables.  ``log_solid`` and ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1]; ``solid_noise`` is
-    the noise of the first.  The others are as in ``SolidLoad``.
+    ``excess`` is ln((F_s + F_f)/F_t) [1], which is 0 where the forces balance.  ``log_solid`` and
+    ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1].  The noise in ``errors`` is that of the excess,
+    ``solid_noise`` [1] that of ``log_solid``.  ``solids`` has the areas.
     """
 
     separation: NDArray
-    excess: NDArray
-    slope: NDArray
-    noise: NDArray
-    steepest: NDArray
-    rounding: NDArray
-    log_solid: NDArray
+    excess: WithSlope
+    log_solid: WithSlope
     log_fluid: NDArray
+    errors: ErrorTerms
     solid_noise: NDArray
-    solid_slope: NDArray
-    area: NDArray
-    area_slope: NDArray
-    coverage: NDArray
-    log_beside: NDArray | None
+    solids: SolidState
+
+    def take(self, chosen: NDArray) -> Forces:
+        """The forces at the points with the indices ``chosen``, along the last axis."""
+        return _taken(self, chosen)
+
+
+def _taken(record, chosen):
+    """A record, in which others may lie, with ``chosen`` elements of its arrays; None stays."""
+    if isinstance(record, tuple):
+        return type(record)._make(_taken(each, chosen) for each in record)
+    return record if record is None else record.take(chosen, axis=-1)
 
 
 @dataclass(frozen=True)
 class Points:
-    """Points to solve: all with or all without particles, and all with or all without a film.
+    """Points to solve: all with or all without particles, a film, and possibly ``several`` roots.
 
-    ``film`` is None for dry contact; ``log_load`` is ln F_t* [1], 1-D.
+    ``film`` is None for dry contact; ``log_load`` is ln F_t* [1], 1-D.  Points with several roots must
+    not use tables, whose errors may hide a root.
     """
 
     contact: Contact
     film: Film | None
     log_load: NDArray
+    several: bool
 
     @classmethod
     def of(
-        cls, conditions: Iterable[NDArray], parameters: Parameters, table_rtol: float | None
+        cls, conditions: Mapping[str, NDArray], parameters: Parameters, table_rtol: float | None
     ) -> Points:
-        """The points at five ``conditions``, in the order of the arguments of ``solve``, 1-D and SI;
-        ``table_rtol`` is as in ``make_contact``."""
-        load, viscosity, diameter, roughness, density = conditions
-        contact = make_contact(diameter, roughness, density, parameters, table_rtol)
-        film = Film.of(viscosity, roughness, parameters) if has_film(viscosity[0]) else None
-        return cls(contact, film, np.log(load))
+        """The points at five ``conditions`` by name, 1-D and SI, of which the first shows whether all
+        have particles, a film, or several roots; ``table_rtol`` is as in ``make_contact``."""
+        solids = {name: conditions[name] for name in SOLIDS}
+        contact = make_contact(**solids, parameters=parameters, table_rtol=table_rtol)
+        film, viscosity = None, conditions["viscosity"]
+        if has_film(viscosity[0]):
+            film = Film.of(viscosity, conditions["roughness"], parameters)
+        load = conditions["load"]
+        several = contact.particles is not None and load[0] > greatest_single_load(parameters)
+        return cls(contact=contact, film=film, log_load=np.log(load), several=several)
 
     @property
     def parameters(self) -> Parameters:
@@ -101,36 +113,53 @@ class Points:
 
     def take(self, chosen) -> Points:
         """The points selected by an index or mask ``chosen``."""
-        film = self.film and self.film.take(chosen)
-        return Points(self.contact.take(chosen), film, self.log_load[chosen])
+        return replace(
+            self,
+            contact=self.contact.take(chosen),
+            film=self.film and self.film.take(chosen),
+            log_load=self.log_load[chosen],
+        )
 
     def forces(self, separation: NDArray, with_areas: bool = False) -> Forces:
         """Eq. 1 at ``separation`` d [m]: F_s (Eqs. 2 and 4) and, where films share the load, F_f of a
         film of thickness d (Eqs. 7 and 8)."""
-        solids = self.contact.log_solid_load(separation, with_areas)
-        excess = log_solid = solids.value - self.log_load
-        noise = solids.noise + self.contact.summits.error + 2.0 * EPSILON * np.abs(self.log_load)
-        slope, solid_noise, log_fluid = solids.slope, noise, np.full(excess.shape, -np.inf)
-        steepest = np.maximum(solids.steepest, 1.0 / separation)
-        rounding = solids.rounding + self.contact.summits.error
-        if self.shares_load:
-            log_fluid, film_slope, film_noise = self.log_film_load(separation)
-            excess, fraction = log_sum(log_solid, log_fluid)
-            slope = fraction * slope + (1.0 - fraction) * film_slope
-            noise = fraction * noise + (1.0 - fraction) * film_noise + 4.0 * EPSILON
-            steepest = np.maximum(steepest, np.abs(film_slope))
-            rounding = np.maximum(rounding, film_noise)
-        solid = log_solid, log_fluid, solid_noise, solids.slope
-        areas = solids.area, solids.area_slope, solids.coverage, solids.log_beside
-        return Forces(separation, excess, slope, noise, steepest, rounding, *solid, *areas)
+        solids, table_error = self.contact.at(separation, with_areas), self.contact.summits.error
+        log_solid = solids.log_load._replace(value=solids.log_load.value - self.log_load)
+        rounding_of_load = 2.0 * EPSILON * np.abs(self.log_load)
+        errors = ErrorTerms(
+            steepest=np.maximum(solids.errors.steepest, 1.0 / separation),
+            rounding=solids.errors.rounding + table_error,
+            noise=solids.errors.noise + table_error + rounding_of_load,
+        )
+        forces = Forces(
+            separation=separation,
+            excess=log_solid,
+            log_solid=log_solid,
+            log_fluid=np.full(separation.shape, -np.inf),
+            errors=errors,
+            solid_noise=errors.noise,
+            solids=solids,
+        )
+        return self._with_film(forces) if self.shares_load else forces
 
-    def log_film_load(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-        """ln(F_f/F_t) of films as thick as ``separation`` d [m], its slope d/dd [m-1], and its noise."""
+    def _with_film(self, forces):
+        """The forces of solids, and those of a film that shares the load with them (Eq. 1)."""
+        log_fluid, film_noise = self.log_film_load(forces.separation)
+        excess, solid = log_sum(forces.log_solid, log_fluid)  # Eq. 1: F_t = F_s + F_f
+        errors = ErrorTerms(
+            steepest=np.maximum(forces.errors.steepest, np.abs(log_fluid.slope)),
+            rounding=np.maximum(forces.errors.rounding, film_noise),
+            noise=solid * forces.errors.noise + (1.0 - solid) * film_noise + 4.0 * EPSILON,
+        )
+        return forces._replace(excess=excess, log_fluid=log_fluid.value, errors=errors)
+
+    def log_film_load(self, separation: NDArray) -> tuple[WithSlope, NDArray]:
+        """ln(F_f/F_t) [1] of films as thick as ``separation`` d [m], and its noise [1]."""
         thickness = separation / self.parameters.ball_radius
         log_parameter, slope = self.film.load_parameter_and_slope(thickness)
         noise = self.film.rounding(log_parameter, 1.0 / slope) * np.abs(slope)
         log_load = log_parameter - log_load_parameter(self.log_load, self.parameters)
-        return log_load, slope / separation, noise + INVERSE_ERROR
+        return WithSlope(value=log_load, slope=slope / separation), noise + INVERSE_ERROR
 
     def film_separation(self) -> tuple[NDArray, NDArray]:
         """d = R_x H_c [m] of films that carry all of F_t (Eqs. 7 and 8), and its relative rounding."""

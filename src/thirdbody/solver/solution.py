@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.film import THICKEST, Film, log_load_parameter
+from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import TINY
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,
@@ -202,32 +202,84 @@ def type_of(variable: str) -> type:
 def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
     """Variables of ``Solution`` by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
     points, ends = balance.points, balance.forces
-    has_particles = points.contact.particles is not None
-    solid, fluid = _fractions(ends.log_solid - ends.log_fluid)  # Eq. 9, at both ends
-    particle_ratio, summit_ratio = _fractions(np.log(ends.area) - ends.log_beside)  # Eq. 10
-    total_area = ends.area + np.exp(ends.log_beside)  # Eq. 3
-    thickness = ends.separation / points.parameters.ball_radius
-    both = total_area, particle_ratio, summit_ratio, solid, fluid, ends.separation, thickness
-    found = {name: 0.5 * each.sum(axis=0) for name, each in zip(QUANTITIES, both, strict=True)}
-    error = _error_bound(ends, solid, fluid, particle_ratio, summit_ratio)
+    solid, fluid = fractions(ends.log_solid.value - ends.log_fluid)  # Eq. 9
+    both = quantities(
+        separation=ends.separation,
+        solid_load_fraction=solid,
+        fluid_load_fraction=fluid,
+        particle_area=ends.solids.particle_area.value,
+        log_summit_area=ends.solids.log_summit_area.value,
+        parameters=points.parameters,
+    )
+    found = {name: 0.5 * each.sum(axis=0) for name, each in both.items()}
+    error = _error_bound(ends, both)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
+    particles = points.contact.particles
+    covered = particles is not None and particles.cover_all(ends.solids.coverage[1])
     unsolved = np.isnan(found["separation"])
-    covered = has_particles and points.contact.particles.cover_all(ends.coverage[1])
     statuses = {
         "several_separations": balance.count > 1,
         "not_converged": ~(error <= rtol),
         "coverage_exceeded": covered,
         "load_exceeded": unsolved & (balance.count == 0),
     }
-    add_flags(found, points.film, points.log_load, points.parameters, has_particles, **statuses)
-    unsolved |= covered
-    if unsolved.any():
-        for name, values in found.items():
-            if name != "solution_status":
-                otherwise = np.nan if type_of(name) is float else NO_FLAG
-                values[unsolved] = 0 if name == "separation_count" else otherwise
+    with_particles = particles is not None
+    add_flags(found, points.film, points.log_load, points.parameters, with_particles, **statuses)
+    _remove_values(found, unsolved | covered)
     return found
+
+
+def quantities(
+    *,
+    separation: NDArray,
+    solid_load_fraction: NDArray,
+    fluid_load_fraction: NDArray,
+    particle_area: NDArray,
+    log_summit_area: NDArray,
+    parameters: Parameters,
+) -> dict[str, NDArray]:
+    """The ``QUANTITIES`` by name (Eqs. 3 and 10), in arrays of one shape.
+
+    Parameters
+    ----------
+    separation : array
+        d [m].
+    solid_load_fraction, fluid_load_fraction : array
+        L_s and L_f [1] (Eq. 9).
+    particle_area : array
+        A_sa/A_n [1].
+    log_summit_area : array
+        ln(A_ss-sa/A_n) [1], of the summits beside the particles.
+    parameters : Parameters
+        Inputs of the model.
+    """
+    particles, summits = fractions(np.log(particle_area) - log_summit_area)
+    return {
+        "total_contact_area": particle_area + np.exp(log_summit_area),  # Eq. 3
+        "particle_contact_area_ratio": particles,  # Eq. 10
+        "surface_contact_area_ratio": summits,
+        "solid_load_fraction": solid_load_fraction,
+        "fluid_load_fraction": fluid_load_fraction,
+        "separation": separation,
+        "film_thickness": separation / parameters.ball_radius,
+    }
+
+
+def fractions(log_odds: NDArray) -> tuple[NDArray, NDArray]:
+    """The fractions [1] of two parts in their sum, for ln of the first over the second."""
+    return 1.0 / (1.0 + np.exp(-log_odds)), 1.0 / (1.0 + np.exp(log_odds))
+
+
+def _remove_values(found, unsolved):
+    """Replace the variables of ``unsolved`` points, except their status, by what stands for none."""
+    if not unsolved.any():
+        return
+    for name, values in found.items():
+        if name == "separation_count":
+            values[unsolved] = 0
+        elif name != "solution_status":
+            values[unsolved] = np.nan if type_of(name) is float else NO_FLAG
 
 
 def add_flags(
@@ -254,30 +306,41 @@ def add_flags(
     found["solution_status"] = gravest_status(**statuses)
 
 
-def _fractions(log_odds):
-    """Of a sum, its first and its second part, for ln of their ratio."""
-    return 1.0 / (1.0 + np.exp(-log_odds)), 1.0 / (1.0 + np.exp(log_odds))
-
-
-def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
-    """Largest relative deviation of loads and areas from the mean of both ends, plus rounding."""
+def _error_bound(ends, both):
+    """Largest relative deviation of loads and areas from the mean of both ends, plus rounding; ``both``
+    are the quantities at the ends by name."""
     width = np.diff(ends.separation, axis=0)[0]
-    bare = np.log1p(-ends.coverage)
-    summits = _difference(ends.log_beside - bare) + _difference(bare)
-    # an area that is negligible alone may matter in a ratio
-    smaller = np.minimum(particle_ratio, summit_ratio)
-    areas = _where_resolved(summits, np.maximum(np.exp(ends.log_beside), smaller))
-    # elastic particles may have a maximum of area between the ends
-    rise = width * np.abs(ends.area_slope).max(axis=0) / ends.area.min(axis=0)
-    particles = np.maximum(_difference(np.log(ends.area)), rise)
-    areas = areas + _where_resolved(particles, np.maximum(ends.area, smaller))
-    solids = np.maximum(_difference(ends.log_solid), width * np.abs(ends.solid_slope).max(axis=0))
-    loads = _where_resolved(solids, solid) + _where_resolved(_difference(ends.log_fluid), fluid)
-    shared = np.minimum(solid, fluid).max(axis=0) > TINY
-    loads = np.where(shared, loads, 0.0)
+    areas = _area_difference(ends.solids, both, width)
+    loads, shared = _load_difference(ends, both, width)
     apart = np.maximum(width / ends.separation[0], np.maximum(areas, loads))
-    rounding = np.maximum(*ends.rounding) + np.where(shared, np.maximum(*ends.solid_noise), 0.0)
+    rounding = np.maximum(*ends.errors.rounding)
+    rounding += np.where(shared, np.maximum(*ends.solid_noise), 0.0)
     return 0.5 * np.expm1(apart) + rounding
+
+
+def _area_difference(solids, both, width):
+    """Largest relative difference of the areas of summits and particles between both ends."""
+    area, log_summits = solids.particle_area, solids.log_summit_area.value
+    log_bare = np.log1p(-solids.coverage)
+    summits = _difference(log_summits - log_bare) + _difference(log_bare)
+    # an area that is negligible alone may matter in a ratio
+    smaller = np.minimum(both["particle_contact_area_ratio"], both["surface_contact_area_ratio"])
+    # elastic particles may have a maximum of area between the ends
+    rise = width * np.abs(area.slope).max(axis=0) / area.value.min(axis=0)
+    particles = np.maximum(_difference(np.log(area.value)), rise)
+    summits = _where_resolved(summits, np.maximum(np.exp(log_summits), smaller))
+    return summits + _where_resolved(particles, np.maximum(area.value, smaller))
+
+
+def _load_difference(ends, both, width):
+    """Largest relative difference of the loads of solids and film between both ends, and where both
+    carry load."""
+    solid, fluid = both["solid_load_fraction"], both["fluid_load_fraction"]
+    shared = np.minimum(solid, fluid).max(axis=0) > TINY
+    rise = width * np.abs(ends.log_solid.slope).max(axis=0)
+    solids = np.maximum(_difference(ends.log_solid.value), rise)
+    loads = _where_resolved(solids, solid) + _where_resolved(_difference(ends.log_fluid), fluid)
+    return np.where(shared, loads, 0.0), shared
 
 
 def _difference(both):

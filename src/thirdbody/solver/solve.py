@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from enum import IntFlag
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,14 +26,15 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.balance import bracket, enclose
+from thirdbody.solver.balance import enclose
+from thirdbody.solver.brackets import bracket
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
 from thirdbody.solver.summits import pieces_for
 from thirdbody.units import is_labelled, unit_in_tables, unit_of
 
 DEFAULT_RTOL = 1e-9
-LEAST_RTOL = 1e-12  # of points limited only by rounding
+ROUNDING_LIMIT = 1e-12  # tolerance of points limited only by rounding
 TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
 CHUNK = 65536  # points solved together
 QUADRATURE_CHUNK = 2048  # by quadrature, where each point has about a hundred nodes
@@ -153,45 +156,85 @@ def solve_arrays(
     magnify the table error beyond ``rtol``, and those that may have several roots are solved by quadrature.
     """
     check_points(arrays)
-    columns = np.broadcast_arrays(*(arrays[name] for name in CONDITIONS))
-    shape = columns[0].shape
-    columns = [column.ravel() for column in columns]
-    load, viscosity, diameter, roughness, density = columns
-    result = {name: np.empty(load.size, type_of(name)) for name in variables}
+    shape = np.broadcast(*(arrays[name] for name in CONDITIONS)).shape
+    columns = {name: np.broadcast_to(arrays[name], shape).ravel() for name in CONDITIONS}
+    roughness = columns["roughness"]
+    result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
     # points that cannot be computed get a status
-    with np.errstate(all="ignore"), Progress(load.size, "points", progress) as bar:
-        three_body = has_particles(diameter, density)
-        several = three_body & (load > greatest_single_load(parameters))
-        kinds = 4 * several + 2 * has_film(viscosity) + three_body
-        by_table = ~several & _worth_a_table(roughness, ~several, rtol)
-        left = np.ones(load.shape, bool)
-        rounds = [(rtol, CHUNK, rtol, most) for most in (FEW_ITERATIONS, MOST_ITERATIONS)]
-        rounds += [(None, QUADRATURE_CHUNK, LEAST_RTOL, MOST_ITERATIONS)]
-        for table_rtol, size, *limits in rounds:
-            chosen = left & by_table if table_rtol else left
-            for piece in _pieces(chosen, kinds, roughness, size):
-                some = (column[piece] for column in columns)
-                points = Points.of(some, parameters, table_rtol)
-                balance = enclose(points, bracket(points), *limits)
-                found, piece = describe(balance, rtol), piece[balance.places]
-                for name, values in result.items():
-                    values[piece] = found[name]
-                left[piece] = (found["solution_status"] == NOT_CONVERGED) & bool(table_rtol)
-                bar.add(piece.size - np.count_nonzero(left[piece]))
+    with np.errstate(all="ignore"), Progress(roughness.size, "points", progress) as bar:
+        kinds = _kinds(columns, parameters)
+        by_table = _worth_a_table(roughness, kinds & Kind.SEVERAL == 0, rtol)
+        left = np.ones(roughness.shape, bool)
+        for attempt in _attempts(rtol):
+            chosen = left & by_table if attempt.uses_tables else left
+            for piece in _pieces(chosen, kinds, roughness, attempt.chunk):
+                some = {name: column[piece] for name, column in columns.items()}
+                points = Points.of(some, parameters, attempt.table_rtol)
+                brackets = bracket(points)
+                for balance in enclose(points, brackets, attempt.tolerance, attempt.iterations):
+                    places, found = piece[balance.places], describe(balance, rtol)
+                    for name, values in result.items():
+                        values[places] = found[name]
+                    failed = found["solution_status"] == NOT_CONVERGED
+                    left[places] = failed & attempt.uses_tables
+                    bar.add(np.count_nonzero(~left[places]))
     solved = {name: values.reshape(shape) for name, values in result.items()}
     return Solution(**solved, conditions=dict(arrays), newtons_per_load=parameters.newtons_per_load)
 
 
+class Kind(IntFlag):
+    """What points have that are solved together; ``SEVERAL`` is possibly several roots."""
+
+    PARTICLES = 1
+    FILM = 2
+    SEVERAL = 4
+
+
+def _kinds(columns, parameters):
+    """The kind of each point."""
+    three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
+    several = three_body & (columns["load"] > greatest_single_load(parameters))
+    wet = has_film(columns["viscosity"])
+    return Kind.PARTICLES * three_body + Kind.FILM * wet + Kind.SEVERAL * several
+
+
+class Attempt(NamedTuple):
+    """How points are solved: from tables of summits with an error ``table_rtol``, or by quadrature if
+    it is None; so many at a time, to a ``tolerance`` of the variables, in at most so many iterations."""
+
+    table_rtol: float | None
+    chunk: int
+    tolerance: float
+    iterations: int
+
+    @property
+    def uses_tables(self) -> bool:
+        """Whether the summits are read from tables."""
+        return self.table_rtol is not None
+
+
+def _attempts(rtol):
+    """Attempts at each point, until one succeeds; the first two only where tables are worthwhile."""
+    tables = Attempt(table_rtol=rtol, chunk=CHUNK, tolerance=rtol, iterations=FEW_ITERATIONS)
+    quadrature = Attempt(
+        table_rtol=None,
+        chunk=QUADRATURE_CHUNK,
+        tolerance=ROUNDING_LIMIT,
+        iterations=MOST_ITERATIONS,
+    )
+    return tables, tables._replace(iterations=MOST_ITERATIONS), quadrature
+
+
 def _worth_a_table(roughness, counted, rtol):
-    """Whether enough ``counted`` points share the roughness of each point to tabulate its summits."""
+    """Which of the ``counted`` points share their roughness with enough others to tabulate its summits."""
     which = np.searchsorted(np.unique(roughness), roughness)
-    return np.bincount(which, counted)[which] >= TABLE_WORTH * pieces_for(rtol)
+    return counted & (np.bincount(which, counted)[which] >= TABLE_WORTH * pieces_for(rtol))
 
 
-def _pieces(chosen, kinds, roughness, size):
-    """Yield indices of ``chosen`` points of one kind, by roughness, at most ``size`` at a time."""
+def _pieces(chosen, kinds, roughness, chunk):
+    """Yield indices of ``chosen`` points of one kind, by roughness, at most ``chunk`` at a time."""
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
         places = np.flatnonzero(chosen & (kinds == kind))
         places = places[np.argsort(roughness[places], kind="stable")]
-        most = SEVERAL_CHUNK if kind >= 4 else size
+        most = SEVERAL_CHUNK if kind & Kind.SEVERAL else chunk
         yield from (places[start : start + most] for start in range(0, places.size, most))

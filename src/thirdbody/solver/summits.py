@@ -46,7 +46,12 @@ class RoughSurfaces:
         table = None
         if table_rtol is not None:
             table = _table_of(tuple(values.tolist()), parameters, table_rtol)
-        return cls(surfaces, SummitPopulation.of(surfaces, parameters), table, which)
+        return cls(
+            surfaces=surfaces,
+            population=SummitPopulation.of(surfaces, parameters),
+            table=table,
+            which=which,
+        )
 
     def take(self, chosen) -> RoughSurfaces:
         """The surfaces of the points selected by an index or mask ``chosen``."""
@@ -128,5 +133,12 @@ def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteT
 def _plastic_summits():
     """t over ln F_ss* of fully plastic summits of unit hardness and density."""
     t = np.linspace(*TABLE_RANGE, 181)[::-1]
-    loads, _ = SummitPopulation(1.0, 1e300, 1.0, 1.0, 1.0).log_load(t)
+    summits = SummitPopulation(
+        summit_parameter=1.0,
+        sharpness=1e300,
+        hardness_ratio=1.0,
+        yield_ratio=1.0,
+        plastic_ratio=1.0,
+    )
+    loads, _ = summits.log_load(t)
     return Guesses(loads, t, GUESSES)
