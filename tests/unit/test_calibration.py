@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
+from thirdbody.study.judge import Judge
 from thirdbody.study.results import acceptable, mixed_ensemble, price_front, shortlist, summary
 from thirdbody.study.search import (
     _loss,
@@ -107,16 +107,20 @@ def test_an_exponent_may_follow_from_another_input():
 
 def test_no_fold_sees_what_it_is_judged_on(parameters):
     folds = make_folds(CLAIMS, SETTINGS["folds"])
-    judged = [claim.id for fold in folds for claim in fold.judged]
-    assert sorted(judged) == sorted(claim.id for claim in CLAIMS)  # each exactly once
+    left_out = [claim.id for fold in folds for claim in fold.left_out]
+    assert sorted(left_out) == sorted(claim.id for claim in CLAIMS)  # each exactly once
     for figures, fold in zip(SETTINGS["folds"], folds, strict=True):
-        names = {claim.counted_as for claim in fold.judged}
+        names = {claim.counted_as for claim in fold.left_out}
         for claim in fold.fitted:
             assert not claim.all_figures & set(figures), claim.id
             assert claim.counted_as not in names, claim.id
         # whatever the judged statements say, the search minimises the same
-        spoilt = [replace(claim, published=1e9, tolerance=1e-9) for claim in fold.judged]
-        spoilt += [claim for claim in CLAIMS if claim not in fold.judged]
+        wrong = {"statement": "wrong", "tolerance": 1e-9}
+        spoilt = [
+            replace(claim, **wrong, **({"published": 1e9} if claim.published is not None else {}))
+            for claim in fold.left_out
+        ]
+        spoilt += [claim for claim in CLAIMS if claim not in fold.left_out]
         again = make_folds(spoilt, [figures])[0].fitted
         one, other = (
             Objective.of(each, SETTINGS, parameters.as_dict()) for each in (fold.fitted, again)
@@ -211,8 +215,8 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     folds = [searches[0][:50]] * len(SETTINGS["folds"])
     samples = [rows[-40:] for rows in searches]
     settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
-    judge_all = Judge([], parameters.as_dict(), SETTINGS["newtons"])
-    found = summary(TWO, judge_all, searches, samples, folds, settings)
+    judge = Judge([], parameters.as_dict(), SETTINGS["newtons"])
+    found = summary(TWO, judge, searches, samples, folds, settings)
     assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.1)
     assert found["identification"]["gap_ratio"]["identified"]
     assert not found["identification"]["summit_radius"]["identified"]

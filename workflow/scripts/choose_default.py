@@ -9,18 +9,18 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
-from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
+from thirdbody.study.judge import Judge
 from thirdbody.study.results import mixed_ensemble, price_front
 from thirdbody.study.search import search
-from thirdbody.study.verdicts import compare, count_once, predict
+from thirdbody.study.verdicts import count_once, predict, rank_interpretations
 
 
-def _fractions(judge_all, verdicts, folds):
+def _fractions(judge, verdicts, folds):
     """The predicted fraction of the statements in each fold."""
     fractions = []
-    for fold in make_folds(judge_all.claims, [each["figures"] for each in folds]):
-        held, of = count_once(fold.judged, verdicts)
+    for fold in make_folds(judge.claims, [each["figures"] for each in folds]):
+        held, of = count_once(fold.left_out, verdicts)
         fractions.append(held / max(of, 1))
     return np.array(fractions)
 
@@ -29,13 +29,13 @@ with logged(snakemake.log[0]):
     settings = snakemake.params.settings
     statements = load_claims(snakemake.params.claims)
     base = snakemake.params.parameters
-    judge_all = Judge(statements, base, settings["newtons"])
+    judge = Judge(statements, base, settings["newtons"])
     contents = {
         content["interpretation"]: content for content in map(read_yaml, snakemake.input.calibrated)
     }
-    verdicts = {name: judge_all(content["inputs"]) for name, content in contents.items()}
-    predicted = {name: predict(judge_all, content) for name, content in contents.items()}
-    table = compare(judge_all, list(contents.values()), verdicts, predicted, settings)
+    verdicts = {name: judge(content["inputs"]) for name, content in contents.items()}
+    predicted = {name: predict(judge, content) for name, content in contents.items()}
+    table = rank_interpretations(judge, list(contents.values()), verdicts, predicted, settings)
     print(
         table[["interpretation", "predicted", "fitted", "penalty", "inputs"]].to_string(index=False)
     )
@@ -58,7 +58,7 @@ with logged(snakemake.log[0]):
         rows = search(interpretation, raised, start, settings["budget"], settings["seeds"][0])
         fronts[name] = price_front(interpretation, plain, name, rows, inputs)
     fractions = {
-        name: _fractions(judge_all, predicted[name], content["folds"])
+        name: _fractions(judge, predicted[name], content["folds"])
         for name, content in contents.items()
         if content.get("folds")
     }

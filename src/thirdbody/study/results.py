@@ -9,8 +9,8 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Interpretation, Objective
-from thirdbody.study.checks import Judge
 from thirdbody.study.evidence import QUICK_EFFORT
+from thirdbody.study.judge import Judge
 from thirdbody.study.verdicts import count_once
 
 DIGITS = 6  # significant digits of numbers in the file
@@ -24,7 +24,7 @@ PRICED = 100  # number of best sets of a cost search that are evaluated again
 
 def summary(
     interpretation: Interpretation,
-    judge_all: Judge,
+    judge: Judge,
     searches: Sequence[NDArray],
     samples: Sequence[NDArray],
     folds: Sequence[NDArray],
@@ -36,7 +36,7 @@ def summary(
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]
     drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
-    chosen = _most_held(interpretation, judge_all, good[:COMPARED])
+    chosen = _most_held(interpretation, judge, good[:COMPARED])
     inputs = inputs_of(interpretation, chosen)
     members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
     best = [found[found[:, -1].argmin()] for found in folds]
@@ -83,13 +83,13 @@ def inputs_of(interpretation: Interpretation, row: NDArray) -> dict[str, float]:
     return {name: _rounded(value) for name, value in interpretation.values(row[:-1]).items()}
 
 
-def _most_held(interpretation, judge_all: Judge, sets):
+def _most_held(interpretation, judge: Judge, sets):
     """The set for which most statements hold; of several the most plausible."""
 
     def rank(row):
         inputs = inputs_of(interpretation, row)
-        verdicts = judge_all({**interpretation.fixed, **inputs}, QUICK_EFFORT)
-        held, _ = count_once(judge_all.claims, verdicts)
+        verdicts = judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
+        held, _ = count_once(judge.claims, verdicts)
         return -held, interpretation.penalty(inputs)
 
     return min(sets, key=rank)
