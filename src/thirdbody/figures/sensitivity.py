@@ -7,8 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
-from thirdbody.data.readable import MEASURES, result_name
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
+from thirdbody.readable import MEASURES, result_name
 
 WIDTH, ROW = 7.5, 0.17  # of the figure, height of a row [inches]
 BESIDE = 2.3  # inches for the names of the results, the titles and the note
