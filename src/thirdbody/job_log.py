@@ -4,13 +4,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 
+from thirdbody.data.files import DamagedFile
+
 
 @contextmanager
 def logged(log: str | Path) -> Iterator[None]:
     """Send what a script prints to the file ``log``.
 
     For ``ValueError``, ``OSError`` and ``MemoryError``, which a user can fix, the log ends with the
-    message instead of a traceback, and the script exits with code 1.  If the log cannot be written,
+    message instead of a traceback, for a damaged product also with the command that recreates it, and
+    the script exits with code 1.  If the log cannot be written,
     the message goes to standard error.
     """
     failure = None
@@ -21,8 +24,15 @@ def logged(log: str | Path) -> Iterator[None]:
                     yield
             except (ValueError, OSError, MemoryError) as error:
                 failure = str(error) or type(error).__name__
+                if isinstance(error, DamagedFile):
+                    failure = with_remedy(error)
                 print(failure, file=stream)
     except OSError as error:  # a wrong path, or a full disk
         raise SystemExit(failure or f"{log} cannot be written ({error.strerror})") from None
     if failure:
         raise SystemExit(1)
+
+
+def with_remedy(error: DamagedFile) -> str:
+    """The message of an error, with the command that recreates the product."""
+    return f"{error}; remake it: snakemake -c2 --force {error.path}"

@@ -16,9 +16,9 @@ from thirdbody.model.interpretations import INTERPRETATIONS
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import QUANTITIES
 from thirdbody.solver.solve import DEFAULT_RTOL
-from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.evidence import FULL_EFFORT
+from thirdbody.study.judge import Judge
 from thirdbody.study.verdicts import outcome
 
 POINTS = 1000

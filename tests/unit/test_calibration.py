@@ -11,16 +11,20 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.checks import Judge
+from thirdbody.study.choice import choose_default, mixed_ensemble, predicted_fractions, price_front
+from thirdbody.study.claim import Verdict
 from thirdbody.study.claims import load_claims
-from thirdbody.study.results import acceptable, mixed_ensemble, price_front, shortlist, summary
+from thirdbody.study.judge import Judge
+from thirdbody.study.results import acceptable, shortlist, summary
 from thirdbody.study.search import (
     _loss,
     _wide_loss,
     best_of,
     find_inputs,
+    nearby_starts,
     posterior_sample,
     rank_starts,
+    scattered_starts,
     search,
 )
 
@@ -107,16 +111,20 @@ def test_an_exponent_may_follow_from_another_input():
 
 def test_no_fold_sees_what_it_is_judged_on(parameters):
     folds = make_folds(CLAIMS, SETTINGS["folds"])
-    judged = [claim.id for fold in folds for claim in fold.judged]
-    assert sorted(judged) == sorted(claim.id for claim in CLAIMS)  # each exactly once
+    left_out = [claim.id for fold in folds for claim in fold.left_out]
+    assert sorted(left_out) == sorted(claim.id for claim in CLAIMS)  # each exactly once
     for figures, fold in zip(SETTINGS["folds"], folds, strict=True):
-        names = {claim.counted_as for claim in fold.judged}
+        names = {claim.counted_as for claim in fold.left_out}
         for claim in fold.fitted:
             assert not claim.all_figures & set(figures), claim.id
             assert claim.counted_as not in names, claim.id
         # whatever the judged statements say, the search minimises the same
-        spoilt = [replace(claim, published=1e9, tolerance=1e-9) for claim in fold.judged]
-        spoilt += [claim for claim in CLAIMS if claim not in fold.judged]
+        wrong = {"statement": "wrong", "tolerance": 1e-9}
+        spoilt = [
+            replace(claim, **wrong, **({"published": 1e9} if claim.published is not None else {}))
+            for claim in fold.left_out
+        ]
+        spoilt += [claim for claim in CLAIMS if claim not in fold.left_out]
         again = make_folds(spoilt, [figures])[0].fitted
         one, other = (
             Objective.of(each, SETTINGS, parameters.as_dict()) for each in (fold.fitted, again)
@@ -174,6 +182,33 @@ def test_starts_are_ranked_by_the_statements_that_a_search_may_see(parameters):
     assert ranking.tolist() == [1, 2, 0]
 
 
+def test_every_seed_has_starts_of_its_own_and_a_fold_those_of_all(parameters):
+    every = Objective.of(CLAIMS, SETTINGS, parameters.as_dict())
+    settings = SETTINGS | {"seeds": [7, 8], "budget": {"starts": 2}}
+    places = np.arange(6.0)[:, None] * [0.1, 0.01]
+    order = [4, 1, 5, 0, 2, 3]  # the best first
+    scores = np.outer(1.0 + np.argsort(order), np.ones(len(every.claims)))
+    rows = np.hstack([places, scores])
+    for seeds, expected in (([7], [4, 5]), ([8], [1, 0]), ([7, 8], [4, 5, 1, 0])):
+        starts = scattered_starts(every, every, rows, settings, seeds)
+        assert_allclose(starts, places[expected])
+    # statements of the fold, here all but the first, do not choose its starts
+    scores[3] = 0.0
+    scores[3, 0] = 9.0
+    rows = np.hstack([places, scores])
+    fold = Objective.of([every.claims[0]], SETTINGS, parameters.as_dict())
+    assert_allclose(scattered_starts(fold, every, rows, settings, [7])[0], places[4])
+    assert_allclose(scattered_starts(every, every, rows, settings, [7])[0], places[3])
+
+
+def test_a_search_starts_where_what_it_is_near_to_is_best():
+    wide = Unknown("gap_ratio", (0.0, 8.0), (1.0, 2.0), False)
+    other = Interpretation("other", {"summit_radius": 1e-4}, (wide,))
+    rows = np.array([[0.1, 5.0], [0.25, 1.0], [0.9, 3.0]])
+    (start,) = nearby_starts(TWO, other, rows)
+    assert TWO.values(start) == pytest.approx({"gap_ratio": 2.0, "summit_radius": 1e-4})
+
+
 @pytest.mark.parametrize("loss_of", [_loss, _wide_loss])
 def test_losses_of_least_squares_have_their_derivatives(loss_of):
     squares, step = np.geomspace(1e-4, 90.0, 40), 1e-6
@@ -211,8 +246,8 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     folds = [searches[0][:50]] * len(SETTINGS["folds"])
     samples = [rows[-40:] for rows in searches]
     settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
-    judge_all = Judge([], parameters.as_dict(), SETTINGS["newtons"])
-    found = summary(TWO, judge_all, searches, samples, folds, settings)
+    judge = Judge([], parameters.as_dict(), SETTINGS["newtons"])
+    found = summary(TWO, judge, searches, samples, folds, settings)
     assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.1)
     assert found["identification"]["gap_ratio"]["identified"]
     assert not found["identification"]["summit_radius"]["identified"]
@@ -244,3 +279,36 @@ def test_an_ensemble_over_interpretations_takes_those_that_predict_as_much():
     members, labels = mixed_ensemble(contents, shares, 16)
     assert set(labels) == {"best", "near"} and labels.count("best") == 8
     assert [member["film_load"] for member in members] == labels
+
+
+def test_a_predicted_fraction_is_that_of_a_fold(parameters):
+    folds = [{"figures": figures} for figures in SETTINGS["folds"]]
+    left_out = [fold.left_out for fold in make_folds(CLAIMS, SETTINGS["folds"])]
+    verdicts = {claim.id: Verdict("", 9.0, 0.0) for part in left_out for claim in part}
+    verdicts |= {claim.id: Verdict("", 0.0, 0.0) for claim in left_out[1]}
+    judge = Judge(CLAIMS, parameters.as_dict(), SETTINGS["newtons"])
+    assert predicted_fractions(judge, verdicts, folds) == [0.0, 1.0, 0.0, 0.0, 0.0]
+
+
+def test_the_choice_is_what_predicts_most_and_prices_what_it_misses(parameters):
+    dry, outside = "fig11a-turning-point-load-dry", "fig09a-no-turning-point-outside"
+    claims = [claim for claim in CLAIMS if claim.id in (dry, outside)]
+    settings = SETTINGS | {"ensemble": 3, "headline": [dry, outside]}
+    settings["budget"] = {"evaluations": 2}
+    content = read_yaml(CONFIG / "calibrated" / f"{DEFAULT}.yaml")
+    right = content["inputs"]
+    wrong = right | {"elastic_depth_ratio": 0.5}  # misses the load of the dry turning point
+    figures = [9], [11]
+    contents = [
+        {"interpretation": name, "inputs": wrong, "ensemble": [{}]}
+        | {"folds": [{"figures": each, "inputs": inputs} for each in figures]}
+        for name, inputs in (("fluid_natural_all", wrong), (DEFAULT, right))
+    ]
+    judge = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
+    chosen, table = choose_default(judge, contents, settings)
+    assert table["interpretation"].tolist() == [DEFAULT, "fluid_natural_all"]
+    assert table["predicted"].tolist() == ["2/2", "1/2"]
+    assert chosen["interpretation"] == DEFAULT
+    assert list(chosen["fronts"]) == [dry] and len(chosen["fronts"][dry]) >= 1
+    assert chosen["ensemble"] == [wrong] * 3
+    assert chosen["ensemble_interpretations"] == [DEFAULT] * 3

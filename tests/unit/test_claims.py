@@ -10,10 +10,10 @@ import pytest
 import yaml
 
 from thirdbody.curves.turning_point import PROMINENCE, TurningPoints
-from thirdbody.study import checks, claims
-from thirdbody.study.checks import judge
-from thirdbody.study.claims import Claim
+from thirdbody.study import claims
+from thirdbody.study.claim import CONDITION_KEYS, MISSING_SCORE
 from thirdbody.study.evidence import FULL_EFFORT, curve_of
+from thirdbody.study.kinds import KINDS
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -31,13 +31,12 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
 
 def make_claim(kind, quantity="", published=None, size=0.1, relative=False, given=None, **fields):
     """A claim on a dry curve of 300 nm particles and roughness, unless ``given`` conditions differ."""
-    usual = dict.fromkeys(claims.KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
-    fields |= {"quantity": quantity, "published": published}
-    conditions = usual | (given or {})
-    tolerance_kind = "relative" if relative else "absolute"
-    return Claim(
-        "id", "Figure 4A", "words", kind, conditions, size, tolerance_kind, "reason", **fields
-    )
+    usual = dict.fromkeys(CONDITION_KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
+    fields |= {"quantity": quantity} if quantity else {}
+    fields |= {} if published is None else {"published": published}
+    fields |= {"id": "id", "place": "Figure 4A", "statement": "words", "quote": "", "kind": kind}
+    fields |= {"tolerance": size, "tolerance_kind": "relative" if relative else "absolute"}
+    return KINDS[kind](**fields, conditions=usual | (given or {}), reason="reason")
 
 
 def least(published, size=0.1, kind="value", **fields):
@@ -61,7 +60,7 @@ def judged(claim, curve=None, turning_point=None, window=None):
     names = "curves", "turning_points", "windows"
     answers = map(Answers, (answer, turning_point, window))
     evidence = dict(zip(names, answers, strict=True))
-    return judge(claim, SimpleNamespace(**evidence, effort=FULL_EFFORT))
+    return claim.verdict(SimpleNamespace(**evidence, effort=FULL_EFFORT))
 
 
 def by_viscosity(*curves):
@@ -207,7 +206,7 @@ def test_window_compares_both_ends_on_each_surface():
     one_off = judged(claim, window=lambda roughness: (0.8, 1.3 if roughness < 2e-7 else 1.5))
     assert not one_off.holds and one_off.deviation == pytest.approx(0.2)
     assert one_off.score == pytest.approx(1.0 + np.log(4.0))
-    assert judged(claim, window=lambda roughness: (np.nan, np.nan)).score == checks.MISSING_SCORE
+    assert judged(claim, window=lambda roughness: (np.nan, np.nan)).score == MISSING_SCORE
 
 
 def test_span_asks_for_both_numbers_somewhere_on_the_curve():
@@ -494,7 +493,7 @@ def test_unsolved_points_are_no_evidence():
     ]
     for claim in everywhere:
         verdict = judged(claim, half)
-        assert verdict.score == checks.MISSING_SCORE and not verdict.holds, claim.kind
+        assert verdict.score == MISSING_SCORE and not verdict.holds, claim.kind
     assert judged(least(0.5, given={"load_max": 5e-6}), half).holds
 
 
@@ -503,12 +502,12 @@ def test_what_is_said_of_a_turning_point_fails_where_it_does_not_stand_out():
     verdicts = [judged(claim, **at_load(1e-5, high)) for high in (0.1, 0.02, 0.019, 0.001, 0.0)]
     assert [verdict.holds for verdict in verdicts] == [True, True, False, False, False]
     scores = [verdict.score for verdict in verdicts]
-    assert scores == sorted(scores) and scores[2] < 1.2 and scores[4] == checks.MISSING_SCORE
+    assert scores == sorted(scores) and scores[2] < 1.2 and scores[4] == MISSING_SCORE
     assert verdicts[2].computed == "1e-05; stands out by 0.019"
 
 
 def test_conditions_are_si_and_run_together():
-    given = dict(zip(claims.KEYS, (120, [100, 300], [100, 300], 1.0e11), strict=True))
+    given = dict(zip(CONDITION_KEYS, (120, [100, 300], [100, 300], 1.0e11), strict=True))
     claim = make_claim("trend", given=given, reference=DRY)
     assert claim.curves == ((1.2e-4, 1e-7, 1e-7, 1e11), (1.2e-4, 3e-7, 3e-7, 1e11))
     assert claim.references == ((0.0, 1e-7, 1e-7, 1e11), (0.0, 3e-7, 3e-7, 1e11))
@@ -521,7 +520,7 @@ def paper():
 
 def test_paper_has_its_statements(paper):
     assert len(paper) >= 70 and all(claim.all_figures for claim in paper)
-    assert {claim.kind for claim in paper} == set(checks.CHECKS)
+    assert {claim.kind for claim in paper} == set(KINDS)
     assert max(Counter(claim.id for claim in paper).values()) == 1
     assert all(claim.statement.endswith(".") and claim.reason for claim in paper)
 
@@ -544,7 +543,7 @@ def test_one_width_makes_a_turning_point_visible(paper):
             assert claim.tolerance == PROMINENCE, claim.id
 
 
-CONDITIONS = dict(zip(claims.KEYS, (0, [0, 500], 300, 1.0e11), strict=True))
+CONDITIONS = dict(zip(CONDITION_KEYS, (0, [0, 500], 300, 1.0e11), strict=True))
 GOOD = {
     "id": "some-claim",
     "place": "Figure 3A",

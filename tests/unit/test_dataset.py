@@ -161,13 +161,12 @@ DAMAGES = {
 
 
 @pytest.mark.parametrize("damage", DAMAGES)
-def test_a_damaged_file_is_named_with_the_command_that_remakes_it(on_disk, damage):
+def test_a_damaged_file_is_named(on_disk, damage):
     content = on_disk.read_bytes()
     on_disk.unlink()
     if DAMAGES[damage]:
         on_disk.write_bytes(DAMAGES[damage](content))
-    expected = f"^{on_disk} cannot be read.*; remake it: snakemake -c2 --force {on_disk}$"
-    with pytest.raises(OSError, match=expected):
+    with pytest.raises(OSError, match=rf"^{on_disk} cannot be read \(.*\)$"):
         read_plain(on_disk).to_xarray()
 
 

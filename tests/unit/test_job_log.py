@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+from thirdbody.data.files import require_sums, unreadable
 from thirdbody.job_log import logged
 
 
@@ -25,6 +26,20 @@ def test_a_foreseeable_failure_is_one_line_and_exit_code_1(tmp_path, error):
         raise error
     assert ended.value.code == 1
     assert log.read_text() == f"{error}\n"
+
+
+def test_a_damaged_product_is_named_with_the_command_that_remakes_it(tmp_path):
+    sums, log = tmp_path / "SHA256SUMS", tmp_path / "log"
+    sums.write_text(f"{'0' * 64}  table.csv\n")
+    product = tmp_path / "table.csv"
+    for reason in ("cannot be read (half a row)", "has changed since it was made"):
+        with pytest.raises(SystemExit), logged(log):
+            if "read" in reason:
+                raise unreadable(product, "half a row")
+            require_sums(sums)
+        assert (
+            log.read_text() == f"{product} {reason}; remake it: snakemake -c2 --force {product}\n"
+        )
 
 
 def test_any_other_failure_keeps_its_traceback(tmp_path):

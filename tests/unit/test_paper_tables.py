@@ -9,9 +9,9 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.data.paper_tables import paper_table
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.study.claims import load_claims, printed_rows
+from thirdbody.study.paper_tables import paper_table
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"
 
@@ -42,13 +42,30 @@ def test_a_derived_entry_follows_from_the_others(tables, table, symbol, expected
     assert row["verdict"] == verdict
 
 
+def recomputed(parameters, printed, roughnesses=(100, 500)):
+    """The row of the printed numbers sigma* in a table with sigma [nm]."""
+    row = {"property": "", "symbol": "", "unit": "1e-5", "printed": printed, "digits": 3}
+    source = row | {"symbol": "sigma", "unit": "nm", "printed": roughnesses}
+    found = paper_table([row | {"recompute": "roughness_parameter"}, source], parameters)
+    return found[0]
+
+
 @pytest.mark.parametrize(
     ("printed", "verdict"), [([1.57, 7.87], "agrees"), ([1.58, 7.87], "differs")]
 )
 def test_agreement_is_judged_to_the_printed_digits(parameters, printed, verdict):
-    row = {"property": "", "symbol": "", "unit": "1e-5", "printed": printed, "digits": 3}
-    (judged,) = paper_table([row | {"recompute": "roughness_parameter"}], parameters)
-    assert judged["verdict"] == verdict
+    assert recomputed(parameters, printed)["verdict"] == verdict
+
+
+def test_an_entry_follows_from_the_printed_numbers_of_the_file(parameters):
+    found = recomputed(parameters, [1.57, 7.87], roughnesses=[200, 500])
+    assert (found["recomputed_low"], found["verdict"]) == (pytest.approx(2e-7 / 6.35e-8), "differs")
+
+
+def test_an_entry_whose_source_is_missing_is_refused_in_one_line(parameters):
+    row = {"symbol": "W", "recompute": "load_parameter"}
+    with pytest.raises(ValueError, match="recompute is load_parameter; .* the symbol 'F_t'"):
+        paper_table([row | {"printed": [1.0]}], parameters)
 
 
 @pytest.fixture(scope="module")

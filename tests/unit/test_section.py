@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
+from thirdbody.answers.sizes import sizes_note
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import read_plain, write_dataset
-from thirdbody.data.sizes import sizes_note
 from thirdbody.figures.sections import (
     VARIABLES,
     section_through,

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims, fronts
+from thirdbody.places import part_of_paper
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
 

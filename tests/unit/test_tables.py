@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from thirdbody.data.readable import write_latex
 from thirdbody.data.tables import Column, read_csv, write_csv, write_schema
+from thirdbody.readable import write_latex
 
 COLUMNS = (
     Column("figure", "string", "", "figure of the paper"),
@@ -43,10 +43,10 @@ DAMAGES = {
 
 
 @pytest.mark.parametrize("damage", DAMAGES)
-def test_a_damaged_table_is_named_with_the_command_that_remakes_it(tmp_path, damage):
+def test_a_damaged_table_is_named(tmp_path, damage):
     path = tmp_path / "table.csv"
     path.write_text(DAMAGES[damage])
-    with pytest.raises(OSError, match=f"{path}.*remake it: snakemake -c2 --force {path}"):
+    with pytest.raises(OSError, match=f"^{path} cannot be read"):
         read_csv(path, COLUMNS)
 
 

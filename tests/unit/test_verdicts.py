@@ -9,8 +9,10 @@ import pytest
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
-from thirdbody.study.checks import Judge, Verdict
-from thirdbody.study.claims import Claim, load_claims
+from thirdbody.study.claim import Verdict
+from thirdbody.study.claims import load_claims
+from thirdbody.study.judge import Judge
+from thirdbody.study.kinds import Value
 from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
@@ -20,11 +22,11 @@ BEYOND = Verdict("> 2", 0.0, 1.0, (2.0,), tested=False)
 WORDY = Verdict("boundary", 0.0, 0.0)
 
 
-def claim(name, loads=(), **fields):
-    conditions = {"viscosity_cSt": 0, "roughness_nm": 300, **dict(loads)}
-    return Claim(
-        *(name, "Figure 4A", "statement", "value", conditions, 0.1, False, "reason"), **fields
-    )
+def claim(name, loads=(), published=None, **fields):
+    fields |= {"conditions": {"viscosity_cSt": 0, "roughness_nm": 300, **dict(loads)}}
+    fields |= {"tolerance": 0.1, "tolerance_kind": "absolute", "reason": "reason", "kind": "value"}
+    fields |= {"place": "Figure 4A", "statement": "statement", "quote": "", "published": published}
+    return Value(id=name, **fields)
 
 
 TAKEN_FIELDS = {"contradicts": ("aside",), "published": 1.0, "reference": {"viscosity_cSt": 90}}
@@ -43,10 +45,20 @@ def by_id(found):
     return {each.id: verdict for each, verdict in zip(CLAIMS, found, strict=True)}
 
 
-def judged(main, members=(), predicted=None, headline=()):
-    settings = {"headline": headline, "headline_tolerances": {}}
-    found = by_id(main), by_id(main), by_id(main), tuple(map(by_id, members)), {}
-    return verdicts.Judged(CLAIMS, settings, DEFAULT, *found, predicted or {}, pd.DataFrame())
+def report(main, members=(), predicted=None, headline=()):
+    main = by_id(main)
+    return verdicts.Report(
+        claims=CLAIMS,
+        settings={"headline": headline, "headline_tolerances": {}},
+        default=DEFAULT,
+        verdicts=main,
+        faint=main,
+        fine=main,
+        members=tuple(map(by_id, members)),
+        interpretations={},
+        predicted=predicted or {},
+        comparison=pd.DataFrame(),
+    )
 
 
 def test_the_word_for_a_verdict():
@@ -70,7 +82,7 @@ def test_the_word_for_a_verdict():
 def test_statements_that_repeat_one_another_count_once(twins, count):
     main = (HELD, MISSED, *twins)
     assert verdicts.count_once(CLAIMS, by_id(main)) == count
-    (row,) = verdicts.counts_by_figure(judged(main)).to_dict("records")
+    (row,) = verdicts.counts_by_figure(report(main)).to_dict("records")
     assert row["figure"] == "Figure 4"
     assert row["hold, repeats once"] == "{} of {}".format(*count)
 
@@ -78,7 +90,7 @@ def test_statements_that_repeat_one_another_count_once(twins, count):
 def test_the_page_has_the_score_and_the_contradictions_apart():
     main = (MISSED, HELD, HELD, MISSED)
     predicted = {"taken": HELD, "one": MISSED, "other": HELD}
-    results = judged(main, predicted=predicted)
+    results = report(main, predicted=predicted)
     page = claims_markdown(results)
     assert "Of 2 distinct statements 1 are predicted" in page
     assert "Of 2 that can be judged 0 hold (0 %)" in page
@@ -102,7 +114,7 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
         for n, (number, ends) in enumerate(zip(numbered, window, strict=True))
     ]
     main = (numbered[10], HELD, WORDY, window[10]._replace(worst=1))
-    results = judged(main, members, headline=["taken", "one", "other"])
+    results = report(main, members, headline=["taken", "one", "other"])
     table = verdicts.headline_table(results).set_index("id")
     column = table["ensemble, 90 %"]
     assert column["taken"] == "1 to 19"
@@ -112,7 +124,7 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     rows = results.table.set_index("id")
     ends = rows.loc["other", ["value", "range_low", "range_high"]].tolist()
     assert ends == pytest.approx([2.0, 1.1, 2.9])
-    alone = verdicts.headline_table(judged(main, headline=["one"]))
+    alone = verdicts.headline_table(report(main, headline=["one"]))
     assert alone["ensemble, 90 %"].tolist() == ["no ensemble"]
 
 
@@ -124,9 +136,9 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
     contents = [{"interpretation": name, "inputs": inputs} for name in names]
     contents[2] |= {"inputs": inputs | {"summit_parameter": 0.2}}  # unusual
     held = {name: {"taken": HELD} for name in names} | {names[0]: {"taken": MISSED}}
-    judge_all = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
-    table = verdicts.compare(
-        judge_all, contents, dict.fromkeys(names, {"taken": HELD}), held, settings
+    judge = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
+    table = verdicts.rank_interpretations(
+        judge, contents, dict.fromkeys(names, {"taken": HELD}), held, settings
     )
     ranking = table["interpretation"].tolist()
     assert ranking[-1] == names[0] and ranking[-2] == names[2]
@@ -137,7 +149,7 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
 def test_programs_read_what_the_page_says():
     nan = float("nan")
     main = (HELD, MISSED, HELD, Verdict("?", nan, nan, (nan,), tested=False))
-    content = json.loads(claims_json(judged(main, [main], headline=["taken"])))
+    content = json.loads(claims_json(report(main, [main], headline=["taken"])))
     assert (content["held"], content["judged"]) == (2, 2)
     assert content["inputs"] == DEFAULT["inputs"]
     assert [row["id"] for row in content["headline"]] == ["taken"]
@@ -161,8 +173,8 @@ def test_everything_is_judged_by_the_real_model(parameters):
         {"figures": [9], "inputs": inputs},
         {"figures": [11], "inputs": inputs | {"elastic_depth_ratio": 0.5}},
     ]
-    judge_all = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
-    found = verdicts.judge_everything(judge_all, content, [content], SETTINGS)
+    judge = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
+    found = verdicts.Report.of(judge, content, [content], SETTINGS)
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
     predicted = found.predicted
     assert predicted[outside].holds and not predicted[dry].holds

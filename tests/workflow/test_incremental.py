@@ -82,7 +82,7 @@ def test_another_style_draws_again_and_solves_nothing(workspace):
 
 
 def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
-    workspace.rewrite("src/thirdbody/data/paper_tables.py", commented)
+    workspace.rewrite("src/thirdbody/study/paper_tables.py", commented)
     assert remade(workspace) == workspace.products(*PAPER_TABLES, *TABLES_SHOWN)
 
 

@@ -4,20 +4,17 @@ from thirdbody.configuration.inputs import ensemble_of, read_calibrated, read_en
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
-from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
-from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown, judge_everything
+from thirdbody.study.judge import Judge
+from thirdbody.study.verdicts import Report, claims_html, claims_json, claims_markdown
 
 with logged(snakemake.log[0]):
     default = snakemake.params.default
     calibrated = snakemake.params.calibrated
     settings = snakemake.params.settings
     laid_over = snakemake.params.laid_over
-    judge_all = Judge(
-        load_claims(snakemake.params.claims),
-        snakemake.params.parameters,
-        settings["newtons"],
-    )
+    claims = load_claims(snakemake.params.claims)
+    judge = Judge(claims, snakemake.params.parameters, settings["newtons"])
     entries = read_entries()
     found = {path: read_calibrated(path, entries) for path in dict.fromkeys([default, *calibrated])}
     main = found[default] | {
@@ -29,11 +26,11 @@ with logged(snakemake.log[0]):
         for path in calibrated
         if found[path]["interpretation"] in settings["interpretations"]
     ]
-    judged = judge_everything(judge_all, main, compared, settings)
-    contents = claims_markdown(judged), claims_html(judged), claims_json(judged)
+    report = Report.of(judge, main, compared, settings)
+    contents = claims_markdown(report), claims_html(report), claims_json(report)
     with atomic_write(
         snakemake.output.table, snakemake.output.text, snakemake.output.page, snakemake.output.data
     ) as (table_part, *parts):
-        write_csv(table_part, judged.table.to_dict("records"), TABLES["claims"])
+        write_csv(table_part, report.table.to_dict("records"), TABLES["claims"])
         for part, content in zip(parts, contents, strict=True):
             part.write_text(content, encoding="utf-8")

@@ -2,10 +2,10 @@
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import atomic_write
-from thirdbody.data.paper_tables import paper_table
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
+from thirdbody.study.paper_tables import paper_table
 
 with logged(snakemake.log[0]):
     inputs = Parameters(**snakemake.params.parameters)

@@ -2,8 +2,8 @@
 
 import matplotlib.style
 
+from thirdbody.answers.sizes import sizes_note
 from thirdbody.data.netcdf import read_plain
-from thirdbody.data.sizes import sizes_note
 from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
 from thirdbody.figures.schematics import SCHEMATICS

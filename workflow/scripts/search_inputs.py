@@ -5,10 +5,11 @@ import numpy as np
 from thirdbody.job_log import logged
 from thirdbody.study.calibration import Interpretation, Objective, make_folds, read_rows, write_rows
 from thirdbody.study.claims import load_claims
-from thirdbody.study.search import best_of, find_inputs, rank_starts
+from thirdbody.study.search import find_inputs, nearby_starts, scattered_starts
 
 with logged(snakemake.log[0]):
     fold, settings = snakemake.params.fold, snakemake.params.settings
+    seeds, budget = snakemake.params.seeds, settings["budget"]
     statements = load_claims(snakemake.params.claims)
     base = snakemake.params.parameters
     # a number is the fold whose statements are left out
@@ -17,21 +18,11 @@ with logged(snakemake.log[0]):
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     rows = np.vstack([read_rows(path) for path in snakemake.input.start])
     if nearby := settings["interpretations"][interpretation.name].get("nearby"):
-        other = Interpretation.of(nearby, settings)
-        hops = settings["budget"]["nearby_hops"]
-        known = other.fixed | other.values(best_of(rows)[:-1])
-        starts = interpretation.positions(known)[None]
+        starts = nearby_starts(interpretation, Interpretation.of(nearby, settings), rows)
+        hops = budget["nearby_hops"]
     else:
-        hops = settings["budget"]["hops"]
-        count = len(interpretation.unknowns)
-        places, scores = rows[:, :count], rows[:, count:]
         every = Objective.of(statements, settings, base)
-        ranking = rank_starts(objective, objective.take(every, scores))
-        # every seed has starts of its own
-        seeds, most = settings["seeds"], settings["budget"]["starts"]
-        ranks = [ranking[seeds.index(seed) :: len(seeds)][:most] for seed in snakemake.params.seeds]
-        starts = places[np.concatenate(ranks)]
-    found = find_inputs(
-        interpretation, objective, starts, settings["budget"], hops, snakemake.params.seeds[0]
-    )
+        starts = scattered_starts(objective, every, rows, settings, seeds)
+        hops = budget["hops"]
+    found = find_inputs(interpretation, objective, starts, budget, hops, seeds[0])
     write_rows(snakemake.output.evaluations, found)

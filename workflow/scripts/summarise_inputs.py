@@ -5,8 +5,8 @@ import yaml
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.study.calibration import Interpretation, read_rows
-from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
+from thirdbody.study.judge import Judge
 from thirdbody.study.results import summary
 
 with logged(snakemake.log[0]):

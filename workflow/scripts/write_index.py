@@ -7,9 +7,9 @@ import jinja2
 from markupsafe import Markup
 
 from thirdbody.data.files import atomic_write
-from thirdbody.data.places import part_of_paper
 from thirdbody.figures.captions import WORDS
 from thirdbody.job_log import logged
+from thirdbody.places import part_of_paper
 from thirdbody.typeset import html
 
 # a line on each table

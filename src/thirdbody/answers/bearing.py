@@ -14,7 +14,7 @@ from thirdbody.answers.answer import Answer, Row
 from thirdbody.beside import toml_beside
 from thirdbody.conditions import check_number, check_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
-from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
+from thirdbody.configuration.printed import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS, plain_number

@@ -25,11 +25,11 @@ from thirdbody.conditions import (
     ends_in_si,
     in_si,
 )
+from thirdbody.configuration.printed import LOADS
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
-from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters

@@ -18,6 +18,7 @@ from thirdbody.answers.find import (
     turning_point,
     turning_window,
 )
+from thirdbody.answers.sizes import sizes_note
 from thirdbody.conditions import (
     check_count,
     checked_names,
@@ -27,10 +28,9 @@ from thirdbody.conditions import (
     without_warnings,
 )
 from thirdbody.configuration.inputs import calibrated_ensemble
+from thirdbody.configuration.printed import LOADS
 from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
-from thirdbody.data.sizes import sizes_note
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import FULL_FILM_LIMIT, LUBRICATION_REGIMES, SOLUTION_STATUSES

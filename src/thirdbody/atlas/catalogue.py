@@ -17,6 +17,7 @@ from thirdbody.data.attributes import identity
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.files import unreadable
 from thirdbody.data.quantities import STATUS
+from thirdbody.job_log import with_remedy
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
 CHARTS = {  # the variable of the atlas in each
@@ -72,7 +73,7 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
         listed = json.loads(path.read_text(encoding="utf-8"))["chunks"]
         files = [path.parent / each["file"] for each in listed]
     except (ValueError, TypeError, KeyError) as error:
-        raise unreadable(path, type(error).__name__) from None
+        raise OSError(with_remedy(unreadable(path, type(error).__name__))) from None
     parts = [_opened(file) for file in files]
     dataset = xr.concat(
         parts,
@@ -100,7 +101,7 @@ def _opened(path: str | PathLike) -> xr.Dataset:
     try:
         return xr.open_dataset(path, engine="netcdf4", chunks={})
     except Exception as error:  # netCDF4 raises different exceptions for different damage
-        raise unreadable(path, type(error).__name__) from None
+        raise OSError(with_remedy(unreadable(path, type(error).__name__))) from None
 
 
 def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Dataset]:

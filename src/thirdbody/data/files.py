@@ -74,9 +74,17 @@ def _place(path: str | Path) -> Path:
     return Path(os.path.realpath(place)) if os.path.islink(place) else place
 
 
-def unreadable(path: str | os.PathLike, reason: object) -> OSError:
-    """The error for a damaged product, with the command that recreates it."""
-    return OSError(f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}")
+class DamagedFile(OSError):
+    """A file that a program wrote, ``path``, is no longer as it was."""
+
+    def __init__(self, path: str | os.PathLike, message: str) -> None:
+        super().__init__(f"{path} {message}")
+        self.path = path
+
+
+def unreadable(path: str | os.PathLike, reason: object) -> DamagedFile:
+    """The error for a file that cannot be read."""
+    return DamagedFile(path, f"cannot be read ({reason})")
 
 
 def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
@@ -87,15 +95,12 @@ def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
 
 
 def require_sums(path: str | Path) -> None:
-    """Raise ``ValueError`` if a product is missing or differs from its sum in a file of
-    ``sums_text``; the message has the command that recreates it."""
+    """Raise ``DamagedFile`` if a product is missing or differs from its sum in a file of ``sums_text``."""
     for line in Path(path).read_text(encoding="utf-8").splitlines():
         expected, name = line.split("  ", 1)
         product = Path(path).parent / name
         if not product.is_file() or digest(product) != expected:
-            raise ValueError(
-                f"{product} has changed since it was made; remake it: snakemake -c2 --force {product}"
-            )
+            raise DamagedFile(product, "has changed since it was made")
 
 
 def digest(path: str | os.PathLike, algorithm: str = "sha256") -> str:

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.data.places import part_of_paper
 from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series
+from thirdbody.places import part_of_paper
 
 LINE_INCHES = 0.22  # height of a line, of which each has up to two of text
 LETTERS = 76  # in a line of text
@@ -27,7 +27,7 @@ DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)  # ticks, in tolerances
 
 
 def score_of(distance: float) -> float:
-    """The score of a ``distance`` in tolerances, as in ``thirdbody.study.checks``."""
+    """The score of a ``distance`` in tolerances, as in ``thirdbody.study.claim``."""
     return distance if distance <= 1.0 else 1.0 + math.log(distance)
 
 

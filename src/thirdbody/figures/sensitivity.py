@@ -7,8 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
-from thirdbody.data.readable import MEASURES, result_name
 from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
+from thirdbody.readable import MEASURES, result_name
 
 ROW = 0.17  # height of a row [inches]
 BESIDE = 2.3  # inches for the names of the results, the titles and the note

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.data.files import atomic_write
-from thirdbody.study.checks import MISSING_SCORE, Judge
-from thirdbody.study.claims import Claim
+from thirdbody.study.claim import MISSING_SCORE, Claim
 from thirdbody.study.evidence import QUICK_EFFORT
+from thirdbody.study.judge import Judge
 
 # The loss of a statement that fails badly is nearly flat: this slope still rewards improvement.
 SLOPE_OF_LOSS = 0.1
@@ -157,10 +157,10 @@ def loss(score: ArrayLike) -> ArrayLike:
 
 
 class Fold(NamedTuple):
-    """One fold of the cross-validation: statements of some figures are ``judged`` with the result of a
-    search over those ``fitted``, which neither refer to these figures nor repeat or contradict them."""
+    """One fold of the cross-validation: statements of some figures are ``left_out`` and judged with the result
+    of a search over those ``fitted``, which neither refer to these figures nor repeat or contradict them."""
 
-    judged: tuple[Claim, ...]
+    left_out: tuple[Claim, ...]
     fitted: tuple[Claim, ...]
 
 
@@ -168,15 +168,15 @@ def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> lis
     """Divide the statements into folds: each is judged once, in the fold of its first figure."""
     folds = []
     for part in map(set, figures):
-        judged = tuple(claim for claim in claims if min(claim.all_figures) in part)
-        seen = {claim.counted_as for claim in judged}
-        seen |= {other for claim in judged for other in claim.contradicts}
+        left_out = tuple(claim for claim in claims if min(claim.all_figures) in part)
+        seen = {claim.counted_as for claim in left_out}
+        seen |= {other for claim in left_out for other in claim.contradicts}
         fitted = tuple(
             claim
             for claim in claims
             if not (claim.all_figures & part or {claim.id, claim.counted_as} & seen)
         )
-        folds.append(Fold(judged, fitted))
+        folds.append(Fold(left_out=left_out, fitted=fitted))
     return folds
 
 

@@ -8,9 +8,9 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from thirdbody.study.calibration import Interpretation, Objective
-from thirdbody.study.checks import Judge
+from thirdbody.study.calibration import Interpretation
 from thirdbody.study.evidence import QUICK_EFFORT
+from thirdbody.study.judge import Judge
 from thirdbody.study.verdicts import count_once
 
 DIGITS = 6  # significant digits of numbers in the file
@@ -19,12 +19,11 @@ NOTABLE_CORRELATION = 0.6  # smaller coefficients are left out
 QUANTILES = 0.05, 0.5, 0.95  # of the sample of each seed
 PROFILE_BINS = 12  # equal parts of an input's bounds
 COMPARED = 100  # number of best acceptable sets among which the inputs are chosen
-PRICED = 100  # number of best sets of a cost search that are evaluated again
 
 
 def summary(
     interpretation: Interpretation,
-    judge_all: Judge,
+    judge: Judge,
     searches: Sequence[NDArray],
     samples: Sequence[NDArray],
     folds: Sequence[NDArray],
@@ -36,23 +35,23 @@ def summary(
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]
     drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
-    chosen = _most_held(interpretation, judge_all, good[:COMPARED])
+    chosen = _most_held(interpretation, judge, good[:COMPARED])
     inputs = inputs_of(interpretation, chosen)
     members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
     best = [found[found[:, -1].argmin()] for found in folds]
     return {
         "interpretation": interpretation.name,
-        "objective": _rounded(chosen[-1]),
-        "least_objective": _rounded(good[0, -1]),
-        "penalty": _rounded(interpretation.penalty(inputs)),
-        "objective_of_each_seed": [_rounded(each[:, -1].min()) for each in searches],
+        "objective": rounded(chosen[-1]),
+        "least_objective": rounded(good[0, -1]),
+        "penalty": rounded(interpretation.penalty(inputs)),
+        "objective_of_each_seed": [rounded(each[:, -1].min()) for each in searches],
         "evaluations": sum(map(len, searches)),
         "acceptable": len(good),
         "inputs": {**interpretation.fixed, **inputs},
         "folds": [
             {
                 "figures": list(figures),
-                "objective": _rounded(row[-1]),
+                "objective": rounded(row[-1]),
                 "inputs": {**interpretation.fixed, **inputs_of(interpretation, row)},
             }
             for figures, row in zip(settings["folds"] if folds else (), best, strict=True)
@@ -80,68 +79,23 @@ def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]
 
 def inputs_of(interpretation: Interpretation, row: NDArray) -> dict[str, float]:
     """The unknowns of a row of positions and objective, SI, rounded to ``DIGITS``."""
-    return {name: _rounded(value) for name, value in interpretation.values(row[:-1]).items()}
+    return {name: rounded(value) for name, value in interpretation.values(row[:-1]).items()}
 
 
-def _most_held(interpretation, judge_all: Judge, sets):
+def _most_held(interpretation, judge: Judge, sets):
     """The set for which most statements hold; of several the most plausible."""
 
     def rank(row):
         inputs = inputs_of(interpretation, row)
-        verdicts = judge_all({**interpretation.fixed, **inputs}, QUICK_EFFORT)
-        held, _ = count_once(judge_all.claims, verdicts)
+        verdicts = judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
+        held, _ = count_once(judge.claims, verdicts)
         return -held, interpretation.penalty(inputs)
 
     return min(sets, key=rank)
 
 
-def price_front(
-    interpretation: Interpretation,
-    objective: Objective,
-    name: str,
-    rows: NDArray,
-    inputs: Mapping[str, float],
-) -> list[list[float]]:
-    """Pareto front of the score of the statement ``name`` and the objective without it and its repetitions,
-    from the published ``inputs`` and ``rows`` of a search with a higher weight of this statement."""
-    place = [claim.id for claim in objective.claims].index(name)
-    own = objective.repeating(name)
-    best = rows[np.argsort(rows[:, -1], kind="stable")[:PRICED]]
-    points = set()
-    for some in (dict(inputs), *(interpretation.values(row[:-1]) for row in best)):
-        scores = objective.scores(interpretation, some)
-        others = objective.value(interpretation.penalty(some), np.where(own, 0.0, scores))
-        points.add((_rounded(scores[place]), _rounded(others)))
-    front, least = [], np.inf
-    for score, others in sorted(points):
-        if others < least:
-            front.append([score, others])
-            least = others
-    return front
-
-
-def mixed_ensemble(
-    contents: Sequence[Mapping[str, Any]], fractions: Mapping[str, Sequence[float]], size: int
-) -> tuple[list[dict[str, Any]], list[str]]:
-    """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each, from calibrated
-    files, the default first.  An interpretation has members in proportion to its mean predicted fraction,
-    if that is at most one standard deviation (of the default's) below that of the default."""
-    means = {name: float(np.mean(each)) for name, each in fractions.items()}
-    first = contents[0]["interpretation"]
-    least = means[first] - float(np.std(fractions[first]))
-    taken = [each for each in contents if means.get(each["interpretation"], -np.inf) >= least]
-    weights = np.array([means[each["interpretation"]] for each in taken])
-    ends = np.round(np.cumsum(weights) / weights.sum() * size).astype(int)
-    members, labels = [], []
-    for content, count in zip(taken, np.diff(ends, prepend=0), strict=True):
-        sets = content["ensemble"]
-        places = np.linspace(0, len(sets) - 1, count).round().astype(int)
-        members += [{**content["inputs"], **sets[place]} for place in places]
-        labels += [content["interpretation"]] * int(count)
-    return members, labels
-
-
-def _rounded(value) -> float:
+def rounded(value: float) -> float:
+    """``value`` with ``DIGITS`` significant digits."""
     return float(f"{value:.{DIGITS}g}")
 
 
@@ -152,16 +106,16 @@ def _identification(interpretation, rows, good, samples) -> dict:
         low, high = good[:, index].min(), good[:, index].max()
         part = np.minimum((rows[:, index] * PROFILE_BINS).astype(int), PROFILE_BINS - 1)
         drawn = [
-            [_rounded(unknown.value(place)) for place in np.quantile(each[:, index], QUANTILES)]
+            [rounded(unknown.value(place)) for place in np.quantile(each[:, index], QUANTILES)]
             for each in samples
         ]
         least = [rows[part == each, -1].min(initial=np.inf) for each in range(PROFILE_BINS)]
         result[unknown.name] = {
-            "acceptable": [_rounded(unknown.value(low)), _rounded(unknown.value(high))],
+            "acceptable": [rounded(unknown.value(low)), rounded(unknown.value(high))],
             "identified": bool(high - low < IDENTIFIED),
             "median_of_each_seed": [median for _, median, _ in drawn],
             "range_of_each_seed": [[first, last] for first, _, last in drawn],
-            "profile": [_rounded(value) if np.isfinite(value) else None for value in least],
+            "profile": [rounded(value) if np.isfinite(value) else None for value in least],
         }
     return result
 

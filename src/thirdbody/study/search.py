@@ -5,7 +5,7 @@ nearest valleys by least squares, first with a loss that has a slope far from a 
 the deepest valley it hops to others nearby, and then follows the best by an evolution strategy.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import cma
@@ -42,6 +42,30 @@ def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArra
             least = unknown.position(budget["elastic_radius"])
             places[::2, column] = least + (1.0 - least) * places[::2, column]
     return places
+
+
+def nearby_starts(interpretation: Interpretation, other: Interpretation, rows: NDArray) -> NDArray:
+    """The start of a search near to the best inputs of the ``other`` interpretation, from ``rows`` of its
+    positions and objectives: shape (1, unknowns)."""
+    known = other.fixed | other.values(best_of(rows)[:-1])
+    return interpretation.positions(known)[None]
+
+
+def scattered_starts(
+    objective: Objective,
+    every: Objective,
+    rows: NDArray,
+    settings: Mapping[str, Any],
+    seeds: Sequence[int],
+) -> NDArray:
+    """The starts of ``seeds`` among scattered positions, shape (starts, unknowns): the best for ``objective``,
+    from ``rows`` of positions and the scores of all statements, those of ``every``.  Each seed of the
+    ``settings`` has starts of its own."""
+    places, scores = np.split(rows, [-len(every.claims)], axis=1)
+    ranking = rank_starts(objective, objective.take(every, scores))
+    among, most = settings["seeds"], settings["budget"]["starts"]
+    ranks = [ranking[among.index(seed) :: len(among)][:most] for seed in seeds]
+    return places[np.concatenate(ranks)]
 
 
 def find_inputs(

@@ -5,6 +5,9 @@ the regime or mode changes; nan where they do not occur.  The elasticity is d ln
 A total Sobol index is the part of the variance of ln(output) to which an input contributes.  For it a
 quadratic is fitted to evenly scattered sets of inputs, whose terms are products of Legendre polynomials:
 the square of a coefficient is the variance of its term (Sudret 2008, doi:10.1016/j.ress.2007.04.002).
+``scipy.stats.sobol_indices`` is not used: from twice as many sets its indices are off by 0.06, where the
+quadratics of turning points and windows leave less than 0.001 of a variance unexplained; and it takes no
+sets in which an output does not occur.
 """
 
 from __future__ import annotations

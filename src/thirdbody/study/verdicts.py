@@ -1,6 +1,6 @@
 """The verdict on every statement of the paper: as tables, pages for readers and data for programs.
 
-``judge_everything`` evaluates all statements for many sets of inputs: the default, its ensemble,
+``Report.of`` evaluates all statements for many sets of inputs: the default, its ensemble,
 the inputs of every interpretation, and those of every fold of the cross-validation.
 """
 
@@ -8,20 +8,20 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import spread
 from thirdbody.data.tables import TABLES
+from thirdbody.places import part_of_paper
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
-from thirdbody.study.checks import Judge, Verdict
-from thirdbody.study.claims import Claim
+from thirdbody.study.claim import Claim, Verdict
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.study.judge import Judge
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
@@ -31,13 +31,13 @@ NO_RANGE = (np.nan, np.nan)
 Verdicts = Mapping[str, Verdict]  # by the id of the statement
 
 
-@dataclass(frozen=True)
-class Judged:
+@dataclass(frozen=True, kw_only=True)
+class Report:
     """All statements, evaluated for all sets of inputs.
 
     ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file
     whose inputs ``verdicts`` are for.  ``faint`` is for turning points from ``FAINT`` on, ``fine`` for loads read on a fine axis; ``predicted``
-    has the statements whose figure was left out, and ``comparison`` is the table from ``compare``.
+    has the statements whose figure was left out, and ``comparison`` is the table from ``rank_interpretations``.
     """
 
     claims: tuple[Claim, ...]
@@ -50,6 +50,34 @@ class Judged:
     interpretations: dict[str, Verdicts]
     predicted: Verdicts
     comparison: pd.DataFrame
+
+    @classmethod
+    def of(
+        cls,
+        judge: Judge,
+        default: Mapping[str, Any],
+        contents: Sequence[Mapping[str, Any]],
+        settings: Mapping[str, Any],
+    ) -> Self:
+        """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
+        interpretations."""
+        inputs = judge.base | default["inputs"]
+        interpretations = {each["interpretation"]: judge(each["inputs"]) for each in contents}
+        predicted = {each["interpretation"]: predict(judge, each) for each in contents}
+        return cls(
+            claims=judge.claims,
+            settings=settings,
+            default=default,
+            verdicts=judge(inputs),
+            faint=judge(inputs, FAINT_EFFORT),
+            fine=judge(inputs, claims=[claim.on_a_fine_axis() for claim in judge.claims]),
+            members=tuple(
+                judge({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]
+            ),
+            interpretations=interpretations,
+            predicted=predicted.get(default["interpretation"], {}),
+            comparison=rank_interpretations(judge, contents, interpretations, predicted, settings),
+        )
 
     @cached_property
     def table(self) -> pd.DataFrame:
@@ -64,7 +92,7 @@ class Judged:
                     **vars(claim),
                     **verdict._asdict(),
                     "curves": claim.curves_text,
-                    "published": published_text(claim),
+                    "published": claim.published_text,
                     "score": verdict.score,
                     "value": verdict.value,
                     "range_low": low,
@@ -81,43 +109,18 @@ class Judged:
         return pd.DataFrame(rows)[[column.name for column in TABLES["claims"]]]
 
 
-def judge_everything(
-    judge_all: Judge,
-    default: Mapping[str, Any],
-    contents: Sequence[Mapping[str, Any]],
-    settings: Mapping[str, Any],
-) -> Judged:
-    """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
-    interpretations."""
-    inputs = judge_all.base | default["inputs"]
-    interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
-    predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
-    return Judged(
-        judge_all.claims,
-        settings,
-        default,
-        judge_all(inputs),
-        judge_all(inputs, FAINT_EFFORT),
-        judge_all(inputs, claims=[claim.on_a_fine_axis() for claim in judge_all.claims]),
-        tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]),
-        interpretations,
-        predicted.get(default["interpretation"], {}),
-        compare(judge_all, contents, interpretations, predicted, settings),
-    )
-
-
-def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
+def predict(judge: Judge, content: Mapping[str, Any]) -> Verdicts:
     """Evaluate each statement for the inputs of a calibrated file that were found without its figure."""
     entries = content.get("folds", ())
-    folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
+    folds = make_folds(judge.claims, [each["figures"] for each in entries])
     found = {}
     for fold, entry in zip(folds, entries, strict=True):
-        found |= judge_all(entry["inputs"], claims=fold.judged)
+        found |= judge(entry["inputs"], claims=fold.left_out)
     return found
 
 
-def compare(
-    judge_all: Judge,
+def rank_interpretations(
+    judge: Judge,
     contents: Sequence[Mapping[str, Any]],
     interpretations: Mapping[str, Verdicts],
     predicted: Mapping[str, Verdicts],
@@ -125,7 +128,7 @@ def compare(
 ) -> pd.DataFrame:
     """Compare the interpretations, in the order of the rule that chooses the default: most statements
     predicted when their figure is left out, then the most plausible inputs, then the fewest unknowns."""
-    objective = Objective.of(judge_all.claims, settings, judge_all.base)
+    objective = Objective.of(judge.claims, settings, judge.base)
     rows = []
     for content in contents:
         name = content["interpretation"]
@@ -133,13 +136,13 @@ def compare(
         verdicts = interpretations[name]
         penalty = interpretation.penalty(content["inputs"])
         scores = [verdicts[claim.id].score for claim in objective.claims]
-        right, of = count_once(judge_all.claims, predicted[name])
+        right, of = count_once(judge.claims, predicted[name])
         rows.append(
             {
                 "interpretation": name,
                 "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
-                "fitted": "{}/{}".format(*count_once(judge_all.claims, verdicts)),
+                "fitted": "{}/{}".format(*count_once(judge.claims, verdicts)),
                 "penalty": round(penalty, 2),
                 "inputs": len(interpretation.unknowns),
                 "objective": round(objective.value(penalty, scores), 2),
@@ -174,25 +177,25 @@ def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
     return sum(held.values()), len(held)
 
 
-def counts_by_figure(judged: Judged) -> pd.DataFrame:
+def counts_by_figure(report: Report) -> pd.DataFrame:
     """Number of statements with each verdict, by part of the paper."""
     parts: dict[str, list[Claim]] = {}
-    for claim in judged.claims:
+    for claim in report.claims:
         parts.setdefault(part_of_paper(claim.place), []).append(claim)
     rows = []
     for part, claims in parts.items():
-        found = [outcome(claim, judged.verdicts[claim.id]) for claim in claims]
+        found = [outcome(claim, report.verdicts[claim.id]) for claim in claims]
         counts = {word: found.count(word) for word in (HOLDS, FAILS, NOT_TESTED, CONTRADICTED)}
-        held = "{} of {}".format(*count_once(claims, judged.verdicts))
+        held = "{} of {}".format(*count_once(claims, report.verdicts))
         rows.append({"figure": part, **counts, "hold, repeats once": held})
     return pd.DataFrame(rows)
 
 
-def headline_table(judged: Judged) -> pd.DataFrame:
+def headline_table(report: Report) -> pd.DataFrame:
     """The headline numbers in the paper, in the model and in the ensemble; they are reached if their
     statement holds, or within their entry of ``headline_tolerances``."""
-    table = judged.table[judged.table["id"].isin(judged.settings["headline"])]
-    tolerances = table["id"].map(judged.settings["headline_tolerances"]).fillna(0.0)
+    table = report.table[report.table["id"].isin(report.settings["headline"])]
+    tolerances = table["id"].map(report.settings["headline_tolerances"]).fillna(0.0)
     near = table["verdict"].ne(NOT_TESTED) & table["deviation"].abs().le(tolerances)
     return pd.DataFrame(
         {
@@ -200,38 +203,30 @@ def headline_table(judged: Judged) -> pd.DataFrame:
             "id": table["id"],
             "paper": table["published"],
             "model": table["computed"].map(once),
-            "ensemble, 90 %": [once(_range_text(judged, id)) for id in table["id"]],
+            "ensemble, 90 %": [once(_range_text(report, id)) for id in table["id"]],
             "verdict": table["verdict"],
             "reached": table["verdict"].eq(HOLDS) | near,
         }
     )
 
 
-def _range_text(judged: Judged, id: str) -> str:
+def _range_text(report: Report, id: str) -> str:
     """The range of each number or, without numbers, how many members agree with the verdict."""
-    ends = number_ranges(judged, id)
-    if not judged.members:
+    ends = number_ranges(report, id)
+    if not report.members:
         return "no ensemble"
     if np.isfinite(ends).any():
         return ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
-    same = _agreeing(judged, judged.members, id)
-    return f"{same} of {len(judged.members)} agree"
+    same = _agreeing(report, report.members, id)
+    return f"{same} of {len(report.members)} agree"
 
 
-def number_ranges(judged: Judged, id: str) -> np.ndarray:
+def number_ranges(report: Report, id: str) -> np.ndarray:
     """Range of 90 % of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
-    members = [each[id].numbers for each in judged.members if each[id].numbers]
-    places = range(len(judged.verdicts[id].numbers))
+    members = [each[id].numbers for each in report.members if each[id].numbers]
+    places = range(len(report.verdicts[id].numbers))
     ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
     return np.reshape(ends, (-1, 2))
-
-
-def published_text(claim: Claim) -> str:
-    """The published value as text; empty if it is neither numbers nor a sequence of states."""
-    if claim.published is None:
-        return ""
-    separator = " > " if claim.kind.endswith("_sequence") else ", "
-    return separator.join(str(each) for each in np.atleast_1d(claim.published))
 
 
 def once(text: str) -> str:
@@ -240,57 +235,57 @@ def once(text: str) -> str:
     return parts[0] if len(set(parts)) == 1 else text
 
 
-def _agreeing(judged: Judged, sets: Iterable[Verdicts], id: str) -> int:
+def _agreeing(report: Report, sets: Iterable[Verdicts], id: str) -> int:
     """Number of sets of verdicts that agree with the default on a statement."""
-    same = judged.verdicts[id].tested, judged.verdicts[id].holds
+    same = report.verdicts[id].tested, report.verdicts[id].holds
     return sum((other[id].tested, other[id].holds) == same for other in sets)
 
 
-def claims_markdown(judged: Judged) -> str:
+def claims_markdown(report: Report) -> str:
     """The page ``claims.md``: a summary, then every statement."""
-    table = judged.table
-    numbers = headline_table(judged)
+    table = report.table
+    numbers = headline_table(report)
     failing = table[table["verdict"] == FAILS]
     names = failing["cluster"].replace("", None).fillna(failing["id"])
     return ENVIRONMENT.get_template("claims.md.j2").render(
-        judged=judged,
-        score=score_sentence(judged),
+        report=report,
+        score=score_sentence(report),
         reached=numbers["reached"].sum(),
         headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
         words=dict(zip(table["id"], table["verdict"], strict=True)),
-        counts=counts_by_figure(judged),
-        comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
+        counts=counts_by_figure(report),
+        comparison=report.comparison.drop(columns="predicted_fraction", errors="ignore"),
         statements=table.to_dict("records"),
         failing=failing.to_dict("records"),
     )
 
 
-def claims_html(judged: Judged) -> str:
+def claims_html(report: Report) -> str:
     """The statements and their verdicts as an HTML table, by figure, of which a verdict can be chosen."""
-    score = score_sentence(judged).replace("**", "")
-    parts = judged.table.groupby(judged.table["place"].map(part_of_paper), sort=False)
+    score = score_sentence(report).replace("**", "")
+    parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
     return ENVIRONMENT.get_template("claims.html.j2").render(score=score, groups=groups)
 
 
-def claims_json(judged: Judged) -> str:
+def claims_json(report: Report) -> str:
     """The same data for programs, as JSON: statements have the columns of the table ``claims``, lists and
     objects instead of texts, and the ensemble range of each number."""
-    held, of = count_once(judged.claims, judged.verdicts)
-    predicted, predicted_of = count_once(judged.claims, judged.predicted)
-    rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
+    held, of = count_once(report.claims, report.verdicts)
+    predicted, predicted_of = count_once(report.claims, report.predicted)
+    rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
-        "score": score_sentence(judged).replace("**", ""),
+        "score": score_sentence(report).replace("**", ""),
         "held": held,
         "judged": of,
         "predicted": predicted,
         "predicted_of": predicted_of,
-        "interpretation": judged.default["interpretation"],
-        "inputs": judged.default["inputs"],
-        "identification": judged.default["identification"],
-        "headline": headline_table(judged).to_dict("records"),
-        "interpretations": judged.comparison.to_dict("records"),
+        "interpretation": report.default["interpretation"],
+        "inputs": report.default["inputs"],
+        "identification": report.default["identification"],
+        "headline": headline_table(report).to_dict("records"),
+        "interpretations": report.comparison.to_dict("records"),
         "statements": [
             row
             | {
@@ -298,11 +293,11 @@ def claims_json(judged: Judged) -> str:
                 "references": [condition._asdict() for condition in claim.references],
                 "loads": claim.limits,
                 "published": claim.published,
-                "numbers": judged.verdicts[claim.id].numbers,
-                "range": number_ranges(judged, claim.id).tolist(),
+                "numbers": report.verdicts[claim.id].numbers,
+                "range": number_ranges(report, claim.id).tolist(),
                 "contradicts": list(claim.contradicts),
             }
-            for row, claim in zip(rows, judged.claims, strict=True)
+            for row, claim in zip(rows, report.claims, strict=True)
         ],
     }
     # null for every number that is nan
@@ -310,11 +305,11 @@ def claims_json(judged: Judged) -> str:
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
-def score_sentence(judged: Judged) -> str:
+def score_sentence(report: Report) -> str:
     """Numbers of statements that hold: predicted, fitted, with fainter turning points, and on a fine axis."""
-    sets = {"fitted": judged.verdicts, "predicted": judged.predicted}
-    sets |= {"faint": judged.faint, "fine": judged.fine}
-    counts = {name: count_once(judged.claims, verdicts) for name, verdicts in sets.items()}
+    sets = {"fitted": report.verdicts, "predicted": report.predicted}
+    sets |= {"faint": report.faint, "fine": report.fine}
+    counts = {name: count_once(report.claims, verdicts) for name, verdicts in sets.items()}
     texts = ENVIRONMENT.get_template("claims.macros.j2").module
     return texts.score(**counts, prominence=PROMINENCE, faint_prominence=FAINT)
 
