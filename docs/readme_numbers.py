@@ -90,11 +90,12 @@ def headline_block() -> str:
 
 
 def interpretations_block() -> str:
-    """Every interpretation: statements predicted and fitted, penalty, unknowns, objective."""
+    """Every interpretation: statements predicted, in all and by fold, and fitted; headline numbers; inputs."""
     rows = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))[
         "interpretations"
     ]
-    columns = ["interpretation", "predicted", "fitted", "penalty", "inputs", "objective"]
+    columns = ["interpretation", "predicted", "folds", "fitted", "headline", "summit_parameter"]
+    columns += ["penalty", "inputs", "objective"]
     return pd.DataFrame(rows)[columns].to_markdown(index=False, disable_numparse=True)
 
 

@@ -16,6 +16,7 @@ from thirdbody.study.kinds import Value
 from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
+NOTHING_REQUIRED = {"headline": 0, "summit_parameter": 1e3, "roughness_nm": [100, 500]}
 HELD = Verdict("1", 0.0, 0.0, (1.0,))
 MISSED = Verdict("2", 7.4, 1.0, (2.0,))
 BEYOND = Verdict("> 2", 0.0, 1.0, (2.0,), tested=False)
@@ -33,7 +34,7 @@ TAKEN_FIELDS = {"contradicts": ("aside",), "published": 1.0, "reference": {"visc
 TAKEN = claim("taken", {"load_max": 1e-5}, **TAKEN_FIELDS)
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
 CLAIMS = (TAKEN, ASIDE, claim("one", cluster="twins"), claim("other", cluster="twins"))
-DEFAULT_NAME = "fluid_natural"
+DEFAULT_NAME = "fluid_natural_area_3"
 DEFAULT = {
     "interpretation": "some",
     "inputs": {"truncation": 2.0},
@@ -131,7 +132,7 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
 def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
     """Most predicted, then the least penalty, then the fewest unknowns."""
     some = dict(list(SETTINGS["interpretations"].items())[:4])
-    settings, names = SETTINGS | {"interpretations": some}, list(some)
+    settings, names = SETTINGS | {"interpretations": some, "required": NOTHING_REQUIRED}, list(some)
     inputs = {name: unknown["usual"][0] for name, unknown in SETTINGS["unknowns"].items()}
     contents = [{"interpretation": name, "inputs": inputs} for name in names]
     contents[2] |= {"inputs": inputs | {"summit_parameter": 0.2}}  # unusual
@@ -144,6 +145,32 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
     assert ranking[-1] == names[0] and ranking[-2] == names[2]
     assert table["inputs"].iloc[0] <= table["inputs"].iloc[1]
     assert table["predicted"].tolist()[-1] == "0/1"
+
+
+def test_what_is_required_of_the_default_comes_first(parameters):
+    """Enough headline numbers, and summits like those of usual surfaces on the roughest surface too."""
+    some = dict(list(SETTINGS["interpretations"].items())[:2])
+    inputs = {name: unknown["usual"][0] for name, unknown in SETTINGS["unknowns"].items()}
+    steep = {"summit_parameter": 0.08, "summit_parameter_exponent": 0.9}
+    contents = [
+        {"interpretation": name, "inputs": inputs | own}
+        for name, own in zip(some, (steep, {}), strict=True)
+    ]
+    contents = [each | {"folds": []} for each in contents]
+    settings = SETTINGS | {"interpretations": some, "headline": ["taken"]}
+    first, second = some
+    judge = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
+
+    def ranked(required, held):
+        verdicts_of = {name: {"taken": verdict} for name, verdict in zip(some, held, strict=True)}
+        given = contents, verdicts_of, dict.fromkeys(some, {"taken": HELD})
+        required = SETTINGS["required"] | required
+        table = verdicts.rank_interpretations(judge, *given, settings | {"required": required})
+        return table["interpretation"].tolist(), table["eligible"].tolist()
+
+    assert ranked({"headline": 1}, [HELD, HELD]) == ([second, first], [True, False])
+    unlimited = {"headline": 1, "summit_parameter": 1.0}
+    assert ranked(unlimited, [HELD, MISSED]) == ([first, second], [True, False])
 
 
 def test_programs_read_what_the_page_says():

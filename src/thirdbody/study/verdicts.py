@@ -126,8 +126,9 @@ def rank_interpretations(
     predicted: Mapping[str, Verdicts],
     settings: Mapping[str, Any],
 ) -> pd.DataFrame:
-    """Compare the interpretations, in the order of the rule that chooses the default: most statements
-    predicted when their figure is left out, then the most plausible inputs, then the fewest unknowns."""
+    """Compare the interpretations, in the order of the rule that chooses the default: what is ``required``
+    is reached, most statements predicted when their figure is left out, the most plausible inputs, the fewest
+    unknowns."""
     objective = Objective.of(judge.claims, settings, judge.base)
     rows = []
     for content in contents:
@@ -137,12 +138,22 @@ def rank_interpretations(
         penalty = interpretation.penalty(content["inputs"])
         scores = [verdicts[claim.id].score for claim in objective.claims]
         right, of = count_once(judge.claims, predicted[name])
+        required = settings["required"]
+        reached = [id for id in settings["headline"] if id in verdicts and verdicts[id].holds]
+        summits = largest_summit_parameter(judge.base | content["inputs"], required)
+        suits = len(reached) >= required["headline"] and summits < required["summit_parameter"]
+        parts = make_folds(judge.claims, [each["figures"] for each in content.get("folds", ())])
+        shares = ["{}/{}".format(*count_once(part.left_out, predicted[name])) for part in parts]
         rows.append(
             {
                 "interpretation": name,
                 "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
                 "fitted": "{}/{}".format(*count_once(judge.claims, verdicts)),
+                "folds": ", ".join(shares),
+                "headline": f"{len(reached)}/{len(settings['headline'])}",
+                "summit_parameter": f"{summits:.3f}",
+                "eligible": suits and of > 0,
                 "penalty": round(penalty, 2),
                 "inputs": len(interpretation.unknowns),
                 "objective": round(objective.value(penalty, scores), 2),
@@ -153,9 +164,17 @@ def rank_interpretations(
                 if id in verdicts
             }
         )
-    order = ["predicted_fraction", "penalty", "inputs"]
-    table = pd.DataFrame(rows, columns=None if rows else order)
-    return table.sort_values(order, ascending=[False, True, True], ignore_index=True)
+    order = {"eligible": False, "predicted_fraction": False, "penalty": True, "inputs": True}
+    table = pd.DataFrame(rows, columns=None if rows else [*order])
+    return table.sort_values([*order], ascending=[*order.values()], ignore_index=True)
+
+
+def largest_summit_parameter(inputs: Mapping[str, Any], required: Mapping[str, Any]) -> float:
+    """The largest eta_s R sigma [1] of ``inputs`` at the ends of the roughnesses that are ``required``."""
+    ends = 1e-9 * np.array(required["roughness_nm"])
+    relative = ends / inputs["reference_roughness"]
+    power = inputs["summit_parameter_exponent"]
+    return float(np.max(inputs["summit_parameter"] * relative**power))
 
 
 def outcome(claim: Claim, verdict: Verdict) -> str:
