@@ -459,5 +459,15 @@ def test_what_is_no_measurement_is_refused_in_one_line():
 @pytest.mark.parametrize("name", ["silicon nitride", "steel"])
 def test_materials_by_name(name):
     assert tb.bearing(ball=name) == tb.bearing(ball=MATERIALS[name])
-    with pytest.raises(ValueError, match="ball is 'wood'; allowed: a Material, or one of steel"):
+    with pytest.raises(
+        ValueError, match="ball is 'wood'; allowed: a thirdbody.Material, or one of steel"
+    ):
         tb.bearing(ball="wood")
+
+
+def test_an_index_of_several_levels_is_kept():
+    table = data(run=["a", "a", "b"], step=[1, 2, 1]).set_index(["run", "step"])
+    found = tb.compare(table, **REST)
+    assert found.to_dataframe().index.equals(table.index)
+    rows = found.to_dataset()
+    assert rows.sizes == {"row": 3} and rows["run"].values.tolist() == ["a", "a", "b"]

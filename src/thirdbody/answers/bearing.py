@@ -69,7 +69,7 @@ def _material(name: str, given: Material | str) -> Material:
         return given
     word = given.replace("-", " ").lower() if isinstance(given, str) else None
     if word not in MATERIALS:
-        allowed = f"a Material, or one of {', '.join(MATERIALS)}{did_you_mean(given, MATERIALS)}"
+        allowed = f"a thirdbody.Material, or one of {', '.join(MATERIALS)}{did_you_mean(given, MATERIALS)}"
         raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
     return MATERIALS[word]
 
