@@ -1,3 +1,4 @@
+from thirdbody.answers.bearing import Material as Material
 from thirdbody.answers.bearing import bearing as bearing
 from thirdbody.answers.find import find as find
 from thirdbody.answers.find import transitions as transitions
@@ -11,6 +12,7 @@ from thirdbody.data.dataset import grid as grid
 from thirdbody.data.dataset import stream as stream
 from thirdbody.figures.plot import plot as plot
 from thirdbody.measured.comparison import compare as compare
+from thirdbody.measured.estimates import Assumed as Assumed
 from thirdbody.measured.oil import cleanliness as cleanliness
 from thirdbody.measured.oil import oil_viscosity as oil_viscosity
 from thirdbody.measured.roughness import equivalent_roughness as equivalent_roughness

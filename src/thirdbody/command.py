@@ -20,6 +20,7 @@ from typing import Annotated, Any
 import typer
 
 from thirdbody.beside import toml_beside
+from thirdbody.messages import did_you_mean
 from thirdbody.units import ENGINEERING, SEARCHED
 
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
@@ -176,7 +177,8 @@ AXIS |= _other("first", Parameter.empty) | _other("last", Parameter.empty)
 def _curve(given):
     along = given["along"]
     if along not in ENGINEERING:
-        raise ValueError(f"--along is {along!r}; allowed: {', '.join(ENGINEERING)}")
+        allowed = ", ".join(ENGINEERING) + did_you_mean(along, ENGINEERING)
+        raise ValueError(f"--along is {along!r}; allowed: {allowed}")
     for name, key in ENGINEERING.items():
         if name != along and given[key] is None:
             raise ValueError(f"{key} is missing; allowed: a number")

@@ -29,6 +29,7 @@ from thirdbody.units import (
     has_unit,
     in_own_unit,
     is_labelled,
+    plain_numbers,
     unit_of,
 )
 
@@ -268,11 +269,16 @@ def check_number(name: str, value: Any, positive: bool = True) -> None:
         raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
 
 
-def check_numbers(numbers: Mapping[str, Any], usual: Usual) -> None:
-    """Raise ``ValueError`` unless all ``numbers`` are positive; warn of unusual ones."""
+def checked_numbers(given: Mapping[str, Any], usual: Usual) -> dict[str, float]:
+    """The ``given`` numbers or quantities in the units of ``usual``; warns of unusual ones.
+
+    Raises ``ValueError`` unless all are positive.
+    """
+    numbers = {name: plain_numbers(name, each, usual[name][2]) for name, each in given.items()}
     for name, value in numbers.items():
         check_number(name, value)
     warn_outside(numbers, usual)
+    return numbers
 
 
 def check_count(name: str, count: Any) -> None:

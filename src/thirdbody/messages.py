@@ -9,7 +9,9 @@ LONGEST = 60  # letters
 
 
 def format_value(value: Any) -> str:
-    """The ``repr`` of a value on one line, cut if it is long."""
+    """The ``repr`` of a value on one line, cut if it is long; numbers of numpy as plain numbers."""
+    is_number = type(value).__module__ == "numpy" and getattr(value, "shape", None) == ()
+    value = value.item() if is_number and hasattr(value, "item") else value
     text = " ".join(repr(value).split())
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 

@@ -44,7 +44,10 @@ class Tabular:
 
     def to_dataset(self) -> "xr.Dataset":
         """The same table over the dimension ``row``."""
-        return self.to_dataframe().rename_axis("row").to_xarray()
+        table = self.to_dataframe()
+        if table.index.nlevels > 1:  # levels become variables
+            table = table.reset_index()
+        return table.rename_axis("row").to_xarray()
 
     def __eq__(self, other: object) -> bool:
         """Whether both are results of one kind with the same table."""

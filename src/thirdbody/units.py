@@ -113,15 +113,16 @@ def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, 
     return Unit(unit.key, unit.condition, f"{quantity.units:~}" or "1", scale, is_force), numbers
 
 
-def plain_number(name: str, given: Any, unit: str) -> Any:
-    """A number in ``unit``, in UDUNITS spelling, if ``given`` is a quantity; anything else as it is."""
+def plain_numbers(name: str, given: Any, unit: str) -> Any:
+    """Numbers in ``unit``, in UDUNITS spelling, if ``given`` is a quantity; anything else as it is."""
     if not has_unit(given):
         return given
     known = registry()
     try:
         if not is_quantity(given):
             given = known.Quantity(np.asarray(given), known.Unit(_unit_text(given)))
-        return float(given.to(str(known.Unit(unit))).magnitude)
+        numbers = np.asarray(given.to(str(known.Unit(unit))).magnitude, float)
+        return numbers if numbers.ndim else float(numbers)
     except Exception:  # pint raises many types
         raise ValueError(
             f"{name} is {format_value(given)}; allowed: a quantity in {unit}"
@@ -173,7 +174,10 @@ def registry() -> Any:
     import pint
 
     power = re.compile(r"(?<=[A-Za-z])(?<![0-9][eE])(?=-?\d)")
-    return pint.UnitRegistry(preprocessors=[lambda text: power.sub("**", text)])
+    known = pint.UnitRegistry(preprocessors=[lambda text: power.sub("**", text)])
+    for alias in ("degree_Celsius = deg_C", "ohm = Ohm"):  # as astropy writes them
+        known.define(f"@alias {alias}")
+    return known
 
 
 def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:

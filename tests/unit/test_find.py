@@ -114,3 +114,11 @@ def test_engineering_units_and_SI_are_the_same_place_in_a_table_too(parameters):
     table = one.to_dataframe()
     assert table["viscosity_cSt"].tolist() == one.value.tolist()
     assert set(table["solution_status"]) == {"converged"}
+
+
+def test_changes_are_a_table_with_the_name_of_the_axis(parameters):
+    given = dict(load_N=[5.0, 10.0], particle_diameter_nm=500, roughness_nm=300)
+    given |= dict(particle_density_per_m2=1e11, parameters=parameters)
+    found = tb.transitions("viscosity_cSt", **given)
+    assert found.to_dataframe()["viscosity_cSt"].tolist() == [each.value for each in found]
+    assert "viscosity_cSt" in str(found) and found == tb.transitions("viscosity_cSt", **given)

@@ -246,6 +246,11 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("load [N],separation [nm]\nten,1\n", r"load \[N\] is 'ten' in row 1; allowed: numbers"),
         ("load [N],separation [nm]\n1,inf\n", "separation .nm. is 'inf' in row 1; allowed: numb"),
         ("load [N];separation [nm]\n1.000;0,1\n", "with a point; allowed: one decimal sign"),
+        ('load [N],separation [nm]\n1,"1,200"\n', "'1,200', with a comma of decimals or of thous"),
+        ('load [N],separation [nm]\n1,"1\n2,2\n', "a.csv has quotation marks that do not pair"),
+        ("load [N],separation [nm]\n-1,1\n", r"load \[N\] is '-1' in row 1; allowed: positive"),
+        ("Fz [N],friction\n1,1\n", r"no column of .*; allowed: one or more beside Fz .N., frict"),
+        ("PK\0\0", "a.csv is not a text; allowed: a CSV file"),
         ("load [N],separation [nm]\n1,5,1\n", "a.csv has 3 cells in the row '1,5,1'; allowed: 2"),
         ("load [N],separation [nm]\n,1\n", r"load \[N\] is '' in row 1; allowed: numbers"),
         ("load [N],separation [nm]\n1,\n2,NA\n", "separation .nm. has no numbers; allowed: one"),
@@ -254,7 +259,10 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
             "a second one of separation; allowed",
         ),
         ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness_nm is given twice"),
-        ("load [N],speed [m/s],separation [nm]\n1,1,1\n", "speed_m_per_s is None; allowed: a num"),
+        (
+            "load [N],speed [m/s],separation [nm]\n1,1,1\n",
+            r"speed_m_per_s is None, .*: the speed of the inputs, 4.07 m/s",
+        ),
     ],
 )
 def test_a_file_that_cannot_be_compared_is_refused_in_one_line(tmp_path, text, message):
@@ -296,6 +304,13 @@ def test_the_example_is_what_its_generator_writes(tmp_path):
         "load (N),friction coefficient (-)\n1,0.11\n2,0.112\n",
         "load / N,friction coefficient / 1\n1,0.11\n2,0.112\n",
         "load [N],COF\n1,0.11\n2,0.112\n",
+        "Tester,UMT\n\nload [N],COF,date; note\n1,0.11,a\n2,0.112,b\n",
+        "sep=;\nload [N];COF;comment\n1;0,11;hot, 1.5 h\n2;0,112;01.02.2024\n",
+        "load [N]\tCOF\n1\t0,11\n2\t0,112\n",
+        'load [N],COF\n"1","0,11"\n"2","0,112"\n',
+        "load,COF\n[N],[-]\n1,0.11\n2,0.112\n",
+        ",normal force in N,µ\n0,1,0.11\n1,2,0.112\n,,\n,,,\n",
+        "load_N,friction_coefficient\n1,0.11\n2,0.112\n",
     ],
 )
 def test_files_of_instruments_and_spreadsheets_are_read(tmp_path, text):
@@ -309,14 +324,25 @@ def test_files_of_instruments_and_spreadsheets_are_read(tmp_path, text):
 def test_what_is_left_out_of_a_file_is_named(tmp_path):
     path = tmp_path / "run.csv"
     path.write_text(
-        "load [N],friction coefficient,time [s]\n1,Bad,0\n2,0.112,1\n3,-,2\n4,0.109,3\n"
+        "run 3\nload [N],friction coefficient,time [s],film thickness [1]\n"
+        "1,Bad,0,1e-4\n2,0.112,1,1e-4\n3,-,2,1e-4\n4,0.109,3,1e-4\n5,#DIV/0!,4,1e-4\n"
     )
     found = tb.compare(path, **REST)
-    assert found.table["friction_coefficient"].isna().tolist() == [True, False, True, False]
-    assert found.notes[:2] == (
-        "friction coefficient has 2 cells without a number: '-', 'Bad'",
-        "columns left out: time [s]",
+    assert found.table["friction_coefficient"].isna().tolist() == [True, False, True, False, True]
+    assert found.notes[:3] == (
+        "lines above the headings left out: 1",
+        "friction coefficient has 3 cells without a number: '#DIV/0!', '-', 'Bad'",
+        "columns left out: time [s], film thickness [1]",
     )
+
+
+def test_a_table_with_a_film_in_two_units_and_a_bad_row_of_a_label():
+    table = data(**{"film thickness [1]": 1e-4, "film thickness [nm]": [900, 950, 990]})
+    assert tb.compare(table, **REST).table["film_thickness_nm"].tolist() == [900, 950, 990]
+    table.index = ["a", "b", "c"]
+    table.loc["b", "load [N]"] = 0
+    with pytest.raises(ValueError, match=r"load \[N\] is 0.0 in row b; allowed: positive numbers"):
+        tb.compare(table, **REST)
 
 
 def test_a_speed_that_no_oil_explains_is_refused_with_the_speed_of_the_inputs():
@@ -331,6 +357,26 @@ def test_a_speed_that_no_oil_explains_is_refused_with_the_speed_of_the_inputs():
     inputs = tb.bearing(speed_m_per_s=0.2, oil_density_kg_per_m3=850)
     expected = tb.compare(runs, parameters=inputs, speed_m_per_s=0.2, **given)
     assert found == expected
+    pint = pytest.importorskip("pint")
+    with_units = dict(
+        speed_m_per_s=pint.Quantity(200.0, "mm/s"),
+        oil_density_kg_per_m3=pint.Quantity(0.85, "g/cm^3"),
+        ball_radius_mm=pint.Quantity(6.35e-3, "m"),
+    )
+    assert found == tb.compare(runs, **with_units, **given)
+
+
+def test_the_speed_of_all_measurements_gives_the_inputs():
+    oil = dict(speed_m_per_s=2, oil_density_kg_per_m3=870, ball_radius_mm=10)
+    found = tb.compare(data(), **oil, **REST)
+    assert found == tb.compare(data(), parameters=tb.bearing(**oil), **REST)
+    with pytest.raises(ValueError, match="speed_m_per_s is 2, without a column of speeds; allowed"):
+        tb.compare(data(), speed_m_per_s=2, **REST)
+    speeds = data(**{"speed [m/s]": [1, 2, 3]})
+    at_4 = tb.compare(speeds, speed_m_per_s=4, ball_radius_mm=10, **REST)
+    assert at_4 == tb.compare(
+        speeds, speed_m_per_s=4, parameters=tb.bearing(ball_radius_mm=10), **REST
+    )
 
 
 def test_a_topography_in_two_units_is_warned_of(waves, tmp_path):
@@ -361,6 +407,8 @@ def test_the_roughness_of_surfaces_with_units_and_of_tables():
     found = tb.equivalent_roughness(Rq=(table["ball"], table["flat"]))
     assert found.to_dict() == {"a": 300.0, "b": 50.0}
     assert tb.equivalent_roughness(Rq=(table["ball"], 0.0)).equals(table["ball"])
+    with pytest.raises(ValueError, match="Rq of surface 1 and Rq of surface 2 have different ind"):
+        tb.equivalent_roughness(Rq=(table["ball"], table["flat"].reset_index(drop=True)))
     for bad in ((lengths[0], 180.0), (pint.Quantity(1.0, "s"), 1.0), (-table["ball"], 1.0)):
         with pytest.raises(ValueError, match="Rq is .*; allowed: "):
             tb.equivalent_roughness(Rq=bad)
@@ -396,8 +444,8 @@ def test_oils_by_the_name_of_their_grade_and_temperatures_with_units():
     expected = tb.oil_viscosity(60, grade=46, viscosity_index=95)
     assert tb.oil_viscosity(60, grade="ISO VG 46", viscosity_index=95) == expected
     warm = pint.Quantity(333.15, "kelvin")
-    assert tb.oil_viscosity(warm, grade="VG 46", viscosity_index=95) == pytest.approx(expected)
-    with pytest.raises(ValueError, match="temperature_C is .*; allowed: numbers, in degrees"):
+    assert tb.oil_viscosity(warm, grade="ISO-VG-46", viscosity_index=95) == pytest.approx(expected)
+    with pytest.raises(ValueError, match="temperature_C is .*; allowed: a quantity in degC"):
         tb.oil_viscosity(pint.Quantity(1.0, "m"), grade=46, viscosity_index=95)
 
 
@@ -411,5 +459,15 @@ def test_what_is_no_measurement_is_refused_in_one_line():
 @pytest.mark.parametrize("name", ["silicon nitride", "steel"])
 def test_materials_by_name(name):
     assert tb.bearing(ball=name) == tb.bearing(ball=MATERIALS[name])
-    with pytest.raises(ValueError, match="ball is 'wood'; allowed: a Material, or one of steel"):
+    with pytest.raises(
+        ValueError, match="ball is 'wood'; allowed: a thirdbody.Material, or one of steel"
+    ):
         tb.bearing(ball="wood")
+
+
+def test_an_index_of_several_levels_is_kept():
+    table = data(run=["a", "a", "b"], step=[1, 2, 1]).set_index(["run", "step"])
+    found = tb.compare(table, **REST)
+    assert found.to_dataframe().index.equals(table.index)
+    rows = found.to_dataset()
+    assert rows.sizes == {"row": 3} and rows["run"].values.tolist() == ["a", "a", "b"]

@@ -10,6 +10,7 @@ import xarray as xr
 from methods import ENGINEERING, POINT
 
 import thirdbody as tb
+from thirdbody.measured.estimates import Assumed
 
 UNIT = pint.UnitRegistry()
 
@@ -114,3 +115,32 @@ def test_a_quantity_of_any_package_is_converted_or_refused_in_one_line(solved, p
     assert solved(load=make(0.01, "kN")) == pytest.approx(expected)
     with pytest.raises(ValueError, match=r"^roughness is in kg; allowed: a length, e.g. in nm$"):
         solved(roughness=make(1.0, "kg"))
+
+
+KELVIN = 333.15
+
+
+@pytest.mark.parametrize("package", [each for each in PACKAGES if each != "xarray"])
+def test_numbers_with_a_unit_in_their_name_take_quantities(package):
+    make = partial(PACKAGES[package], pytest.importorskip(package))
+    inputs = tb.bearing(ball_radius_mm=make(0.5, "cm"))
+    assert inputs.ball_radius == pytest.approx(5e-3)
+    steel = dict(elastic_modulus_surfaces=make(112.0, "GPa"), hardness_parameter=0.04)
+    steel |= dict(material_parameter=2038.0, speed_per_viscosity=4.87e-6)
+    assert tb.load_parameters(**steel).elastic_modulus_surfaces == pytest.approx(112e9)
+    in_um, in_nm = (
+        tb.cleanliness("18/16/13", gap_nm=gap).value("most_above_4_um")
+        for gap in (make(1.0, "um"), 1000.0)
+    )
+    assert in_um == pytest.approx(in_nm)
+    assert Assumed(resistivity_ohm_m=make(2e-7, "ohm*m")) == Assumed(resistivity_ohm_m=2e-7)
+    warm = tb.oil_viscosity(make(KELVIN, "K"), grade=46)
+    assert warm == pytest.approx(tb.oil_viscosity(60, grade=46))
+    with pytest.raises(ValueError, match="^ball_radius_mm is .*; allowed: a quantity in mm$"):
+        tb.bearing(ball_radius_mm=make(1.0, "s"))
+
+
+def test_degrees_of_any_package_are_celsius():
+    astropy = pytest.importorskip("astropy.units")
+    warm = tb.oil_viscosity(np.array([60.0, 80.0]) * astropy.deg_C, grade=46)
+    assert warm == pytest.approx(tb.oil_viscosity([60, 80], grade=46))

@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
 from thirdbody.beside import toml_beside
-from thirdbody.conditions import check_number, check_numbers, checked_parameters
+from thirdbody.conditions import check_number, checked_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.configuration.printed import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.units import UNITS, plain_number
+from thirdbody.units import UNITS
 
 TABLES = toml_beside(__file__)
 USUAL, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
@@ -35,9 +35,9 @@ class Material:
     hardness_GPa: float
 
     def __post_init__(self):
-        for name, (*_, unit) in USUAL_MATERIAL.items():
-            object.__setattr__(self, name, plain_number(name, getattr(self, name), unit))
-        check_numbers({name: getattr(self, name) for name in USUAL_MATERIAL}, USUAL_MATERIAL)
+        given = {name: getattr(self, name) for name in USUAL_MATERIAL}
+        for name, number in checked_numbers(given, USUAL_MATERIAL).items():
+            object.__setattr__(self, name, number)
         check_number("poisson_ratio", self.poisson_ratio, positive=False)
         if self.poisson_ratio > 0.5:
             raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
@@ -69,7 +69,7 @@ def _material(name: str, given: Material | str) -> Material:
         return given
     word = given.replace("-", " ").lower() if isinstance(given, str) else None
     if word not in MATERIALS:
-        allowed = f"a Material, or one of {', '.join(MATERIALS)}{did_you_mean(given, MATERIALS)}"
+        allowed = f"a thirdbody.Material, or one of {', '.join(MATERIALS)}{did_you_mean(given, MATERIALS)}"
         raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
     return MATERIALS[word]
 
@@ -134,12 +134,7 @@ def bearing(
     """
     arguments = {name: value for name, value in locals().items() if value is not None}
     parameters = checked_parameters(parameters)
-    numbers = {
-        name: plain_number(name, arguments[name], unit)
-        for name, (*_, unit) in USUAL.items()
-        if name in arguments
-    }
-    check_numbers(numbers, USUAL)
+    numbers = checked_numbers({name: arguments[name] for name in USUAL if name in arguments}, USUAL)
     bodies = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
     modulus, changes = parameters.elastic_modulus_surfaces, {}
     if bodies:

@@ -8,7 +8,7 @@ the level, the sampling is refined ``DEPTH`` times by ``FINER``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -141,15 +141,19 @@ class Transition:
 
 
 class Transitions(Tabular, list):
-    """A list of ``Transition``, sorted by query, then by value."""
+    """A list of ``Transition`` ``along`` an axis, sorted by query, then by value."""
+
+    def __init__(self, along: str, changes: Iterable[Transition]) -> None:
+        super().__init__(changes)
+        self.along = along
 
     def to_dataframe(self) -> pd.DataFrame:
-        """One row per change."""
+        """One row per change, with its place in a column named ``along``."""
         import pandas as pd
 
         table = pd.DataFrame([vars(each) for each in self], columns=[*Transition.__annotations__])
         table = table.assign(border=[each.border.flag for each in self])
-        return indexed(table, self._index, table["query"])
+        return indexed(table.rename(columns={"value": self.along}), self._index, table["query"])
 
 
 def find(
@@ -240,13 +244,13 @@ def transitions(
     shape, others = queries(conditions, parameters, unit.condition)
     limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
     found = crossings(limits, unit, swept, others, parameters, rtol)
-    changes = Transitions()
+    changes = []
     for limit, query, value, error, rises, status in zip(*(each.tolist() for each in found)):
         border = BORDERS[limit]
         states = (border.below, border.above) if rises else (border.above, border.below)
         status = SOLUTION_STATUSES[status]
         changes.append(Transition(query, border, *states, value, error, status))
-    return changes._with_index(common_index(conditions))
+    return Transitions(along, changes)._with_index(common_index(conditions))
 
 
 def turning_point(
@@ -386,59 +390,90 @@ def crossings(
     ``query`` on.
     """
     check_rtol(rtol)
-    names, levels = [name for name, _ in limits], np.stack([level for _, level in limits])
-    variables = {*names, "error_bound", "solution_status"}
+    levels = np.stack([level for _, level in limits])
+    excess = _Excess([name for name, _ in limits], levels, unit.condition, others, parameters, rtol)
+    limit, query, rises, *ends = _brackets(excess, swept, progress)
+    root, width = bracketed_roots(
+        lambda log_value: excess.at(limit, query, log_value)[0], *ends, 0.1 * rtol
+    )
+    error, status = _errors(excess, limit, query, root, 2.0 * (width + rtol))
+    value = np.exp(root)
+    place, error = (
+        unit.from_si(each, parameters.newtons_per_load) for each in (value, value * np.expm1(error))
+    )
+    order = np.lexsort((value, query))
+    return tuple(each[order] for each in (limit, query, place, error, rises, status))
 
-    def solved(query, values, progress=False):
-        given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
-        return solve_arrays(given, parameters, rtol, variables, progress)
 
-    def excess_at(log_value):
-        """Variables minus their levels at ln of the axis, nan without solution; and the solution."""
-        found = solved(query, np.exp(log_value))
-        values = np.choose(limit, [getattr(found, name) for name in names])
-        return values - levels[limit, query], found
+@dataclass(frozen=True)
+class _Excess:
+    """Variables minus their levels, by limit and query, along an axis; other conditions in SI, by query."""
 
-    def certain_sign(log_value):
-        """Sign of the excess, 0 where its error may be larger; and the status there."""
-        excess, found = excess_at(log_value)
-        margin = found.error_bound * np.abs(excess + levels[limit, query])
+    names: list[str]
+    levels: NDArray
+    axis: str
+    others: Mapping[str, NDArray]
+    parameters: Parameters
+    rtol: float
+
+    def solved(self, query, values, progress=False):
+        """Solutions of queries at values of the axis."""
+        given = {name: column[query] for name, column in self.others.items()} | {self.axis: values}
+        variables = {*self.names, "error_bound", "solution_status"}
+        return solve_arrays(given, self.parameters, self.rtol, variables, progress)
+
+    def everywhere(self, swept, progress):
+        """All limits of all queries, in columns, at each of the values ``swept``."""
+        found = self.solved(np.arange(self.levels.shape[1]), swept[:, None], progress)
+        columns = [getattr(found, name) for name in self.names]
+        return np.concatenate(columns, axis=1) - self.levels.ravel()
+
+    def at(self, limit, query, log_value):
+        """Limits of queries at ln of the axis, nan without solution; and the solution."""
+        found = self.solved(query, np.exp(log_value))
+        values = np.choose(limit, [getattr(found, name) for name in self.names])
+        return values - self.levels[limit, query], found
+
+    def certain_sign(self, limit, query, log_value):
+        """The sign, 0 where the error of the variable may be larger; and the status."""
+        excess, found = self.at(limit, query, log_value)
+        margin = found.error_bound * np.abs(excess + self.levels[limit, query])
         return np.where(np.abs(excess) > margin, np.sign(excess), 0.0), found.solution_status
 
-    # columns of excess: each limit for each query, later those that may touch between three values
-    limit, query = (each.ravel() for each in np.indices(levels.shape))
-    found = solved(np.arange(levels.shape[1]), swept[:, None], progress)
-    excess = np.concatenate([getattr(found, name) for name in names], axis=1) - levels.ravel()
-    log_values = np.broadcast_to(np.log(swept)[:, None], excess.shape)
+
+def _brackets(excess, swept, progress):
+    """Limit and query of each change of sign, whether the variable rises there, and ln of the axis on
+    both sides."""
+    limit, query = (each.ravel() for each in np.indices(excess.levels.shape))
+    values = excess.everywhere(swept, progress)
+    log_values = np.broadcast_to(np.log(swept)[:, None], values.shape)
     brackets = []
     for depth in range(DEPTH + 1):
-        above, known = excess > 0.0, np.isfinite(excess)
+        above, known = values > 0.0, np.isfinite(values)
         step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
         ends = log_values[step, place], log_values[step + 1, place]
         brackets.append((limit[place], query[place], above[step + 1, place], *ends))
-        step, place = np.nonzero(_may_touch(excess))
+        step, place = np.nonzero(_may_touch(values))
         if depth == DEPTH or not place.size:
             break
         ends = log_values[step, place], log_values[step + 2, place]
         log_values = np.linspace(*ends, 2 * FINER + 1)
         limit, query = limit[place], query[place]
-        excess, _ = excess_at(log_values)
-    limit, query, rises, *ends = map(np.concatenate, zip(*brackets))
+        values, _ = excess.at(limit, query, log_values)
+    return map(np.concatenate, zip(*brackets))
 
-    root, width = bracketed_roots(lambda log_value: excess_at(log_value)[0], *ends, 0.1 * rtol)
-    error = 2.0 * (width + rtol)
+
+def _errors(excess, limit, query, root, error):
+    """Distances from ``root`` in ln of the axis, from ``error`` on, at which the signs on both sides are
+    certain and opposite, infinite if there are none; and the status."""
     for _ in range(ATTEMPTS):
-        sign_above, _ = certain_sign(root + error)
-        sign_below, status = certain_sign(root - error)
+        sign_above, _ = excess.certain_sign(limit, query, root + error)
+        sign_below, status = excess.certain_sign(limit, query, root - error)
         certain = sign_above * sign_below < 0.0
         if certain.all():
             break
         error = np.where(certain, error, WIDER * error)
-    value = np.exp(root)
-    error = np.where(certain, value * np.expm1(error), np.inf)
-    place, error = (unit.from_si(each, parameters.newtons_per_load) for each in (value, error))
-    order = np.lexsort((value, query))
-    return tuple(each[order] for each in (limit, query, place, error, rises, status))
+    return np.where(certain, error, np.inf), status
 
 
 def _may_touch(excess):

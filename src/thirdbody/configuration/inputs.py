@@ -18,6 +18,7 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.messages import format_path
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
+from thirdbody.units import plain_numbers
 
 Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
@@ -33,7 +34,7 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
         A YAML file with some inputs, plain or in the layout of ``config/inputs.yaml``, that
         overrides the calibrated ones; or a calibrated file of your own, which replaces them.
     **inputs : float, bool or str
-        Inputs by the field names of ``Parameters``, SI; they override the file.
+        Inputs by the field names of ``Parameters``, SI or quantities; they override the file.
 
     Returns
     -------
@@ -65,6 +66,10 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     entries = read_entries()
     calibrated = directory.parent / settings["calibrated"]
     chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
+    inputs = {
+        name: plain_numbers(name, each, entries[name].get("unit", "1")) if name in entries else each
+        for name, each in inputs.items()
+    }
     schema.validate(inputs, values_schema(entries), "load_parameters")
     values = chosen["parameters"] | plain_values(inputs)
     check_ball(values, "load_parameters")

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import codecs
-import csv
-import re
 from dataclasses import asdict, dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,35 +14,23 @@ from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
 from thirdbody.answers.bearing import USUAL as BEARING
 from thirdbody.answers.bearing import USUAL_DENSITY, bearing, implied_speed
 from thirdbody.conditions import (
-    check_numbers,
+    checked_numbers,
     checked_parameters,
     in_si,
     is_column,
-    warn_outside,
     without_warnings,
 )
 from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
-from thirdbody.messages import format_path, format_value
+from thirdbody.measured.reading import read_measured
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 from thirdbody.tabular import Tabular
-from thirdbody.units import ENGINEERING, UNITS, decimal, registry, unit_of
+from thirdbody.units import ENGINEERING, UNITS, decimal, unit_of
 
-# a unit of each condition, and the column and unit of each measured quantity, by heading
-CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
-CONDITIONS["speed"] = "m/s"
 UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
-USUAL = {name: ends for name, (_, _, *ends) in MEASURED.items()}  # least and most
-USUAL["speed"] = BEARING["speed_m_per_s"][:2]
-# other words for measured quantities
-ALIASES = {"cof": "friction coefficient", "coefficient of friction": "friction coefficient"}
-DIMENSIONLESS = "-", "1"  # units of ratios
-LENGTHS = {name for name, (_, unit, *_) in MEASURED.items() if unit == "nm"}
 CURVE = 80  # points of the model's curve where one condition varies
-# "load [N]", "load (N)" or "load / N"
-HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\)|/\s*([^/]+?))?\s*$")
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,16 +104,17 @@ def compare(
     Parameters
     ----------
     measured : path or pandas.DataFrame
-        CSV separated by commas, semicolons (also with decimal commas) or tabs.  Headings have units,
-        as ``load [N]``, ``load (N)``, ``load / N`` or in a row below them: ``viscosity [cSt]``,
-        ``speed [m/s]``, ``particle diameter [um]``, ``roughness [nm]``, ``particle density [1/mm^2]``;
-        and the measured quantities of ``estimates.toml``, such as ``friction coefficient`` and
-        ``film thickness [nm]``.  A cell of a measured quantity without digits is a missing value.
-        ``notes`` name these, and other columns, which are left out, such as H_c, ``film thickness [1]``.
-    speed_m_per_s, oil_density_kg_per_m3, ball_radius_mm : float, optional
-        The rolling speed of ``parameters`` [m/s], required if and only if there is a column of speeds.
-        The published inputs stand for the speed that the message about a contradiction states.  With
-        the density of the oil [kg m-3], the inputs are derived for this speed and ball by ``bearing``.
+        CSV separated by commas, semicolons or tabs, also with decimal commas and with lines above the
+        headings.  Headings have units, as ``load [N]``, ``load (N)``, ``load / N`` or in a row below
+        them: ``viscosity [cSt]``, ``speed [m/s]``, ``particle diameter [um]``, ``roughness [nm]``,
+        ``particle density [1/mm^2]``; and the measured quantities of ``estimates.toml``, such as
+        ``friction coefficient`` and ``film thickness [nm]``; or are names such as ``load_N``.  A cell of
+        a measured quantity without digits is a missing value.  ``notes`` name these, and other columns,
+        which are left out, such as H_c, ``film thickness [1]``.
+    speed_m_per_s, oil_density_kg_per_m3, ball_radius_mm : float or quantity, optional
+        With the density of the oil [kg m-3], the inputs are derived for this rolling speed [m/s] and ball
+        by ``bearing``.  Without it, a column of speeds requires the speed of ``parameters``, which the
+        messages state.
     assumed : Assumed, optional
         Assumptions of the estimates of friction and contact resistance (``estimates.Assumed``).
     parameters, **conditions
@@ -147,30 +132,21 @@ def compare(
     """
     parameters = checked_parameters(parameters)
     assumed = Assumed() if assumed is None else assumed
-    columns, notes = _read(measured)
-    observed = {MEASURED[name][0]: columns[name] for name in columns if name in MEASURED}
-    if not observed:
-        raise ValueError(f"measured has no column of {', '.join(MEASURED)}; allowed: one or more")
-    if ("speed" in columns) != (speed_m_per_s is not None):
-        message = f"speed_m_per_s is {format_value(speed_m_per_s)}"
-        raise ValueError(f"{message}; allowed: a number with a column of speeds, else none")
-    if oil_density_kg_per_m3 is not None or ball_radius_mm is not None:
-        parameters = bearing(
-            parameters,
-            ball_radius_mm=ball_radius_mm,
-            speed_m_per_s=speed_m_per_s,
-            oil_density_kg_per_m3=oil_density_kg_per_m3,
-        )
-    if speed_m_per_s is not None:
-        check_numbers({"speed_m_per_s": speed_m_per_s}, BEARING)
-        _check_speed(speed_m_per_s, parameters)
+    columns, notes = read_measured(measured)
+    observed = {MEASURED[name][0]: each for name, each in columns.items() if name in MEASURED}
+    bearing_given = {
+        "speed_m_per_s": speed_m_per_s,
+        "oil_density_kg_per_m3": oil_density_kg_per_m3,
+        "ball_radius_mm": ball_radius_mm,
+    }
+    parameters, speed = _of_bearing(parameters, "speed" in columns, bearing_given)
     rows = len(next(iter(columns.values())))
     index = measured.index if isinstance(measured, pd.DataFrame) else pd.RangeIndex(rows)
     table = _conditions(columns, conditions, parameters, index)
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
     table, curve = (
-        _with_model(each, observed, (parameters, *members), speed_m_per_s, assumed)
+        _with_model(each, observed, (parameters, *members), speed, assumed)
         for each in (table, curve)
     )
     for name, quantity in observed.items():
@@ -186,128 +162,34 @@ def compare(
     return Comparison(table, curve, along, tuple(observed), tuple(notes))
 
 
-def _check_speed(speed, parameters):
-    """Raise ``ValueError`` if no oil has the density that the inputs imply at this speed [m/s]."""
-    usual = implied_speed(parameters)
-    density = USUAL_DENSITY * usual / speed
-    least, most, _ = BEARING["oil_density_kg_per_m3"]
-    if not least <= density <= most:
-        raise ValueError(
-            f"speed_m_per_s is {speed:g}, at which the inputs stand for an oil of {density:.5g} kg/m3; allowed: "
-            f"{usual:.3g} m/s (with {USUAL_DENSITY:g} kg/m3), or oil_density_kg_per_m3, which derives the inputs"
-        )
-
-
-def _read(measured):
-    """The columns of a file or table by heading, without unit, as quantities of pint, and notes on
-    what was left out."""
-    table = measured if isinstance(measured, pd.DataFrame) else _read_csv(measured)
-    if not len(table):
-        raise ValueError("measured has no rows; allowed: one or more below the headings")
-    columns, notes, others = {}, [], []
-    for heading, column in table.items():
-        words, *units = HEADING.match(str(heading)).groups()
-        name, unit = words.lower().replace("_", " "), next(filter(None, units), "")
-        name = ALIASES.get(name, name)
-        if name in columns:
-            message = f"measured has the column {format_value(heading)}, a second one of {name}"
-            raise ValueError(f"{message}; allowed: one of each")
-        is_relative = name in LENGTHS and unit in DIMENSIONLESS  # H_c
-        if (name in MEASURED or name in CONDITIONS) and not is_relative:
-            columns[name] = _quantity(heading, name, unit, column, notes)
-        else:
-            others.append(str(heading))
-    if others:
-        notes.append(f"columns left out: {', '.join(others)}")
-    return columns, notes
-
-
-def _read_csv(path):
-    """A CSV file as texts; the separator is the first of tab, semicolon and comma found in the headings."""
-    if not isinstance(path, str | PathLike):
-        allowed = "a pandas.DataFrame, or the path of a CSV file"
-        raise ValueError(f"measured is {format_value(path)}; allowed: {allowed}")
-    name = format_path(path)
-    try:
-        content = Path(path).read_bytes()
-    except OSError as error:
-        raise type(error)(f"{name} cannot be read ({error.strerror})") from None
-    wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    try:
-        text = content.decode("utf-16" if wide else "utf-8-sig")
-    except UnicodeDecodeError:
-        text = content.decode("cp1252", "replace")  # of spreadsheets
-    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
-    if not lines:
-        raise ValueError(f"{name} is empty; allowed: headings and rows below them")
-    separator = next((each for each in "\t;" if each in lines[0]), ",")
-    headings, *rows = csv.reader(lines, delimiter=separator, skipinitialspace=True)
-    lines = [headings, *rows]
-    if not any(
-        "".join(line[len(headings) - 1 :]).strip() for line in lines
-    ):  # separators at the end
-        headings, *rows = (line[: len(headings) - 1] for line in lines)
-    if rows and len(rows[0]) == len(headings) and _are_units(headings, rows[0]):
-        units, *rows = rows
-        headings = [f"{each} [{unit.strip()}]" for each, unit in zip(headings, units)]
-    for row in rows:
-        if len(row) != len(headings):
-            found = f"{len(row)} cells in the row {format_value(separator.join(row))}"
-            raise ValueError(f"{name} has {found}; allowed: {len(headings)}, as headings")
-    if separator == ";":
-        signs = {sign for row in rows for cell in row for sign in ",." if sign in cell}
-        if len(signs) > 1:
-            message = f"{name} has numbers with a comma and numbers with a point"
-            raise ValueError(f"{message}; allowed: one decimal sign, and none between thousands")
-        rows = [[cell.replace(",", ".") for cell in row] for row in rows]
-    return pd.DataFrame(rows, columns=headings)
-
-
-def _are_units(headings, cells):
-    """Whether the first row below headings has units, which the headings then have not."""
-    known = any(any(HEADING.match(each).groups()[1:]) for each in headings)
-    digits = any(sign.isdigit() for cell in cells for sign in cell)
-    return not (known or digits) and any(cell.strip() not in ("", "-") for cell in cells)
-
-
-def _quantity(heading, name, unit, column, notes):
-    """The numbers of a column, nan in cells without a measurement, with their unit, which only
-    dimensionless quantities may omit; for F_t* it is 1.  ``notes`` get the marks of missing values."""
-    texts = column.astype(str).str.strip()
-    numbers = pd.to_numeric(texts, errors="coerce").to_numpy(float)
-    wrong = ~np.isfinite(numbers)
-    if name in MEASURED:
-        missing = np.isnan(numbers) & ~texts.str.contains(r"\d").to_numpy(bool)
-        wrong &= ~missing
-        if missing.any():
-            marks = ", ".join(sorted({format_value(text) for text in texts[missing]}))
-            notes.append(f"{heading} has {missing.sum()} cells without a number: {marks}")
-    for index in np.flatnonzero(wrong):
-        message = f"{heading} is {format_value(column.iloc[index])} in row {index + 1}"
-        raise ValueError(f"{message}; allowed: numbers, finite and with a decimal point")
-    if np.isnan(numbers).all():
-        raise ValueError(f"{heading} has no numbers; allowed: one or more")
-    wanted = CONDITIONS.get(name) or MEASURED[name][1]
-    if unit in DIMENSIONLESS or (not unit and name in MEASURED):
-        unit = "dimensionless"
-    try:
-        quantity = registry().Quantity(numbers, registry().Unit(unit.replace("%", "percent")))
-        known = quantity.is_compatible_with(wanted) or (name == "load" and quantity.unitless)
-    except Exception:  # pint raises many types
-        known = False
-    if not unit or not known:
-        message = f"the unit of {format_value(heading)} is not known"
-        raise ValueError(f"{message}; allowed: as '{name} [{wanted}]'")
-    if name in USUAL:
-        ends = registry().Quantity(USUAL[name], wanted).to(quantity.units).magnitude
-        warn_outside({name: numbers}, {name: (*ends, unit.replace("dimensionless", "1"))})
-    return quantity
+def _of_bearing(parameters, has_speeds, given):
+    """The inputs for the ball, speed and oil that are given, and the speed [m/s] at which they hold."""
+    given = {name: each for name, each in given.items() if each is not None}
+    numbers = checked_numbers(given, BEARING)
+    speed, derives = numbers.get("speed_m_per_s"), "oil_density_kg_per_m3" in numbers
+    usual = f"{implied_speed(parameters):.3g} m/s (with {USUAL_DENSITY:g} kg/m3)"
+    if has_speeds and speed is None:
+        message = "speed_m_per_s is None, with a column of speeds; allowed: the speed of the inputs"
+        raise ValueError(f"{message}, {usual}, or any with oil_density_kg_per_m3")
+    if speed is not None and not (has_speeds or derives):
+        message = f"speed_m_per_s is {speed:g}, without a column of speeds"
+        raise ValueError(f"{message}; allowed: none, or also oil_density_kg_per_m3")
+    if has_speeds and not derives:
+        density = USUAL_DENSITY * implied_speed(parameters) / speed
+        least, most, _ = BEARING["oil_density_kg_per_m3"]
+        if not least <= density <= most:
+            message = f"speed_m_per_s is {speed:g}, at which the inputs stand for an oil of"
+            allowed = f"{usual}, or oil_density_kg_per_m3, which derives the inputs"
+            raise ValueError(f"{message} {density:.5g} kg/m3; allowed: {allowed}")
+        del numbers["speed_m_per_s"]
+    with without_warnings():
+        return (bearing(parameters, **numbers) if numbers else parameters), speed
 
 
 def _conditions(columns, conditions, parameters, index):
     """The conditions of each measurement in engineering units, with the speed if there is one."""
-    names = zip(CONDITIONS, ENGINEERING)
-    given = {name: columns[words] for words, name in names if words in columns}
+    words = {name: name.replace("_", " ") for name in ENGINEERING}
+    given = {name: columns[each] for name, each in words.items() if each in columns}
     for key, values in conditions.items():
         if unit_of(key).condition in given:
             raise ValueError(f"{key} is given twice; allowed: a column, or one number")
@@ -339,12 +221,12 @@ def _curve(table):
     return along, pd.DataFrame(table.iloc[0].to_dict() | {along: points})
 
 
-def _with_model(table, columns, inputs, speed_m_per_s, assumed):
+def _with_model(table, columns, inputs, speed, assumed):
     """Conditions with the model values for the first of the inputs, and the range of the others."""
     conditions = {name: table[name].to_numpy() for name in ENGINEERING.values()}
-    if speed_m_per_s is not None:  # the film depends on the product of speed and viscosity
-        speed = table["speed_m_per_s"].to_numpy() / speed_m_per_s
-        conditions["viscosity_cSt"] = conditions["viscosity_cSt"] * speed
+    if "speed_m_per_s" in table:  # the film depends on the product of speed and viscosity
+        ratio = table["speed_m_per_s"].to_numpy() / speed
+        conditions["viscosity_cSt"] = conditions["viscosity_cSt"] * ratio
     with without_warnings():
         found = [
             measurable(solve(**conditions, parameters=each, progress=False), each, assumed)

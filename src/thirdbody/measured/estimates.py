@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.beside import toml_beside
-from thirdbody.conditions import check_numbers
+from thirdbody.conditions import checked_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
@@ -26,7 +26,7 @@ class Assumed:
 
     ``boundary_friction`` is the friction coefficient [1] of the solids, 0.08 to 0.15 for steel in oil;
     ``film_friction`` that of the film, 0.01 to 0.07, depending on oil and sliding; ``resistivity_ohm_m``
-    the mean electrical resistivity [ohm m] of both bodies.
+    the mean electrical resistivity [ohm m] of both bodies.  Numbers or quantities.
     """
 
     boundary_friction: float = 0.12
@@ -34,7 +34,8 @@ class Assumed:
     resistivity_ohm_m: float = 2.2e-7
 
     def __post_init__(self):
-        check_numbers(vars(self), USUAL)
+        for name, number in checked_numbers(vars(self), USUAL).items():
+            object.__setattr__(self, name, number)
 
 
 @np.errstate(divide="ignore")  # without contact the resistance is infinite

@@ -17,14 +17,14 @@ from scipy.optimize import brentq
 from thirdbody.answers.answer import Answer, Row, few_particles
 from thirdbody.conditions import (
     check_number,
-    check_numbers,
     checked_array,
+    checked_numbers,
     checked_parameters,
     is_column,
 )
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.units import is_quantity
+from thirdbody.units import plain_numbers
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -35,7 +35,7 @@ GRADES |= {grade: float(grade) for grade in (10, 15, 22, 32, 46, 68, 100, 150, 2
 GRADES |= {grade: float(grade) for grade in (680, 1000, 1500, 2200, 3200)}
 USUAL_INDEX = 95.0  # of the mineral oils in ISO 3448
 LEAST, MOST = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
-GRADE = re.compile(r"(?:ISO *)?(?:VG)? *(\d+)", re.IGNORECASE)
+GRADE = re.compile(r"(?:ISO[ -]*)?(?:VG[ -]*)?(\d+)", re.IGNORECASE)
 COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
 ZERO = 273.15  # K
 # ASTM D2270: rows of seven numbers, described in the file
@@ -89,7 +89,7 @@ def oil_viscosity(
         oil = dict(grade=grade, viscosity_index=viscosity_index, points=points)
         found = oil_viscosity(temperature_C.to_numpy(), **oil)
         return type(temperature_C)(found, temperature_C.index, name="viscosity_cSt")
-    temperature_C = _in_celsius(temperature_C)
+    temperature_C = plain_numbers("temperature_C", temperature_C, "degC")
     temperature = checked_array("temperature_C", temperature_C, "numbers, in degrees Celsius")
     given = f"temperature_C is {format_value(temperature_C)}"
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
@@ -121,23 +121,16 @@ def oil_viscosity(
     return viscosity
 
 
-def _in_celsius(temperature):
-    """Numbers of a quantity in degrees Celsius; anything else as it is."""
-    if not is_quantity(temperature):
-        return temperature
-    try:
-        return temperature.to("degC").magnitude
-    except Exception:  # pint raises many types
-        given = f"temperature_C is {format_value(temperature)}"
-        raise ValueError(
-            f"{given}; allowed: numbers, in degrees Celsius, or temperatures"
-        ) from None
-
-
 def _checked_points(points):
     """Two temperatures with their viscosities, the colder one first."""
     try:
-        cold, hot = sorted((float(each), float(nu)) for each, nu in points.items())
+        cold, hot = sorted(
+            (
+                float(plain_numbers("points", each, "degC")),
+                float(plain_numbers("points", nu, "cSt")),
+            )
+            for each, nu in points.items()
+        )
         fit = COLDEST <= cold[0] < hot[0] <= HOTTEST and LEAST <= hot[1] < cold[1] <= MOST
     except (AttributeError, TypeError, ValueError):
         fit = False
@@ -193,7 +186,7 @@ def cleanliness(
     """
     parameters = checked_parameters(parameters)
     check_number("enrichment", enrichment)
-    check_numbers({"gap_nm": gap_nm}, USUAL)
+    gap_nm = checked_numbers({"gap_nm": gap_nm}, USUAL)["gap_nm"]
     rows, notes = [], []
     numbers = _scale_numbers(code)
     for size, number in zip(SIZES, numbers):

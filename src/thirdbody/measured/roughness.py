@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions import checked_array, is_column
+from thirdbody.conditions import checked_array, common_index, is_column
 from thirdbody.messages import format_value
-from thirdbody.units import is_quantity
+from thirdbody.units import has_unit, plain_numbers
 
 
 def equivalent_roughness(
@@ -21,7 +21,7 @@ def equivalent_roughness(
     ----------
     Rq, Ra : pair of numbers
         Root mean square, or arithmetic mean, of the heights of both surfaces: numbers in one unit,
-        quantities of pint, or columns of pandas.  For Gaussian heights Rq is sqrt(pi/2) Ra.
+        quantities, or columns of one table of pandas.  For Gaussian heights Rq is sqrt(pi/2) Ra.
 
     Returns
     -------
@@ -50,6 +50,7 @@ def equivalent_roughness(
         one, other = pair
     except (TypeError, ValueError):
         raise ValueError(f"{name} is {format_value(pair)}; allowed: two numbers") from None
+    common_index({f"{name} of surface 1": one, f"{name} of surface 2": other})
     one, other = (_checked_heights(name, each) for each in (one, other))
     factor = math.sqrt(math.pi / 2.0) if name == "Ra" else 1.0
     try:
@@ -62,9 +63,10 @@ def equivalent_roughness(
 def _checked_heights(name, given):
     """Heights as given, lists as arrays; ``ValueError`` unless they are lengths and not negative."""
     allowed = "zero or positive numbers"
-    is_length = is_quantity(given) and given.is_compatible_with("m")
-    bare = given.to_numpy() if is_column(given) else given.magnitude if is_length else given
+    bare = given.to_numpy() if is_column(given) else plain_numbers(name, given, "m")
     numbers = checked_array(name, bare, allowed)
     if not ((numbers >= 0.0) & np.isfinite(numbers)).all():
         raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
-    return given if is_length or is_column(given) else numbers if numbers.ndim else float(numbers)
+    if is_column(given) or has_unit(given):
+        return given
+    return numbers if numbers.ndim else float(numbers)

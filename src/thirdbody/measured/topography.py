@@ -18,7 +18,7 @@ from thirdbody.extras import require
 from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
-from thirdbody.units import CONDITIONS
+from thirdbody.units import CONDITIONS, plain_numbers
 
 STEEPEST = 1.0  # root mean square slope
 
@@ -94,6 +94,7 @@ def surface(
     spacing = max(max(each.pixel_size) for each in topographies)
     scale = float(spacing)
     if scale_nm is not None:
+        scale_nm = plain_numbers("scale_nm", scale_nm, "nm")
         check_number("scale_nm", scale_nm)
         scale = 1e-9 * scale_nm
     if scale < spacing * (1.0 - 1e-9):
