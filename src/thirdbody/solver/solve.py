@@ -112,9 +112,9 @@ def solve(
     >>> given = dict(particle_diameter=0.5e-6, roughness_nm=300, particle_density=1e11)
     >>> found = tb.solve(load=1e-5, viscosity_cSt=[0, 120], **given)
     >>> found.solid_load_fraction.round(4)
-    array([1.    , 0.7399])
+    array([1.    , 0.8232])
     >>> found.separation.round(10)  # [m]
-    array([1.0580e-06, 1.2043e-06])
+    array([1.1302e-06, 1.2537e-06])
 
     Loads and viscosities with named dimensions give a table:
 
@@ -123,7 +123,7 @@ def solve(
     >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
     >>> found = tb.solve(load=loads, viscosity=oils, **given)
     >>> found.solid_load_fraction.sel(oil="thick").round(4).values
-    array([0.9996, 0.7399])
+    array([0.9995, 0.8232])
     """
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
