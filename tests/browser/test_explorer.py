@@ -125,7 +125,9 @@ def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
 def test_what_no_interface_has_is_said(explorer):
     explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
     notes = explorer.one("#notes").text
-    assert "Particle diameter is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
+    assert (
+        "Particle diameter is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
+    )
 
 
 def test_another_interpretation_is_another_model(explorer):
@@ -384,14 +386,74 @@ def test_scales_areas_and_axes_can_be_changed(explorer):
 
 
 def test_the_cut_is_drawn_to_scale(explorer):
+    """As far upwards as the bars say, and with the contacts of its mode."""
     explorer.open("view=section&load_N=1&particle_diameter_nm=800")
-    height = explorer.run(
-        """const lines = [...document.querySelectorAll('.section line')].map((l) => Number(l.getAttribute('y1')));
-        const bar = document.querySelector('.section g path').getAttribute('d').match(/H([\\d.]+)/)[1];
-        return Math.abs(lines[1] - lines[0]) / bar"""
+    planes, bar = explorer.run(
+        """const lines = [...document.querySelectorAll('.section .plane')].map((l) => Number(l.getAttribute('y1')));
+        const [, top, foot] = document.querySelector('.section .bar').getAttribute('d').match(/,([\\d.]+)V([\\d.]+)/);
+        return [Math.abs(lines[1] - lines[0]), foot - top]"""
     )
+    height = number(explorer.one(".section text").text, "")
     gap = re.search(r"Separation.*?([\d.]+) nm", explorer.one("#point").text)[1]
-    assert height == pytest.approx(float(gap) / 1000.0, rel=1e-3)
+    assert planes / bar == pytest.approx(float(gap) / height, rel=0.02)
+    notes = explorer.one("#notes").text
+    assert "particle-surface mode" in notes and "0 contacts of summits" in notes
+    assert explorer.all(".section .carries") and not explorer.one(".section .touch").get_attribute(
+        "d"
+    )
+
+
+def test_a_full_film_has_no_contact_mode(explorer):
+    explorer.open("view=section&viscosity_cSt=150&particle_diameter_nm=100&load_N=80")
+    assert "full film" in explorer.one("#notes").text and "mode" not in explorer.one("#notes").text
+    rows = [each.text for each in explorer.all("#point .frame:first-child th")]
+    assert "Lubrication" in rows and "Contact mode" not in rows
+    assert not explorer.all(".section .carries") and "full film from" in explorer.one("#point").text
+
+
+def test_the_cut_has_the_colours_of_figures_1_and_2(explorer):
+    """Of the theme on white; the other one is dark."""
+    from matplotlib.colors import to_hex
+    from matplotlib.style import context
+
+    from thirdbody.figures.drawing import STYLE
+    from thirdbody.figures.schematics import CARRYING, FREE, LOOKS, LUBRICANT
+
+    explorer.open(scheme="light")
+    names = {"surface 1": "--surface-1", "surface 2": "--surface-2", LUBRICANT: "--lubricant"}
+    names |= {CARRYING: "--carries", FREE: "--free"}
+    with context(STYLE):
+        expected = {variable: to_hex(LOOKS[part]["facecolor"]) for part, variable in names.items()}
+    script = (
+        "return getComputedStyle(document.documentElement).getPropertyValue(arguments[0]).trim()"
+    )
+    assert {variable: explorer.run(script, variable) for variable in expected} == expected
+
+
+def test_lines_bend_without_corners(explorer):
+    """Between neighbours of a line the direction changes little, also where a mode begins."""
+    explorer.open("view=axes&figure=fig06")
+    path = explorer.run("return document.querySelector('#charts .line.mine').getAttribute('d')")
+    points = np.array(re.findall(r"([\d.]+),([\d.]+)", path), dtype=float)
+    before, after = np.diff(points[:-1], axis=0), np.diff(points[1:], axis=0)
+    chord = before + after
+    off = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]) / np.hypot(*chord.T)
+    assert off.max() < 3.0 and len(points) > 80
+
+
+def test_sliders_that_change_nothing_are_absent(explorer):
+    """And each of the others changes what is drawn."""
+    explorer.open("figure=fig10")
+    shown = [
+        each.get_attribute("id")
+        for each in explorer.all("[id^=condition-]:not([id$=note])")
+        if each.is_displayed()
+    ]
+    assert shown == [f"condition-{name}" for name in ("load", "viscosity", "particle_density")]
+    for name in shown:
+        before = explorer.one("#charts").get_attribute("innerHTML")
+        explorer.enter(f"#{name}", "50")
+        assert explorer.one("#charts").get_attribute("innerHTML") != before, name
 
 
 def test_the_link_restores_everything(explorer):

@@ -382,6 +382,9 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     if name == "fig03":
         last = drawing.panels[1].of_kind(CURVE)[-1]
         assert f"xₐ = 1000 nm runs from {last.y[0]:.2g} to {last.y[-1]:.2g}" in text
+    if name == "fig11":
+        first = drawing.panels[1].of_kind(CURVE)[0]
+        assert f"runs from {100.0 * first.y[0]:.2g} % to" in text and "×10⁻⁴" in text
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
     body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
     assert body.count("<strong>") == 2

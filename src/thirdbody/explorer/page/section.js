@@ -8,15 +8,15 @@ import { escaped, plain } from "./text.js";
 
 const SEED = 0.20240507; // the day on which the paper appeared
 const POINTS = 500;
-const LENGTH = 24e-6; // of the cut [m]
-const STRETCH = 3.5; // of heights over lengths
+const LENGTH = 40e-6; // of the cut [m]
+const STRETCH = 8; // of heights over lengths; particles are drawn round
 const STEP = LENGTH / (POINTS - 1);
-const MOST = 60; // particles drawn
+const MOST = 30; // particles drawn
 const TOUCHING = 0.35; // where summits touch, as a part of the length
 const RIGHT = [0.6, 0.88]; // between which parts a particle carries load, in modes in which they do
 const ATTEMPTS = 60; // at a cut that shows the mode
-const [ABOVE, BELOW] = [0.4e-6, 1.3e-6]; // heights of the solids above and below the surfaces [m]
-const BAR = 3.5e-6; // of the scale along the cut [m]
+const [ABOVE, BELOW] = [0.25e-6, 0.75e-6]; // heights of the solids above and below the surfaces [m]
+const BAR = 4e-6; // of the scale along the cut [m]
 
 // A Gaussian profile of unit variance with the autocorrelation exp(-x^2/2 length^2).
 function profile(length, normal) {
@@ -83,8 +83,17 @@ function sectionOf() {
     // one that carries load
     return settled(narrowest * STEP, Math.max(size, 1.001 * (gap(narrowest) - plane - depth)), lower, upper, plane + depth);
   });
-  const isFree = ({ place }) => !touches[Math.round(place / STEP)];
-  return { found, point, lower, upper, touches, particles: particles.filter(isFree) };
+  return { found, point, lower, upper, touches, particles: apart(particles, touches) };
+}
+
+// Those of the particles that can be drawn without overlaps, and beside contacts of summits.
+function apart(particles, touches) {
+  const shown = [];
+  for (const each of particles) {
+    const isClear = ({ place, radius }) => Math.abs(place - each.place) > STRETCH * (radius + each.radius);
+    if (!touches[Math.round(each.place / STEP)] && shown.every(isClear)) shown.push(each);
+  }
+  return shown;
 }
 
 // A particle at rest on the lower surface, or held where the gap is narrower. It carries load where the
@@ -97,7 +106,8 @@ function settled(place, diameter, lower, upper, reach) {
   const rests = d3.max(near, (i) => lower[i] + half(i));
   const hangs = d3.min(near, (i) => upper[i] - half(i));
   const height = Math.min(rests, 0.5 * (rests + hangs));
-  return { place, radius, height, ceiling: upper[Math.round(place / STEP)], carries: rests + reach > hangs };
+  const ceiling = d3.max(upper, (z, i) => (away(i) < STRETCH * radius ? z : undefined));
+  return { place, radius, height, ceiling, carries: rests + reach > hangs };
 }
 
 // What the cut shows, in words.
@@ -119,7 +129,7 @@ export function drawSection(parent) {
     return "No separation balances the load at these conditions.";
   }
   const words = wordsOf(section);
-  const title = `The interface cut across, heights stretched ${STRETCH} times`;
+  const title = `The interface cut across, heights stretched ${STRETCH} times, particles drawn round`;
   const figure = d3.select(parent).html("").append("figure").attr("data-title", title);
   figure.append("figcaption").text(title);
   const svg = figure.append("svg").attr("class", "chart section").attr("xmlns", "http://www.w3.org/2000/svg").attr("role", "img");
@@ -136,17 +146,19 @@ function drawingOf({ found, point, lower, upper, touches, particles }, scale) {
   const [x, y] = [(i) => i * STEP * scale, (value) => (top - value) * scale * STRETCH];
   const between = (from, to) => d3.area((_, i) => x(i), (_, i) => y(from(i)), (_, i) => y(to(i))).digits(1)(lower);
   const [low, high] = [(i) => lower[i], (i) => upper[i]];
-  const balls = particles.map(({ place, radius, height, ceiling, carries }) => {
-    const [cx, above] = [place * scale, height + radius];
-    const zone = carries && ceiling > above ? `<path class="elastic" d="M${cx},${y(above)}V${y(ceiling)}"/>` : "";
-    const radii = `rx="${radius * scale}" ry="${radius * scale * STRETCH}"`;
-    return `${zone}<ellipse class="${carries ? "carries" : "free"}" cx="${cx}" cy="${y(height)}" ${radii}/>`;
+  const zones = particles.map(({ place, radius, height, ceiling, carries }) => {
+    const [left, deep] = [(place - radius * STRETCH) * scale, y(height + radius) - y(ceiling)];
+    return carries && deep > 0 ? `<rect class="elastic" x="${left}" y="${y(ceiling)}" width="${2 * radius * STRETCH * scale}" height="${deep}"/>` : "";
+  });
+  const balls = particles.map(({ place, radius, height, carries }) => {
+    return `<circle class="${carries ? "carries" : "free"}" cx="${place * scale}" cy="${y(height)}" r="${radius * STRETCH * scale}"/>`;
   });
   const touching = d3.line((_, i) => x(i), y).defined((_, i) => touches[i])(lower) ?? "";
   const planes = [0, found.separation].map((level) => `<line class="plane" x2="${x(POINTS - 1)}" y1="${y(level)}" y2="${y(level)}"/>`);
   const [bar, foot] = [BAR * scale, y(ground) - 10]; // as far upwards, and smaller by the stretch
   const drawing = `
     <path d="${between(low, high)}" fill="${point.viscosity > 0 ? "var(--lubricant)" : "var(--paper)"}"/>
+    ${zones.join("")}
     <path class="solid" d="${between(high, () => top)}" fill="var(--surface-1)"/>
     <path class="solid" d="${between(() => ground, low)}" fill="var(--surface-2)"/>
     ${planes.join("")}
@@ -165,5 +177,5 @@ export const SECTION_KEY = [
   { text: "particle that carries load", fill: "var(--carries)", kind: "carries" },
   { text: "free particle", fill: "var(--free)", kind: "free" },
   { text: "contact of summits", color: "var(--turning)", kind: "touch" },
-  { text: "elastic zone h_e", color: "var(--turning)", kind: "elastic" },
+  { text: "elastic zone h_e", fill: "var(--turning)", kind: "elastic" },
 ];
