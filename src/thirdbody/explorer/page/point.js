@@ -6,7 +6,7 @@ import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
 import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
 import { FULL_FILM, modeText, numberText, statusText, valueText, wordOf } from "./names.js";
-import { typeset } from "./text.js";
+import { escaped, plain, typeset } from "./text.js";
 
 const DIGITS = 3; // of numbers without an ensemble
 const [MOST_DIGITS, ALL_DIGITS] = [4, 10]; // of numbers before and after they are rounded
@@ -98,5 +98,5 @@ function changesText(name, point, engine) {
 function table(title, rows) {
   const cells = (texts) => texts.map((text) => `<td>${typeset(text)}</td>`).join("");
   const lines = rows.map(([name, ...texts]) => `<tr><th scope="row">${typeset(name)}</th>${cells(texts)}</tr>`);
-  return `<div class="frame" tabindex="0"><table><caption>${typeset(title)}</caption>${lines.join("")}</table></div>`;
+  return `<div class="frame" tabindex="0" role="group" aria-label="${escaped(plain(title))}"><table><caption>${typeset(title)}</caption>${lines.join("")}</table></div>`;
 }
