@@ -58,7 +58,7 @@ export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
   const { kind = fill ? "area" : kindOf({ dry, mine }), ...look } = given;
   if (fill) return `<rect class="${kind}" x="4" y="1" width="22" height="12" fill="${fill}"/>`;
   const line = look.color ? `<path class="${kind}" d="M1,7H29" ${strokeOf(look)}/>` : "";
-  const symbol = marker === undefined ? "" : markerOf(marker, 15, 7, look);
+  const symbol = marker === undefined ? "" : markerOf(marker, 15, 7, { color: look.color });
   return line + symbol + (mark ? shapeOf(mark, 15, 7, { color: "var(--ink)" }) : "");
 }
 
@@ -238,7 +238,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   const borders = spec.borders.map(({ rings, kind }) => `<path class="${kind}" d="${rings.map(border).join("")}"/>`);
   const ranges = spec.ranges.map(({ points, color, faded }) => {
     const outline = points.map(([x, y]) => `${inX(x)},${inY(y)}`).join("L");
-    const under = `<path class="under" d="M${outline}"/>`; // several may overlap
+    const under = faded ? "" : `<path class="under" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
   const limits = spec.limits.flatMap(({ at: [x], ends: [[low], [high]] }) => {
