@@ -84,7 +84,7 @@ def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
         printed = [row for row in of_panel if row["curve"].startswith("printed; ")]
         shown = explorer.all("#charts figure")[place]
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
-        assert len(shown.find_elements("css selector", "rect.printed")) == len(printed)
+        assert len(shown.find_elements("css selector", ".printed, .limit")) == len(printed)
     assert explorer.one("#caption").text.startswith("(A)")
 
 
@@ -114,7 +114,9 @@ def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
     before = explorer.one("#point").text
     explorer.enter("#condition-viscosity", typed)
     field = explorer.one("#condition-viscosity")
-    assert ("0 to 150 cSt" in field.get_attribute("validationMessage")) == (shown is None)
+    assert (field.get_attribute("aria-invalid") == "true") == (shown is None)
+    note = explorer.one("#condition-viscosity-note").text
+    assert "0 to 150 cSt" in note and (f"“{typed}” is not a number" in note) == (shown is None)
     given = parse_qs(explorer.run("return location.hash.slice(1)"))
     assert given.get("viscosity_cSt", ["90"]) == [shown or "90"]
     assert (explorer.one("#point").text == before) == (shown is None)
@@ -123,7 +125,9 @@ def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
 def test_what_no_interface_has_is_said(explorer):
     explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
     notes = explorer.one("#notes").text
-    assert "Particle size is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
+    assert (
+        "Particle diameter is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
+    )
 
 
 def test_another_interpretation_is_another_model(explorer):
@@ -155,7 +159,7 @@ def test_hovering_reads_the_library_s_values(explorer, defaults):
     explorer.wait("return !document.getElementById('tooltip').hidden")
     read = tooltip(explorer)
     assert "ν = 150 cSt" in read
-    load, ratio = (number(read, symbol) for symbol in ("Fₜ* = ", "Asa,t* = "))
+    load, ratio = (number(read, symbol) for symbol in ("Ft* = ", "Asa,t* = "))
     again = solve(load=load, **FIGURE_11._replace(viscosity=150e-6)._asdict(), parameters=defaults)
     assert float(again.particle_contact_area_ratio) == pytest.approx(ratio, rel=5e-3, abs=1e-4)
 
@@ -180,7 +184,7 @@ def test_everything_can_be_reached_and_read_with_the_keyboard(explorer):
     first = explorer.run("return document.getElementById('live').textContent")
     explorer.press(Keys.ARROW_DOWN)
     second = explorer.run("return document.getElementById('live').textContent")
-    assert "Fₜ* = " in first and first != second
+    assert "Ft* = " in first and first != second
     assert tooltip(explorer)
     explorer.press(Keys.ESCAPE)
     assert not tooltip(explorer)
@@ -249,7 +253,7 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
     explorer.settle()
     field = explorer.one("#input-spread_ratio").get_attribute("value")
     assert float(field) == unknowns["spread_ratio"]["bounds"][1]
-    explorer.open()
+    explorer.open("particle_diameter_nm=500")
     ensemble = explorer.run(
         "return JSON.parse(document.getElementById('content').textContent).ensemble"
     )
@@ -261,7 +265,8 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
     ]
     row = re.search(r"(?m)Asa,t\*.* ([\d.]+) to ([\d.]+)$", explorer.one("#point").text)
     low, high = map(float, row.groups())
-    assert (low, high) == pytest.approx((min(found), max(found)), rel=1e-3)
+    last = 10.0 ** (math.floor(math.log10(max(found) - min(found))) - 1)
+    assert (low, high) == pytest.approx((min(found), max(found)), abs=0.51 * last)
     explorer.enter("#input-spread_ratio", "0.4")
     assert not any(" to " in each.text for each in explorer.all("#point table:first-child td"))
 
@@ -271,7 +276,7 @@ def test_the_sizes_behind_x_a_are_given(explorer, defaults):
     text = explorer.one("#point p").text
     mean, largest, _ = map(float, re.findall(r"([\d.]+) nm", text.partition(":")[2]))
     scatter = 500.0 * defaults.spread_ratio
-    assert largest == pytest.approx(defaults.truncation * scatter, rel=1e-3)
+    assert largest == pytest.approx(defaults.truncation * scatter, rel=5e-3)
     assert mean == pytest.approx(math.sqrt(2.0 / math.pi) * scatter, rel=0.02)
 
 
@@ -292,7 +297,7 @@ def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer, encoding):
     explorer.open("figure=fig11")
     before = explorer.curve("dry", 1)
     explorer.run(DROP, [*MEASURED.encode(encoding)])
-    explorer.wait("return document.querySelectorAll('circle.measured').length === 3")
+    explorer.wait("return document.querySelectorAll('#charts .measured').length === 3")
     assert len(explorer.all("#charts figure:nth-child(2) .measured")) == 3
     assert "4 rows" in explorer.one("#measured").text and "run" in explorer.one("#measured").text
     rows = list(csv.DictReader(io.StringIO(downloaded(explorer, "#save-csv"))))
@@ -300,7 +305,7 @@ def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer, encoding):
     assert drawn == pytest.approx([0.995, 0.22, 0.20])
     explorer.one("#forget").click()
     explorer.settle()
-    assert not explorer.all(".measured") and explorer.curve("dry", 1) == before
+    assert not explorer.all("#charts .measured") and explorer.curve("dry", 1) == before
 
 
 @pytest.mark.parametrize(
@@ -320,15 +325,15 @@ def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, text, n
     explorer.run(DROP, [*text.encode()])
     explorer.wait("return !document.getElementById('measured').hidden")
     assert named in explorer.one("#measured").text
-    assert not explorer.all(".measured") and explorer.console() == []
+    assert not explorer.all("#charts .measured") and explorer.console() == []
 
 
 def test_the_size_at_which_a_mode_ends_is_shown(explorer, defaults):
     explorer.open("view=section&viscosity_cSt=0&load_N=2")
     text = explorer.one("#point").text
-    size = float(re.search(r"Particle size.*particle-surface from ([\d.]+) nm", text)[1])
+    size = float(re.search(r"Particle diameter.*particle-surface from ([\d.]+) nm", text)[1])
     load = 2.0 / defaults.newtons_per_load
-    sizes = FIGURE_11._replace(particle_diameter=size * 1e-9 * np.array([0.999, 1.001]))
+    sizes = FIGURE_11._replace(particle_diameter=size * 1e-9 * np.array([0.99, 1.01]))
     found = solve(load=load, **sizes._asdict(), parameters=defaults)
     assert (found.particle_contact_area_ratio > 0.95).tolist() == [False, True]
 
@@ -381,14 +386,74 @@ def test_scales_areas_and_axes_can_be_changed(explorer):
 
 
 def test_the_cut_is_drawn_to_scale(explorer):
+    """As far upwards as the bars say, and with the contacts of its mode."""
     explorer.open("view=section&load_N=1&particle_diameter_nm=800")
-    height = explorer.run(
-        """const lines = [...document.querySelectorAll('.section line')].map((l) => Number(l.getAttribute('y1')));
-        const bar = document.querySelector('.section g path').getAttribute('d').match(/H([\\d.]+)/)[1];
-        return Math.abs(lines[1] - lines[0]) / bar"""
+    planes, bar = explorer.run(
+        """const lines = [...document.querySelectorAll('.section .plane')].map((l) => Number(l.getAttribute('y1')));
+        const [, top, foot] = document.querySelector('.section .bar').getAttribute('d').match(/,([\\d.]+)V([\\d.]+)/);
+        return [Math.abs(lines[1] - lines[0]), foot - top]"""
     )
+    height = number(explorer.one(".section text").text, "")
     gap = re.search(r"Separation.*?([\d.]+) nm", explorer.one("#point").text)[1]
-    assert height == pytest.approx(float(gap) / 1000.0, rel=1e-3)
+    assert planes / bar == pytest.approx(float(gap) / height, rel=0.02)
+    notes = explorer.one("#notes").text
+    assert "particle-surface mode" in notes and "0 contacts of summits" in notes
+    assert explorer.all(".section .carries") and not explorer.one(".section .touch").get_attribute(
+        "d"
+    )
+
+
+def test_a_full_film_has_no_contact_mode(explorer):
+    explorer.open("view=section&viscosity_cSt=150&particle_diameter_nm=100&load_N=80")
+    assert "full film" in explorer.one("#notes").text and "mode" not in explorer.one("#notes").text
+    rows = [each.text for each in explorer.all("#point .frame:first-child th")]
+    assert "Lubrication" in rows and "Contact mode" not in rows
+    assert not explorer.all(".section .carries") and "full film from" in explorer.one("#point").text
+
+
+def test_the_cut_has_the_colours_of_figures_1_and_2(explorer):
+    """Of the theme on white; the other one is dark."""
+    from matplotlib.colors import to_hex
+    from matplotlib.style import context
+
+    from thirdbody.figures.drawing import STYLE
+    from thirdbody.figures.schematics import CARRYING, FREE, LOOKS, LUBRICANT
+
+    explorer.open(scheme="light")
+    names = {"surface 1": "--surface-1", "surface 2": "--surface-2", LUBRICANT: "--lubricant"}
+    names |= {CARRYING: "--carries", FREE: "--free"}
+    with context(STYLE):
+        expected = {variable: to_hex(LOOKS[part]["facecolor"]) for part, variable in names.items()}
+    script = (
+        "return getComputedStyle(document.documentElement).getPropertyValue(arguments[0]).trim()"
+    )
+    assert {variable: explorer.run(script, variable) for variable in expected} == expected
+
+
+def test_lines_bend_without_corners(explorer):
+    """Between neighbours of a line the direction changes little, also where a mode begins."""
+    explorer.open("view=axes&figure=fig06")
+    path = explorer.run("return document.querySelector('#charts .line.mine').getAttribute('d')")
+    points = np.array(re.findall(r"([\d.]+),([\d.]+)", path), dtype=float)
+    before, after = np.diff(points[:-1], axis=0), np.diff(points[1:], axis=0)
+    chord = before + after
+    off = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]) / np.hypot(*chord.T)
+    assert off.max() < 3.0 and len(points) > 80
+
+
+def test_sliders_that_change_nothing_are_absent(explorer):
+    """And each of the others changes what is drawn."""
+    explorer.open("figure=fig10")
+    shown = [
+        each.get_attribute("id")
+        for each in explorer.all("[id^=condition-]:not([id$=note])")
+        if each.is_displayed()
+    ]
+    assert shown == [f"condition-{name}" for name in ("load", "viscosity", "particle_density")]
+    for name in shown:
+        before = explorer.one("#charts").get_attribute("innerHTML")
+        explorer.enter(f"#{name}", "50")
+        assert explorer.one("#charts").get_attribute("innerHTML") != before, name
 
 
 def test_the_link_restores_everything(explorer):

@@ -20,6 +20,10 @@ A,band; {CURVE},load,1e-5,separation,4e-7
 A,printed; fig99-value,load,1e-5,separation,3.123456e-7
 A,tolerance; fig99-value,load,1e-5,separation,2e-7
 A,tolerance; fig99-value,load,1e-5,separation,4e-7
+A,printed at every load; fig99-level,load,1e-6,separation,3e-7
+A,printed at every load; fig99-level,load,1e-5,separation,3e-7
+A,tolerance; fig99-level,load,1e-6,separation,2e-7
+A,tolerance; fig99-level,load,1e-6,separation,4e-7
 A,turning points,load,1e-5,separation,3e-7
 """
 CAPTION = "**Figure 99. A title.** What it tells.\n\n**Alternative text.** What is seen.\n"
@@ -48,6 +52,8 @@ def test_a_figure_has_its_conditions_marks_and_caption(figure):
         "at": [1e-5, 3.1235e-7],
         "ends": [[1e-5, 2e-7], [1e-5, 4e-7]],
     }
+    (level,) = panel["levels"]
+    assert level["id"] == "fig99-level" and level["at"][1] == 3e-7
     assert panel["ranges"] == {0: [[1e-6, 3e-7], [1e-5, 4e-7]]}
 
 

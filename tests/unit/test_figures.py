@@ -178,6 +178,7 @@ def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
     assert files == saved(plotted(name, datasets), tmp_path / "second")
     # text stays text, and fonts are embedded
     assert "ν = 0 cSt".encode() not in files[".svg"] and b"</text>" in files[".svg"]
+    assert b"<title>Panel A: " in files[".svg"]  # the alternative text
     assert b"/CharProcs" in files[".pdf"] and b"/ToUnicode" in files[".pdf"]
     rows = drawn_rows(tmp_path / "first.csv")
     assert list(rows[0]) == ["panel", "curve", "x_name", "x", "y_name", "y"]
@@ -382,6 +383,9 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     if name == "fig03":
         last = drawing.panels[1].of_kind(CURVE)[-1]
         assert f"xₐ = 1000 nm runs from {last.y[0]:.2g} to {last.y[-1]:.2g}" in text
+    if name == "fig11":
+        first = drawing.panels[1].of_kind(CURVE)[0]
+        assert f"runs from {100.0 * first.y[0]:.2g} % to" in text and "×10⁻⁴" in text
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
     body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
     assert body.count("<strong>") == 2

@@ -26,7 +26,7 @@ NODES = 48  # of the integrals computed in the page
 DIGITS = 5  # of coordinates in panels
 RANGE_STEP = 2  # every second point of the outline of an ensemble range is kept
 CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
-PRINTED, TOLERANCE, RANGE = "printed; ", "tolerance; ", "band; "
+PRINTED, LEVEL, TOLERANCE, RANGE = "printed; ", "printed at every load; ", "tolerance; ", "band; "
 STATED = (  # fields of a statement that the page needs to evaluate and show it
     *("id", "place", "statement", "quote", "kind", "quantity", "published", "direction", "along"),
     *(
@@ -136,7 +136,6 @@ def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str,
 def _panel(letter, panel, labels):
     drawn = panel["drawn"]
     ranges = {place: drawn.get(RANGE + label) for place, label in enumerate(labels)}
-    printed = [label.removeprefix(PRINTED) for label in drawn if label.startswith(PRINTED)]
     return {
         "letter": letter,
         "x": panel["x"],
@@ -147,17 +146,21 @@ def _panel(letter, panel, labels):
             for place, outline in ranges.items()
             if outline
         },
-        "printed": [mark for name in printed for mark in _marks(name, drawn)],
+        "printed": [*_marks(PRINTED, drawn)],
+        "levels": [*_marks(LEVEL, drawn)][::2],  # the first of both ends
         "turning_points": "turning points" in drawn,
         "locus": "locus of the turning points" in drawn,
     }
 
 
-def _marks(name, drawn):
-    """The numbers of one statement: each a point with both ends of its tolerance."""
-    ends = _rounded(drawn[TOLERANCE + name])
-    for place, point in enumerate(_rounded(drawn[PRINTED + name])):
-        yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
+def _marks(kind, drawn):
+    """The printed numbers of one kind: each a point with both ends of its tolerance."""
+    for label in drawn:
+        if label.startswith(kind):
+            name = label.removeprefix(kind)
+            ends = _rounded(drawn[TOLERANCE + name])
+            for place, point in enumerate(_rounded(drawn[label])):
+                yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
 
 
 def _rounded(points):

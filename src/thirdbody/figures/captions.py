@@ -11,6 +11,7 @@ from thirdbody.figures import marks
 from thirdbody.figures.drawing import CURVE, Panel
 from thirdbody.figures.scales import (
     SCALES,
+    axis_text,
     label,
     note,
     panel_title,
@@ -86,21 +87,21 @@ def _description(panel) -> str:
     parts = []
     if curves:
         y = np.concatenate([curve.y for curve in curves])
-        parts.append(f"{len(curves)} curves of {quantity(panel.y)} {_range(y)}")
+        parts.append(f"{len(curves)} curves of {quantity(panel.y)} {_range(panel.y, y)}")
         taken = zip(*(curve.curve for curve in curves), strict=True)
         varying = [name for name, values in zip(Condition._fields, taken) if len({*values}) > 1]
         for curve in dict.fromkeys((curves[0], curves[-1])):
             own = ", ".join(note(name, getattr(curve.curve, name)) for name in varying)
-            ends = f"{curve.y[0]:.2g} to {curve.y[-1]:.2g}"
+            ends = " to ".join(axis_text(panel.y, end) for end in curve.y[[0, -1]])
             parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
     for kind, look in marks.LOOKS.items():
         places = [series.x for series in panel.of_kind(kind)]
         if places and kind not in (marks.LOCUS, marks.BAND, marks.TOLERANCE):
             x = np.concatenate(places)
-            parts.append(f"{look['label']}: {x.size}, {quantity(panel.x)} {_range(x)}")
+            parts.append(f"{look['label']}: {x.size}, {quantity(panel.x)} {_range(panel.x, x)}")
     return f"Panel {panel.letter}: {'; '.join(parts)}."
 
 
-def _range(values) -> str:
-    low, high = np.nanmin(values), np.nanmax(values)
-    return f"of {low:.2g}" if low == high else f"between {low:.2g} and {high:.2g}"
+def _range(name, values) -> str:
+    low, high = (axis_text(name, end) for end in (np.nanmin(values), np.nanmax(values)))
+    return f"of {low}" if low == high else f"between {low} and {high}"

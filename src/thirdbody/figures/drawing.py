@@ -107,9 +107,17 @@ def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
             rows += [names | {"x": x, "y": y} for x, y in points]
     with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
         for image, kind in zip(images, FORMATS, strict=True):
-            drawing.savefig(image, format=kind, **FORMATS[kind])
+            drawing.savefig(image, format=kind, **_options(kind, caption))
         write_csv(data, rows, DRAWN_POINTS)
         Path(text).write_text(caption, encoding="utf-8")
+
+
+def _options(kind, caption):
+    """Options of a format; an SVG has the alternative text of its ``caption`` as title."""
+    if kind != "svg":
+        return FORMATS[kind]
+    alternative = caption.rpartition("**Alternative text.**")[2].strip()
+    return {"metadata": FORMATS[kind]["metadata"] | {"Title": alternative}}
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:

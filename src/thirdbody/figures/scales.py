@@ -1,5 +1,6 @@
 """Text of numbers and conditions in figures, and the axis of each quantity, from ``scales.toml``."""
 
+import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -105,6 +106,16 @@ def quantity(name: str) -> str:
     """The title of a scale within a sentence."""
     title = SCALES[name].title
     return title[0].lower() + title[1:]
+
+
+def axis_text(name: str, value: float) -> str:
+    """``value`` [SI] with the unit of its axis and two digits: 89 %, 1.8×10⁻⁴."""
+    scale = SCALES[name]
+    number = f"{value / scale.unit:.2g}"
+    if name == "film_thickness":
+        return f"{number}×{power_text(scale.unit)}"
+    unit = re.search(r"\(([^$]+)\)$", scale.label)
+    return f"{number} {unit[1]}" if unit else number
 
 
 def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:

@@ -2,12 +2,12 @@
 
 import { axes, currentPoint, state } from "./state.js";
 import { currentEngine, placesAlong } from "./engine.js";
-import { axisFor, levelStyle } from "./chart.js";
+import { axisFor, keyOfMarks, levelStyle } from "./chart.js";
 import { specOf, starsOf, yName } from "./figures.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionWord, conditionWords } from "./names.js";
 
-const COUNT = 120; // points on a curve
+const COUNT = 80; // points on a curve
 const LEVELS = {
   load: [0.1, 1, 10, 30, 80],
   viscosity: [0, 25e-6, 50e-6, 70e-6, 90e-6, 120e-6, 150e-6],
@@ -43,21 +43,17 @@ export function axesView() {
     here: x === "load" ? point.load / engine.newtonsPerLoad : point[x],
   });
   const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
-  return { specs: [spec], key, notes: conditionWords(point, along, by), heading: spec.title };
+  return { specs: [spec], key: [...key, ...keyOfMarks([spec])], notes: conditionWords(point, along, by), heading: spec.title };
 }
 
 // The points of a curve over the load, or along a condition.
 function curveAlong(along, x, y, point, engine) {
   const { load, ...condition } = point;
   if (along === "load") {
-    const { states, turningPoint } = engine.curve(condition);
-    return { condition, turningPoint, points: states.map((found) => engine.pointOf(x, y, found, condition)) };
+    const { turningPoint } = engine.curve(condition);
+    return { condition, turningPoint, points: engine.points({ x, y, condition }) };
   }
-  const points = placesAlong(x, shownRange(x, point), COUNT).map((place) => {
-    const at = { ...point, [x]: place };
-    return engine.pointOf(x, y, engine.state(at), at);
-  });
-  return { condition, points };
+  return { condition, points: engine.pointsAlong(x, y, point, placesAlong(x, shownRange(x, point), COUNT)) };
 }
 
 // The paper's range of a condition, and the chosen value if it is outside.

@@ -1,21 +1,25 @@
 // One panel: axes, curves and marks, and what is under the pointer or the arrow keys.
 
-import { VARIABLES, numberText, plainSymbol } from "./names.js";
-import { escaped, powerOfTen, readable } from "./text.js";
+import { VARIABLES, numberText } from "./names.js";
+import { escaped, plain, powerOfTen, readable, typeset, typesetInDrawing } from "./text.js";
 
+// as in the figures of the workflow: markers, every second one hollow, and colours from dark to light
 const MARKERS = [
-  ...[d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle],
-  ...[d3.symbolDiamond, d3.symbolCross, d3.symbolWye],
+  [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
+  [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
 ];
-export const markerShape = (rank, size) => d3.symbol(MARKERS[rank % MARKERS.length], size)();
-const STAR = d3.symbol(d3.symbolStar, 90)();
-const DOUBT = d3.symbol(d3.symbolTimes, 28)();
-export const DIAMOND = d3.symbol(d3.symbolDiamond, 60)();
-export const CROSS = d3.symbol(d3.symbolCross, 110)();
-export const DASHED = "5 3";
+const SHADES = { light: [0.05, 0.78], dark: [0.28, 1] };
+const SHAPES = {
+  star: d3.symbol(d3.symbolStar, 90)(),
+  printed: d3.symbol(d3.symbolDiamond2, 60)(),
+  measured: d3.symbol(d3.symbolCircle, 40)(),
+  doubt: d3.symbol(d3.symbolTimes, 28)(),
+  cross: d3.symbol(d3.symbolCross, 110)(),
+};
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 40 };
+const ZONE_NAMES = 36; // width of the names of zones beside a panel
 const NEWTON_AXIS = 24; // its height above a panel
 // by how many curves, and by how many points, a key moves
 const MOVES = {
@@ -25,11 +29,58 @@ const MOVES = {
 
 // Colour, which differs in lightness too, and marker of a curve at one of several levels of a condition.
 export function levelStyle(level, levels) {
-  if (level === 0) return { color: "var(--ink)", dash: DASHED };
+  if (level === 0) return { color: "var(--ink)" };
   const rank = levels.indexOf(level);
   const part = levels.length > 1 ? rank / (levels.length - 1) : 0.3;
-  const isDark = document.documentElement.dataset.theme === "dark";
-  return { color: d3.interpolateViridis(isDark ? 0.28 + 0.72 * part : 0.86 * part), marker: rank };
+  const shade = d3.interpolate(...SHADES[document.documentElement.dataset.theme]);
+  return { color: d3.interpolateViridis(shade(part)), marker: rank };
+}
+
+const classOf = (kind, { faded, chosen }) => `class="${kind}${faded ? " faded" : ""}${chosen ? " chosen" : ""}"`;
+
+const kindOf = ({ dry, mine }) => `line${dry ? " dry" : ""}${mine ? " mine" : ""}`;
+
+// A mark of one kind at a place of the drawing.
+const shapeOf = (kind, x, y, { color = "", ...look } = {}) =>
+  `<path ${classOf(kind, look)} d="${SHAPES[kind]}" stroke="${color}" transform="translate(${x},${y})"/>`;
+
+function markerOf(rank, x, y, { color, ...look }) {
+  const [symbol, turn] = MARKERS[rank % MARKERS.length];
+  const fill = rank % 2 ? "var(--paper)" : color;
+  return `<path ${classOf("marker", look)} d="${d3.symbol(symbol, 34)()}" fill="${fill}" stroke="${color}"
+    transform="translate(${x},${y}) rotate(${turn})"/>`;
+}
+
+const strokeOf = ({ color, dash }) => `stroke="${color}"${dash ? ` stroke-dasharray="${dash}"` : ""}`;
+
+// The drawing of an entry of the key: a fill, or a line of a kind with a marker or a mark on it.
+export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
+  const { kind = fill ? "area" : kindOf({ dry, mine }), ...look } = given;
+  if (fill) return `<rect class="${kind}" x="4" y="1" width="22" height="12" fill="${fill}"/>`;
+  const line = look.color ? `<path class="${kind}" d="M1,7H29" ${strokeOf(look)}/>` : "";
+  const symbol = marker === undefined ? "" : markerOf(marker, 15, 7, { color: look.color });
+  return line + symbol + (mark ? shapeOf(mark, 15, 7, { color: "var(--ink)" }) : "");
+}
+
+// Entries of the key for what charts show beside their curves.
+export function keyOfMarks(specs) {
+  const some = (kind) => specs.some((spec) => spec[kind]?.length);
+  const entries = [
+    [some("stars"), { text: "turning point (TPCA)", mark: "star" }],
+    [specs.some(({ locus }) => locus), { text: "locus of turning points", color: "var(--turning)", kind: "locus" }],
+    [some("printed"), { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" }],
+    [some("levels"), { text: "printed, at every load", color: "var(--ink)", kind: "level" }],
+    [some("windows"), { text: "limits of turning points", color: "var(--window)", kind: "window" }],
+    [some("limits"), { text: "printed limits, tolerance in grey", color: "var(--ink)", kind: "limit" }],
+    [some("ranges"), { text: "ensemble range", fill: "var(--range)" }],
+    [some("ghosts"), { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" }],
+    [specs.some(({ here }) => here !== undefined), { text: "at your conditions", color: "var(--accent)", kind: "here" }],
+    [some("measured"), { text: "your data", mark: "measured" }],
+    [specs.some(({ lines }) => lines.some(({ points }) => points.some(isDoubtful))), { text: "with a remark", mark: "doubt" }],
+  ];
+  const zones = new Set(specs.flatMap(({ y }) => VARIABLES[y.name].shaded ?? []));
+  const shown = entries.filter(([isShown]) => isShown).map(([, entry]) => entry);
+  return [...shown, ...[...zones].map((text) => ({ text, fill: "var(--zone)" }))];
 }
 
 export const widthIn = (element) => Math.max(element.clientWidth, 220);
@@ -49,7 +100,7 @@ function domainOf({ fraction }, log, values) {
     return [lowest / margin, high * margin];
   }
   const top = high > 0 && high < 0.5 ? 1.08 * high : 1;
-  if (fraction) return [-0.04 * top, 1.06 * top];
+  if (fraction) return [-0.08 * top, 1.08 * top];
   const margin = 0.04 * (high - low || Math.abs(high) || 1);
   return [low - margin, high + margin];
 }
@@ -91,13 +142,9 @@ function powerText(value) {
   return Math.abs(power - Math.round(power)) < 1e-9 ? powerOfTen(Math.round(power)) : readable(value);
 }
 
-// "A_sa,t*" as a letter, its index, and what follows, with the unit
 function titleMarkup(name) {
   const { symbol, unit } = VARIABLES[name];
-  const [, letter, below, above] = symbol.match(/^([^_]+)_?([\w,]*)(\*?)$/);
-  const low = below && `<tspan dy="0.3em" font-size="0.8em">${below}</tspan>`;
-  const rest = above + (unit ? ` (${unit})` : "");
-  return `<tspan font-style="italic">${letter}</tspan>${low}<tspan${below && ' dy="-0.3em"'}>${rest}</tspan>`;
+  return typesetInDrawing(unit ? `${symbol} (${unit})` : symbol);
 }
 
 // A chart in an element. `update` draws a spec in a place of the given width.
@@ -109,9 +156,9 @@ export function chartIn(parent, { onRead, onLeave }) {
   const description = svg.append("desc");
   const clipId = `clip-${Math.random().toString(36).slice(2)}`;
   const clip = svg.append("clipPath").attr("id", clipId).append("rect");
+  const zones = svg.append("g");
   const axes = svg.append("g");
   const marks = svg.append("g").attr("clip-path", `url(#${clipId})`);
-  const zones = svg.append("g"); // names above the curves
   const cursor = svg.append("g");
   let spec = null;
   let scales = null;
@@ -121,15 +168,15 @@ export function chartIn(parent, { onRead, onLeave }) {
   function update(given, width) {
     spec = given;
     const height = Math.round(held(0.68 * width, 220, Math.max(430, 0.37 * innerHeight)));
-    const [left, right] = [MARGIN.left, width - MARGIN.right];
+    const [left, right] = [MARGIN.left, width - (VARIABLES[spec.y.name].zones ? ZONE_NAMES : MARGIN.right)];
     const [top, bottom] = [MARGIN.top + (spec.newtonsPerLoad ? NEWTON_AXIS : 0), height - MARGIN.bottom];
     scales = { x: scaleOf(spec.x).range([left, right]), y: scaleOf(spec.y).range([bottom, top]) };
     rows = (spec.rows ?? spec.lines).map((row) => ({ ...row, points: row.points.filter(isShownIn(spec)) }));
     svg.attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
-    svg.attr("aria-label", spec.title);
+    svg.attr("aria-label", plain(spec.title));
     description.text(spec.description ?? described(spec, rows));
-    title.html("").append("b").text(spec.letter);
-    title.append("span").text(spec.title);
+    title.html(`<b>${spec.letter}</b><span>${typeset(spec.title)}</span>`);
+    figure.attr("data-title", `${spec.letter}  ${spec.title}`.trim());
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
     drawAxes(axes, spec, scales);
     marks.html(marksOf(spec, scales));
@@ -180,76 +227,72 @@ const isShownIn = (spec) => (point) => canShow(spec.x, point.x) && canShow(spec.
 function marksOf(spec, { x: toX, y: toY }) {
   const inX = (value) => toX(value).toFixed(1);
   const inY = (value) => toY(spec.y.log ? Math.max(value, spec.y.domain[0] * 1e-3) : value).toFixed(1);
+  const [across, upwards] = [toX.range(), toY.range()];
   const isShown = isShownIn(spec);
   const path = d3.line(({ x }) => toX(x), ({ y }) => toY(y)).digits(1).defined(isShown);
-  const classOf = (kind, { faded, chosen }) => `class="${kind}${faded ? " faded" : ""}${chosen ? " chosen" : ""}"`;
-  const shape = (kind) => (mark) => {
-    const place = `translate(${inX(mark.x)},${inY(mark.y)})`;
-    return `<path ${classOf(kind, mark)} d="${mark.symbol}" fill="${mark.color}" transform="${place}"/>`;
-  };
+  const shape = (kind) => (mark) => shapeOf(kind, inX(mark.x), inY(mark.y), mark);
+  const upright = (kind) => (x) => `<path class="${kind}" d="M${inX(x)},${upwards.join("V")}"/>`;
 
   const areas = spec.areas.map(({ rings, fill }) => `<path class="area" d="${rings.map(path).join("")}" fill="${fill}"/>`);
   const border = d3.line(({ x }) => toX(x), ({ y }) => toY(y)).digits(1).defined(({ onBorder }) => onBorder);
-  const borders = spec.borders.map(({ rings, kind, dash }) => {
-    return `<path class="${kind}" d="${rings.map(border).join("")}" stroke-dasharray="${dash}"/>`;
-  });
+  const borders = spec.borders.map(({ rings, kind }) => `<path class="${kind}" d="${rings.map(border).join("")}"/>`);
   const ranges = spec.ranges.map(({ points, color, faded }) => {
     const outline = points.map(([x, y]) => `${inX(x)},${inY(y)}`).join("L");
-    return `<path d="M${outline}" fill="${color}" fill-opacity="${faded ? 0.03 : 0.1}"/>`;
+    const under = faded ? "" : `<path class="under" d="M${outline}"/>`; // several may overlap
+    return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
+  });
+  const limits = spec.limits.flatMap(({ at: [x], ends: [[low], [high]] }) => {
+    const width = toX(high) - toX(low);
+    return [`<rect class="span" x="${inX(low)}" y="${upwards[1]}" width="${width}" height="${upwards[0] - upwards[1]}"/>`, upright("limit")(x)];
   });
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
+  const levels = spec.levels.map((level) => `<path ${classOf("level", level)} d="M${across[0]},${inY(level.at[1])}H${across[1]}" stroke="${level.color}"/>`);
   const lines = spec.lines.map((curve) => {
-    const width = curve.chosen ? 2.8 : curve.mine ? 2.6 : 1.6;
-    const dash = curve.dash ? `stroke-dasharray="${curve.dash}"` : "";
-    const look = `stroke="${curve.color}" stroke-width="${width}" ${dash}`;
-    return `<path ${classOf("line", curve)} data-label="${escaped(curve.label)}" d="${path(curve.points) ?? ""}" ${look}/>`;
+    return `<path ${classOf(kindOf(curve), curve)} data-label="${escaped(curve.label)}" d="${path(curve.points) ?? ""}" ${strokeOf(curve)}/>`;
   });
-  const markers = markersOf(spec.lines).filter(isShown).map(shape("marker"));
-  const isDoubtful = (point) => isShown(point) && point.state && point.state.status !== "converged";
-  const doubtful = spec.lines.flatMap(({ points }) => points.filter(isDoubtful));
-  const doubts = doubtful.map(({ x, y }) => shape("doubt")({ x, y, symbol: DOUBT, color: "none" }));
-  const here = canShow(spec.x, spec.here) ? `<path class="here" d="M${inX(spec.here)},${toY.range().join("V")}"/>` : "";
-  const measured = spec.measured.filter(isShown).map(({ x, y, color }) => {
-    return `<circle class="measured" cx="${inX(x)}" cy="${inY(y)}" r="3.6" stroke="${color}"/>`;
-  });
+  const doubtful = spec.lines.flatMap(({ points }) => points.filter((point) => isShown(point) && isDoubtful(point)));
+  const here = canShow(spec.x, spec.here) ? upright("here")(spec.here) : "";
   const printed = spec.printed.map((mark) => {
-    const { at, ends, color, chosen, text } = mark;
-    const half = chosen ? 6 : 3.6;
-    const [from, to] = ends.map(([x, y]) => `${inX(x)},${inY(y)}`);
-    const box = `x="${toX(at[0]) - half}" y="${toY(at[1]) - half}" width="${2 * half}" height="${2 * half}"`;
-    return `<g ${classOf("mark", mark)} stroke="${color}"><path d="M${from}L${to}" stroke-width="${chosen ? 3 : 1.4}"/>
-      <rect class="printed" ${box}/><title>printed in the paper: ${escaped(text)}</title></g>`;
+    const [from, to] = mark.ends.map(([x, y]) => `${inX(x)},${inY(y)}`);
+    return `<g><path ${classOf("tolerance", mark)} d="M${from}L${to}" stroke="${mark.color}"/>
+      ${shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] })}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
   });
   const stars = spec.stars.filter(isShown);
   const locus = spec.locus && stars.length ? `<path class="locus" d="${path(stars)}"/>` : "";
-  const shapes = stars.map((star) => shape("star")({ symbol: STAR, ...star }));
-  const curves = [areas, borders, ranges, ghosts, lines, "<g>", markers, "</g>"];
-  return [...curves, doubts, here, measured, printed, locus, shapes].flat().join("");
+  const curves = [areas, borders, ranges, limits, spec.windows.map(upright("window")), ghosts, levels, lines];
+  const marks = [
+    ...markersOf(spec.lines).filter(isShown).map(({ rank, x, y, ...look }) => markerOf(rank, inX(x), inY(y), look)),
+    ...doubtful.map(({ x, y }) => shape("doubt")({ x, y })),
+    ...spec.measured.filter(isShown).map(shape("measured")),
+  ];
+  return [...curves, here, locus, marks, printed, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
 }
+
+const isDoubtful = ({ state }) => state && state.status !== "converged";
 
 // Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
 function markersOf(lines) {
   const marked = lines.filter((line) => line.marker !== undefined);
-  return marked.flatMap(({ points, color, faded, ...line }, rank) => {
+  return marked.flatMap(({ points, color, faded, marker }, rank) => {
     const step = points.length / MARKERS_PER_CURVE;
     const first = (step * (rank + 0.5)) / marked.length;
     const places = d3.range(first, points.length, step).map((place) => points[Math.floor(place)]);
-    return places.map(({ x, y }) => ({ x, y, color, faded, symbol: markerShape(line.marker, 34) }));
+    return places.map(({ x, y }) => ({ x, y, color, faded, rank: marker }));
   });
 }
 
-// The limits of modes or regimes and the names between them, as SVG.
+// The middle one of the modes or regimes shaded, and the names of all beside the panel, as SVG.
 function zonesOf(spec, { x: toX, y: toY }) {
-  const { limits = [], zones = [] } = VARIABLES[spec.y.name];
+  const { limits, zones = [] } = VARIABLES[spec.y.name];
+  if (!limits) return "";
   const [[left, right], [low, high]] = [toX.range(), spec.y.domain];
-  const inside = limits.filter((limit) => limit > low && limit < high);
-  const lines = inside.map((limit) => `<path class="limit" d="M${left},${toY(limit)}H${right}"/>`);
   const edges = [low, ...limits, high].map((edge) => toY(held(edge, low, high)));
+  const shade = `<rect class="shade" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
   const names = zones.map((zone, i) => {
-    if (edges[i] - edges[i + 1] < 5) return "";
-    return `<text class="zone" text-anchor="end" x="${right - 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;
+    if (edges[i] - edges[i + 1] < 9) return "";
+    return `<text class="zone" x="${right + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;
   });
-  return [...lines, ...names].join("");
+  return [shade, ...names].join("");
 }
 
 // What a chart shows, in words, for those who do not see it.
@@ -261,7 +304,7 @@ function described({ stars, printed, measured, x, y }, rows) {
     const [first, last] = [points[0], points.at(-1)].map((point) => numberText(y.name, point.y));
     return `${label} runs from ${first} to ${last}`;
   });
-  const what = `${rows.length} curves of ${words} ${plainSymbol(symbol)} over ${VARIABLES[x.name].words}`;
+  const what = `${rows.length} curves of ${words} ${plain(symbol)} over ${VARIABLES[x.name].words}`;
   const counts = { "turning points": stars, "numbers printed in the paper": printed, "points of your file": measured };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");

@@ -2,13 +2,17 @@
 
 import { axes, change, content, currentInputs, currentPoint, defaultInputs, state } from "./state.js";
 import { conditionFrom, inputNamed, setCondition, setInputs, toUnit } from "./state.js";
+import { isFree } from "./figures.js";
 import { VARIABLES, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
-import { numberIn, readable, significant } from "./text.js";
+import { numberIn, readable, significant, typeset } from "./text.js";
 
 const STEPS = 1000; // of a slider
 const BACK = '<button type="button" class="back" title="back to the default">↺</button>';
-// engineering units of inputs that are given in SI
-const SHOWN_IN = { Pa: ["GPa", 1e9], m: ["µm", 1e-6], m2: ["mm²", 1e-6], "s m-2": ["s m⁻²", 1], 1: ["", 1] };
+// engineering units of inputs that are given in SI, from the largest on
+const SHOWN_IN = {
+  ...{ Pa: [["GPa", 1e9]], m2: [["mm²", 1e-6]], "s m-2": [["s m⁻²", 1]], 1: [["", 1]] },
+  m: [["mm", 1e-3], ["µm", 1e-6], ["nm", 1e-9]],
+};
 const PRINTED = ["published", "deduced", "assumed"];
 
 const updates = [];
@@ -50,31 +54,40 @@ function controlOf({ id, label, hint, changed, choose }, markup) {
 // A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
 // steps, and `note` gives the range. `read` gives what a value is in SI, undefined if it is not allowed.
 function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
-  const label = `${words} <i>${symbol}</i>${unit && ` [${unit}]`}`;
+  const label = `${words} <span class="symbol">${typeset(symbol)}</span>${unit && ` [${unit}]`}`;
   const control = controlOf(
     { label, ...given },
-    `<input type="text" inputmode="decimal" id="${given.id}">${BACK}
+    `<input type="text" inputmode="decimal" id="${given.id}" aria-describedby="${given.id}-note">${BACK}
     <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
-    <small class="note">${note}</small>`,
+    <small class="note" id="${given.id}-note"></small>`,
   );
   const [field, slider] = control.selectAll("input").nodes();
+  function tell(error) {
+    field.setAttribute("aria-invalid", Boolean(error));
+    control.select(".note").attr("role", error ? "alert" : null).text(error || note);
+  }
   scale.range([0, STEPS]).clamp(true);
   slider.setAttribute("aria-label", `${control.select("label").text()}, slider`);
   slider.addEventListener("input", () => given.choose(read(Number(scale.invert(slider.value).toPrecision(digits)))));
   field.addEventListener("change", () => {
     const found = read(numberIn(field.value));
-    field.setCustomValidity(found === undefined ? given.hint : "");
-    if (field.reportValidity()) given.choose(found);
+    tell(found === undefined && errorIn(field.value, given.hint));
+    if (found !== undefined) given.choose(found);
   });
   updates.push(() => {
     slider.value = Math.round(scale(value()));
     slider.setAttribute("aria-valuetext", `${readable(value())} ${unit}`);
-    if (document.activeElement === field && !field.validity.valid) return;
+    if (document.activeElement === field && field.ariaInvalid === "true") return;
     field.value = significant(value(), 5);
-    field.setCustomValidity("");
+    tell("");
   });
   return control.node();
 }
+
+const errorIn = (text, allowed) =>
+  Number.isNaN(numberIn(text))
+    ? `“${text}” is not a number such as 1.5, 1000 or 1e11; allowed: ${allowed}`
+    : `${text} is out of range; allowed: ${allowed}`;
 
 const rangeText = (ends, factor = 1) => ends.map((end) => readable(end / factor)).join(" to ");
 
@@ -83,12 +96,12 @@ function conditionControl({ name, range: [low, high] }) {
   const ends = VARIABLES[name].log ? [low / 4, 4 * high] : [0.3 * low, 1.3 * high];
   const dry = name === "viscosity" ? ", 0 is dry" : "";
   const note = `the paper: ${rangeText([low, high])} ${unitOf(name)}${dry}`;
-  return rangeControl({
+  const control = rangeControl({
     id: `condition-${name}`,
     words: wordOf(name),
     symbol: letterOf(name),
     unit: unitOf(name),
-    hint: `${wordOf(name)} in ${note}`,
+    hint: `${name === "load" || name === "roughness" ? "more than 0" : "0 or more"} ${unitOf(name)}; ${note}`,
     note,
     scale: scaleFor(name).domain(ends),
     digits: 3,
@@ -97,6 +110,8 @@ function conditionControl({ name, range: [low, high] }) {
     read: (value) => conditionFrom(name, value),
     choose: (value) => setCondition(name, value),
   });
+  updates.push(() => (control.hidden = state.view === "figures" && name !== "load" && !isFree(name)));
+  return control;
 }
 
 // What controls of all inputs have in common.
@@ -108,7 +123,7 @@ const inputControl = (name) => ({
 
 function numberControl(name) {
   const { bounds, scale, symbol, unit, source, least, most } = content.inputs[name];
-  const [text, factor] = SHOWN_IN[unit] ?? [unit, 1];
+  const [text, factor] = SHOWN_IN[unit].find(([, size]) => defaultInputs[name] >= size) ?? SHOWN_IN[unit].at(-1);
   const near = [Math.max(defaultInputs[name] / 4, least), Math.min(defaultInputs[name] * 4, most)];
   const log = scale === "logarithmic" || !bounds;
   return rangeControl({
@@ -116,7 +131,7 @@ function numberControl(name) {
     words: inputWords(name),
     symbol,
     unit: text,
-    hint: `${inputWords(name)} (${source}): ${rangeText([least, most], factor)} ${text}`,
+    hint: `${rangeText([least, most], factor)} ${text} (${source})`,
     note: bounds ? `searched ${rangeText(bounds, factor)}; ${ensembleText(name, factor)}` : source,
     scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain((bounds ?? near).map((end) => end / factor)),
     digits: 4,

@@ -1,6 +1,10 @@
 // Curves over the load, their turning points, and where states change.
 
+import { modeText } from "./names.js";
+
 export const PROMINENCE = 0.02; // by how much A_sa,t* stands out at a turning point, on both sides
+const OFF = 0.002; // of the height and width of a line
+const ROUNDS = 6; // of halving the steps where a line bends
 const SEPARATIONS = 60; // between which a maximum is searched for
 const RATIOS = d3.range(111).map((i) => 0.3 + (2.2 * i) / 110); // x_a/sigma at which curves may turn
 
@@ -14,6 +18,26 @@ export function curveOf(contact, low, high, count = 80) {
     states.push(contact.solve(low * (high / low) ** (i / (count - 1)), last?.separation, near));
   }
   return states;
+}
+
+// The points of a line, and more `between` two where it bends: none is off the line through its neighbours
+// by more than a part of the height and width, from 0 to 1 on both scales.
+export function smoothed(given, between, xScale, yScale) {
+  let points = given;
+  for (let round = 0; round < ROUNDS; round++) {
+    const places = points.map(({ x, y }) => [xScale(x), yScale(y)]);
+    const bends = places.map((place, i) => isOff(places[i - 1], place, places[i + 1]));
+    if (!bends.includes(true)) break;
+    points = points.flatMap((point, i) =>
+      bends[i] || bends[i + 1] ? [point, between(point, points[i + 1])] : [point],
+    );
+  }
+  return points;
+}
+
+function isOff([x0, y0] = [], [x1, y1], [x2, y2] = []) {
+  const chord = Math.hypot(x2 - x0, y2 - y0);
+  return Math.abs((x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0)) > OFF * chord;
 }
 
 // The state at the most prominent interior maximum of A_sa,t*, with its `prominence`, if there is one.
@@ -85,13 +109,13 @@ export function boundary(isInside, inside, outside, steps = 30) {
   return 0.5 * (low + high);
 }
 
-// Where the mode changes along increasing places: at which value, from what, to what.
+// Where the mode, or the full film without one, changes along increasing places: where, from what, to what.
 export function modeChanges(stateAt, places) {
-  const modes = places.map((place) => stateAt(place).mode);
+  const modes = places.map((place) => modeText(stateAt(place)));
   return d3.range(1, places.length).flatMap((i) => {
     const [from, to] = [modes[i - 1], modes[i]];
-    if (from === to || from < 0 || to < 0) return [];
-    const at = boundary((place) => stateAt(place).mode === from, places[i - 1], places[i]);
+    if (from === to || !from || !to) return [];
+    const at = boundary((place) => modeText(stateAt(place)) === from, places[i - 1], places[i]);
     return [{ at, from, to }];
   });
 }

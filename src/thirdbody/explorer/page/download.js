@@ -1,7 +1,9 @@
 // What is shown as a file: numbers as CSV, drawings as SVG.
 
+import { typesetInDrawing } from "./text.js";
+
 const INLINED = [
-  ...["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "opacity"],
+  ...["fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "opacity"],
   ...["font-size", "font-family", "font-style", "paint-order"],
 ];
 const GAP = 24; // above each drawing, for its title, and between entries of the key
@@ -20,12 +22,12 @@ const csvText = (rows) =>
 
 // The points of all charts: columns as those of the CSV files beside the figures.
 export function csvOf(specs) {
-  const rows = specs.flatMap(({ letter, x, y, lines, printed, stars, measured }) => {
+  const rows = specs.flatMap(({ letter, x, y, lines, printed, limits, stars, measured }) => {
     const row = (label, point) => [letter, label, x.name, point.x, y.name, point.y];
     return [
       ...lines.flatMap(({ label, points }) => points.map((point) => row(label, point))),
       ...stars.map((star) => row("turning points", star)),
-      ...printed.map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
+      ...[...printed, ...limits].map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
       ...measured.map((point) => row("measured", point)),
     ];
   });
@@ -64,20 +66,20 @@ export function svgOf(figures, entries) {
   const keyTop = Math.ceil(figures.length / columns) * cellHeight + GAP / 2;
   const height = keyTop + GAP * Math.ceil(entries.length / inRow);
   const svg = d3.create("svg:svg").attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
+  svg.append("title").text(drawings.map((drawing) => drawing.querySelector("desc, title").textContent).join(" "));
   svg.append("rect").attr("width", "100%").attr("height", "100%").attr("fill", style.getPropertyValue("--paper"));
   svg.attr("font-family", "sans-serif").attr("font-size", 13);
   const color = style.getPropertyValue("--ink");
-  const write = (x, y, text) => svg.append("text").attr("x", x).attr("y", y).attr("fill", color).text(text);
+  const write = (x, y, text) => svg.append("text").attr("x", x).attr("y", y).attr("fill", color).html(typesetInDrawing(text));
   figures.forEach((figure, i) => {
     const [x, y] = [(i % columns) * cellWidth, Math.floor(i / columns) * cellHeight];
-    const title = [...figure.querySelector("figcaption").childNodes].map((node) => node.textContent);
-    write(x + 10, y + 16, title.join("  ").trim());
+    write(x + 10, y + 16, figure.dataset.title);
     svg.append(() => copyOf(drawings[i], x, y + GAP));
   });
   entries.forEach((entry, i) => {
     const [x, y] = [10 + (i % inRow) * ENTRY, keyTop + GAP * Math.floor(i / inRow)];
     svg.append(() => copyOf(entry.querySelector("svg"), x, y));
-    write(x + 38, y + 11, entry.textContent);
+    write(x + 38, y + 11, entry.dataset.text);
   });
   return new XMLSerializer().serializeToString(svg.node());
 }

@@ -1,7 +1,7 @@
 // The model at the inputs that are chosen, and its curves, each computed once.
 
 import { modelOf, remembered } from "./model.js";
-import { curveOf, turningPointOf } from "./curves.js";
+import { curveOf, smoothed, turningPointOf } from "./curves.js";
 import { scaleFor } from "./names.js";
 import { axes, content, currentInputs, defaultInputs } from "./state.js";
 
@@ -32,14 +32,33 @@ export const engineOf = remembered((inputs) => {
   const pointOf = (x, y, found, condition) => {
     return { x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found };
   };
+  // the points of a line over the load
+  const points = remembered(({ x, y, condition }) => {
+    const between = ({ state: before }, { state: after }) => {
+      const load = Math.sqrt(before.load * after.load);
+      return pointOf(x, y, contact(condition).solve(load, before.separation, after.separation), condition);
+    };
+    return lineOf(x, y, curve(condition).states.map((found) => pointOf(x, y, found, condition)), between);
+  });
+  // those over a condition x
+  const pointsAlong = (x, y, point, places) => {
+    const at = (place) => ({ ...pointOf(x, y, state({ ...point, [x]: place }), { ...point, [x]: place }), place });
+    return lineOf(x, y, places.map(at), (before, after) => at((before.place + after.place) / 2));
+  };
   // the state at all five conditions, the load in newtons
   const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
-  return { model, newtonsPerLoad, loads, contact, curve, pointOf, state };
+  return { model, newtonsPerLoad, loads, contact, curve, points, pointsAlong, pointOf, state };
 }, 40); // sets of inputs: those of the ensemble, and the last that were chosen
 
 export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
 export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
+
+// Points of a line of y over x, more of them where it bends.
+function lineOf(x, y, points, between) {
+  const part = (name, values) => scaleFor(name).domain(d3.extent(values)).range([0, 1]);
+  return smoothed(points, between, part(x, points.map((each) => each.x)), part(y, points.map((each) => each.y)));
+}
 
 // Values along an axis between two ends [SI; the load in newtons].
 export function placesAlong(name, ends, count) {

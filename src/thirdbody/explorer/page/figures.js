@@ -3,21 +3,21 @@
 import { conditionAxes, content, state } from "./state.js";
 import { OVER_TWO_BODY, currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
-import { DASHED, DIAMOND, axisFor, levelStyle } from "./chart.js";
+import { axisFor, keyOfMarks, levelStyle } from "./chart.js";
 import { curvesOf, referencesOf } from "./judge.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionWord, valueText, wordOf } from "./names.js";
 import { readable } from "./text.js";
 
-const WINDOW_HEIGHT = 0.5; // at which the ends of a window are drawn
 const DOTTED = "1.5 2.5";
 
 // verdicts as they were last judged, by the ids of statements
 export const verdicts = new Map(content.claims.map(({ id, verdict, measured }) => [id, { verdict, measured }]));
 
 // a spec of a chart; what is not given is empty
-const EMPTY = { letter: "", lines: [], ghosts: [], ranges: [], printed: [], stars: [], measured: [], areas: [], borders: [] };
-export const specOf = (given) => ({ ...EMPTY, ...given });
+const LISTS = ["lines", "ghosts", "ranges", "printed", "levels", "stars", "measured", "areas", "borders", "windows", "limits", "crosses"];
+const EMPTY = Object.fromEntries(LISTS.map((name) => [name, []]));
+export const specOf = (given) => ({ letter: "", ...EMPTY, ...given });
 
 const isTwoBody = (condition) => condition.particle_diameter * condition.particle_density === 0;
 const ratioOf = (condition) => Number((condition.particle_diameter / condition.roughness).toPrecision(6));
@@ -49,10 +49,7 @@ function figureCurves(figure, parameter) {
   for (const [name, value] of Object.entries(state.conditions)) {
     const [level, ...others] = levelsOf(figure, name);
     if (name === "load" || name === parameter.name) continue;
-    if (others.length) {
-      notes.push(`${wordOf(name).toLowerCase()} stays: the figure compares several`);
-      continue;
-    }
+    if (others.length) continue; // the figure compares several
     const isKept = (condition) =>
       (isTwoBody(condition) && name.startsWith("particle")) || (level && condition[name] !== level);
     const replaced = (condition) => (isKept(condition) ? condition : { ...condition, [name]: value });
@@ -72,20 +69,26 @@ function figureCurves(figure, parameter) {
   return { curves, notes, changed };
 }
 
+// Whether moving a condition changes the figure that is shown.
+export function isFree(name) {
+  const figure = content.figures.find((each) => each.name === state.figure);
+  return parameterOf(figure).name === name || levelsOf(figure, name).length < 2;
+}
+
 // Colour, dashes and marker of a curve, as in the figures of the workflow.
-function styleOf({ name, levels }, condition, mine, comparesMedia) {
-  const dry = condition.viscosity === 0;
-  if (mine) return { color: "var(--mine)" };
-  if (isTwoBody(condition)) return { color: "var(--two-body)", dash: dry ? DOTTED : null };
-  const style = levelStyle(levelOf(name, condition), levels);
-  return comparesMedia && dry ? { color: style.color, dash: DASHED } : style;
+function styleOf({ name, levels }, condition, mine, hasOil) {
+  const dry = hasOil && condition.viscosity === 0;
+  if (mine) return { color: "var(--mine)", dry };
+  if (isTwoBody(condition)) return name === "viscosity" && dry ? { color: "var(--two-body)", dash: DOTTED } : { color: "var(--ink)", dry };
+  const { color, marker } = levelStyle(levelOf(name, condition), levels);
+  return dry ? { color, dry } : { color, marker };
 }
 
 function labelOf({ name }, condition) {
   const medium = valueText("viscosity", condition.viscosity);
   if (isTwoBody(condition)) return `two-body, ${medium}`;
   if (name === "viscosity") return conditionWord(name, condition.viscosity);
-  const level = name === "diameter_ratio" ? `xₐ/σ = ${readable(ratioOf(condition), 3)}` : conditionWord(name, condition[name]);
+  const level = name === "diameter_ratio" ? `x_a/σ = ${readable(ratioOf(condition), 3)}` : conditionWord(name, condition[name]);
   return `${level}, ${medium}`;
 }
 
@@ -113,31 +116,29 @@ export function figureView() {
   const drawn = curves.map((curve) => ({
     ...curve,
     ...engine.curve(curve.condition),
-    ...styleOf(parameter, curve.condition, curve.mine, comparesMedia),
+    ...styleOf(parameter, curve.condition, curve.mine, hasOil),
     ...emphasis(claim, curve.condition),
     label: labelOf(parameter, curve.condition),
   }));
-  // dry curves are drawn above lubricated ones, which show in the gaps of their dashes
-  const layered = d3.sort(drawn, ({ dash, mine, chosen }) => (dash ? 1 : 0) + (mine ? 2 : 0) + (chosen ? 4 : 0));
+  // lubricated curves are seen on dry ones, which are broad
+  const layered = d3.sort(drawn, ({ dry, mine, chosen }) => (dry ? 0 : 1) + (mine ? 2 : 0) + (chosen ? 4 : 0));
   const windows = figure.panels.filter(({ x }) => x === "diameter_ratio");
   const specs = figure.panels.map((panel) => {
-    if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel), claim);
+    if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
     return curveSpec(panel, shown, engine, { claim, changed, paper: figure.curves });
   });
-  if (changed) notes.push("thin grey: the paper's conditions with the calibrated inputs");
-  const key = keyEntries(drawn, parameter, comparesMedia);
+  const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
   return { specs, key, notes, heading: figure.title, caption: figure.caption };
 }
 
 function curveSpec(panel, curves, engine, { claim, changed, paper }) {
   const [x, y] = [panel.x, yName(panel.y)];
-  const pointsOf = ({ states, condition }, from) => states.map((found) => from.pointOf(x, y, found, condition));
-  const lines = curves.map((curve) => ({ ...curve, points: pointsOf(curve, engine) }));
-  const before = changed ? panel.curves.map((place) => defaultEngine().curve(paper[place])) : [];
-  const ghosts = before.map((curve) => pointsOf(curve, defaultEngine()));
+  const lines = curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) }));
+  const before = changed ? panel.curves.map((place) => paper[place]) : [];
+  const ghosts = before.map((condition) => defaultEngine().points({ x, y, condition }));
   const asDrawn = y === panel.y;
-  const printed = asDrawn ? printedMarks(panel, claim, curves) : [];
+  const printed = asDrawn ? marksOf(panel.printed, claim, curves) : [];
   const turns = panel.y === "particle_contact_area_ratio" || (panel.turning_points && asDrawn);
   const measured = measuredPoints(x, y, curves, engine);
   const points = [...lines.flatMap((line) => line.points), ...ghosts.flat(), ...measured];
@@ -157,6 +158,7 @@ function curveSpec(panel, curves, engine, { claim, changed, paper }) {
     ghosts,
     ranges: asDrawn && !changed ? ranges.filter(({ points }) => points) : [],
     printed,
+    levels: asDrawn ? marksOf(panel.levels, claim, curves) : [],
     stars: turns ? starsOf(x, y, curves, engine) : [],
     locus: panel.locus,
     measured,
@@ -164,8 +166,9 @@ function curveSpec(panel, curves, engine, { claim, changed, paper }) {
   });
 }
 
-function printedMarks(panel, claim, curves) {
-  return panel.printed.map((mark) => {
+// Numbers that the paper prints, in the colours of their curves.
+function marksOf(marks, claim, curves) {
+  return marks.map((mark) => {
     const stated = content.claims.find(({ id }) => id === mark.id);
     const chosen = claim?.id === mark.id;
     const curve = curves.find(({ condition }) => isSame(stated.curves[0], condition));
@@ -183,10 +186,10 @@ function printedMarks(panel, claim, curves) {
 export const starsOf = (x, y, curves, engine) =>
   curves
     .filter(({ turningPoint }) => turningPoint)
-    .map(({ turningPoint, condition, color, faded }) => ({ ...engine.pointOf(x, y, turningPoint, condition), color, faded }));
+    .map(({ turningPoint, condition, faded }) => ({ ...engine.pointOf(x, y, turningPoint, condition), faded }));
 
 // Where turning points occur over x_a/sigma, on one of the surfaces that the figure compares.
-function windowSpec(figure, panel, engine, surface, claim) {
+function windowSpec(figure, panel, engine, surface) {
   const sigmas = distinct(figure.curves.map(({ roughness }) => roughness));
   const { viscosity = 0, particle_density = 1e11, roughness: chosen } = state.conditions;
   const roughness = chosen !== undefined && sigmas.length === 1 ? chosen : sigmas[surface];
@@ -198,15 +201,15 @@ function windowSpec(figure, panel, engine, surface, claim) {
     return { x: ratio, y: found?.particle_contact_area_ratio ?? NaN, state: found };
   });
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
-  const diamonds = ends.map((x) => ({ x, y: WINDOW_HEIGHT, symbol: DIAMOND, color: "var(--mine)" }));
   return specOf({
     letter: panel.letter,
     title: `${VARIABLES[panel.y].words}, ${label}`,
     x: { name: panel.x, log: false, domain: [0.3, 2] },
-    y: { name: panel.y, log: false, domain: [-0.04, 1.06] },
+    y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color, points }],
-    printed: printedMarks(panel, claim, []),
-    stars: [...points.map(({ x, y }) => ({ x, y, color })), ...diamonds],
+    windows: ends.filter(Number.isFinite),
+    limits: panel.printed,
+    stars: points.filter(({ y }) => Number.isFinite(y)),
   });
 }
 
@@ -225,6 +228,6 @@ function keyEntries(drawn, parameter, comparesMedia) {
   return [
     ...entries,
     { text: valueText("viscosity", oil), color: "var(--ink)" },
-    { text: "dry", color: "var(--ink)", dash: DASHED },
+    { text: "dry", color: "var(--ink)", dry: true },
   ];
 }

@@ -7,23 +7,22 @@ import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { MAP_KEY, mapView } from "./map.js";
 import { SECTION_KEY, drawSection } from "./section.js";
-import { chartIn, markerShape, widthIn } from "./chart.js";
+import { chartIn, sampleOf, widthIn } from "./chart.js";
 import { forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint, unusual } from "./point.js";
 import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
 import { csvOf, csvOfMap, save, svgOf } from "./download.js";
-import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
-import { conditionWords, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
+import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
 import { engineOf } from "./engine.js";
-import { escaped, readable } from "./text.js";
+import { escaped, plain, readable, typeset } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
 const CAPTIONS = {
   axes: "The heavy curve is at your conditions; move the sliders, or choose other variables above.",
-  map: `Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*. Blue lines: limits of lubrication regimes.
-    Heavy line: turning points of the contact area. The cross is at your conditions.`,
+  map: "Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none.",
   section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
-    assumes, at the separation that it finds.`,
+    assumes, at the separation that it finds, as in Figures 1 and 2. Particles may be smaller than the gap in
+    which they carry load, where the elastic zone h_e of Eqs. 4 and 5 is wide.`,
 };
 let charts = [];
 let csv = null; // gives the numbers that are shown, if there are any
@@ -37,19 +36,19 @@ function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
     valueText(x.name, point.x) + (x.name === "load" ? ` (${readable(found.normal_load)} N)` : ""),
     valueText(y.name, point.y),
     ...more.map((name) => valueText(name, found[name])),
-    isSolved ? `${MODE_TEXT[found.mode]}, ${REGIME_TEXT[found.regime]} lubrication` : "",
+    isSolved ? stateText(found) : "",
     found ? statusText(found.status) : "",
   ].filter(Boolean);
-  tooltip.innerHTML = `<b>${escaped(label)}</b>${texts.map((text) => `<div>${escaped(text)}</div>`).join("")}`;
+  tooltip.innerHTML = `<b>${typeset(label)}</b>${texts.map((text) => `<div>${typeset(text)}</div>`).join("")}`;
   tooltip.hidden = false;
   const { offsetWidth: width, offsetHeight: height } = tooltip;
   const left = at[0] + 16 + width > innerWidth ? at[0] - width - 16 : at[0] + 16;
   tooltip.style.left = `${Math.max(left, 4)}px`;
   tooltip.style.top = `${Math.max(Math.min(at[1] + 12, innerHeight - height - 4), 4)}px`;
-  if (event.type === "keydown") $("live").textContent = [label, ...texts].join(", ");
+  if (event.type === "keydown") $("live").textContent = plain([label, ...texts].join(", "));
 }
 
-const valueText = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
+const valueText = (name, value) => `${VARIABLES[name].symbol} = ${numberText(name, value)}`;
 
 const hideTooltip = () => $("tooltip").setAttribute("hidden", "");
 
@@ -63,15 +62,10 @@ function drawCharts(specs) {
   specs.forEach((spec, i) => charts[i].update(spec, widths[i]));
 }
 
-// The key: an entry has a text and a colour with dashes and marker, or a fill.
 function showKey(entries) {
-  const html = entries.map(({ text, color, fill, dash, marker }) => {
-    const line = color ? `<path d="M0,7H30" stroke="${color}" stroke-width="2.2" stroke-dasharray="${dash ?? "none"}"/>` : "";
-    const box = fill ? `<rect x="4" y="1" width="22" height="12" fill="${fill}" stroke="var(--soft)"/>` : "";
-    const shape = marker === undefined ? "" : markerShape(marker, 40);
-    const mark = `<path d="${shape}" fill="${color}" transform="translate(15,7)"/>`;
-    const drawing = `<svg width="30" height="14" aria-hidden="true">${line}${box}${mark}</svg>`;
-    return `<span class="entry">${drawing}<span>${escaped(text)}</span></span>`;
+  const html = entries.map((entry) => {
+    const drawing = `<svg class="chart" width="30" height="14" aria-hidden="true">${sampleOf(entry)}</svg>`;
+    return `<span class="entry" data-text="${escaped(entry.text)}">${drawing}<span>${typeset(entry.text)}</span></span>`;
   });
   $("key").innerHTML = html.join("");
 }
@@ -97,7 +91,7 @@ const VIEWS = {
 
 // What newtons are: the paper leaves it open.
 const newtonsText = () =>
-  "In newtons Fₜ = Fₜ* Aₙ E_ss. The paper does not print Aₙ, the apparent area of the contact; " +
+  "In newtons F_t = F_t* A_n E_ss. The paper does not print A_n, the apparent area of the contact; " +
   `it is ${readable(currentInputs().apparent_area * 1e6, 3)} mm² here, one of the inputs.`;
 
 function draw() {
@@ -115,9 +109,9 @@ function draw() {
   }
   showKey(key);
   const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
-  $("heading").textContent = heading;
-  $("notes").textContent = [...unusual(), ...notes].join("; ");
-  $("caption").textContent = hasNewtons ? `${caption} ${newtonsText()}` : caption;
+  $("heading").innerHTML = typeset(heading);
+  $("notes").innerHTML = typeset([...unusual(), ...notes].join("; "));
+  $("caption").innerHTML = typeset(hasNewtons ? `${caption} ${newtonsText()}` : caption);
 }
 
 let asked = 0;
@@ -170,7 +164,7 @@ const FIGURES = Object.fromEntries(content.figures.map(({ name, title }) => [nam
 const SCALES = { auto: "as usual", log: "logarithmic", linear: "linear" };
 const TEXTS = { ...FIGURES, ...SCALES, own: "as it is", over_two_body: "over dry two-body" };
 for (const select of $("toolbar").querySelectorAll("select")) {
-  const text = (value) => TEXTS[value] ?? `${wordOf(value)} ${plainSymbol(letterOf(value))}`;
+  const text = (value) => TEXTS[value] ?? wordOf(value);
   select.replaceChildren(...CHOICES[select.id].map((value) => new Option(text(value), value)));
 }
 

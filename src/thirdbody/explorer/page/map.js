@@ -6,27 +6,23 @@ import { shownRange } from "./axes.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./figures.js";
 import { LIMITS, remembered } from "./model.js";
-import { CROSS } from "./chart.js";
-import { MODE_TEXT, VARIABLES, ofCondition, scaleFor, wordOf } from "./names.js";
+import { FULL_FILM, MODE_TEXT, VARIABLES, ofCondition, scaleFor, wordOf } from "./names.js";
 
 const SIZE = 64; // places along each axis, counted from 0; between them, fractions are conditions too
 const STEPS = 7; // of the search for a border between two places
 const PLACES = d3.range(SIZE);
 const CELLS = d3.cross(PLACES, PLACES, (j, i) => [i, j]);
 const FILLS = ["var(--no-particles)", "var(--surfaces)", "var(--hybrid)", "var(--particles)"]; // by mode
-const [BOUNDARY_DASH, FULL_FILM_DASH] = ["7 3", "2 3"];
 // Layers and the states that they enclose; there is no border beside states for which this is NaN.
 const AREAS = [
   { fill: FILLS[1], encloses: () => true },
   { fill: FILLS[2], encloses: ({ mode }) => mode >= 2 },
   { fill: FILLS[3], encloses: ({ mode }) => mode === 3 },
   { fill: FILLS[0], encloses: ({ mode }) => mode === 0 },
+  { fill: "var(--lubricant)", encloses: ({ regime }) => regime === FULL_FILM },
   { fill: "var(--paper)", encloses: ({ mode }) => mode < 0 },
 ];
-const BORDERS = [
-  { kind: "regime", dash: BOUNDARY_DASH, encloses: ({ regime }) => (regime < 0 ? NaN : regime === 0) },
-  { kind: "regime", dash: FULL_FILM_DASH, encloses: ({ regime }) => (regime < 0 ? NaN : regime === 2) },
-];
+const BORDERS = [{ kind: "regime", encloses: ({ regime }) => (regime < 0 ? NaN : regime === 0) }];
 let running = 0;
 
 // Calls `done` with the spec of the map when it is computed, unless another is asked for in between.
@@ -69,17 +65,18 @@ function* mapSteps(done) {
   }
   const turns = ringsAround(above, 0).map((ring) => ring.map(cornerAt));
   const axisOver = (name, scale) => ({ name: ofCondition(name), log: VARIABLES[name].log, domain: scale.domain() });
-  const count = (mode) => cells.filter((cell) => cell.mode === mode).length;
-  const parts = MODE_TEXT.map((text, mode) => `${text} in ${Math.round((100 * count(mode)) / cells.length)} % of the map`);
+  const share = (isIt) => `${Math.round((100 * cells.filter(isIt).length) / cells.length)} % of the map`;
+  const parts = MODE_TEXT.map((text, mode) => `${text} in ${share((cell) => cell.mode === mode && cell.regime !== FULL_FILM)}`);
+  const film = `full film in ${share(({ regime }) => regime === FULL_FILM)}`;
   const points = CELLS.map((cell, k) => ({ ...cornerAt(cell), state: cells[k] }));
   const spec = specOf({
     title: `Contact mode and lubrication regime over ${wordOf(x).toLowerCase()} and ${wordOf(y).toLowerCase()}`,
-    description: `Over ${wordOf(x)} and ${wordOf(y)}: ${parts.join(", ")}.`,
+    description: `Over ${wordOf(x)} and ${wordOf(y)}: ${[...parts, film].join(", ")}.`,
     x: axisOver(x, xScale),
     y: axisOver(y, yScale),
     areas: layers.slice(0, AREAS.length),
-    borders: [...layers.slice(AREAS.length), { kind: "turning", dash: "none", rings: turns }],
-    stars: [{ x: point[x], y: point[y], color: "var(--ink)", symbol: CROSS }],
+    borders: [...layers.slice(AREAS.length), { kind: "turning", rings: turns }],
+    crosses: [{ x: point[x], y: point[y] }],
     rows: PLACES.map((j) => ({ label: "", points: points.slice(j * SIZE, (j + 1) * SIZE) })).reverse(),
   });
   done(spec);
@@ -110,7 +107,8 @@ function refined([i, j, onBorder], isEnclosed) {
 // What the colours and lines of the map mean.
 export const MAP_KEY = [
   ...MODE_TEXT.map((text, mode) => ({ text, fill: FILLS[mode] })),
-  { text: `boundary to mixed, L_s = ${LIMITS.boundary}`, color: "var(--accent)", dash: BOUNDARY_DASH },
-  { text: `mixed to full film, L_s = ${LIMITS.full_film}`, color: "var(--accent)", dash: FULL_FILM_DASH },
-  { text: "turning points of the contact area", color: "var(--fails)" },
+  { text: `full film, L_s below ${100 * LIMITS.full_film} %`, fill: "var(--lubricant)" },
+  { text: `boundary to mixed, L_s = ${100 * LIMITS.boundary} %`, color: "var(--accent)", kind: "regime" },
+  { text: "turning points of the contact area", color: "var(--turning)", kind: "turning" },
+  { text: "your conditions", mark: "cross" },
 ];

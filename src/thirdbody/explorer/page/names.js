@@ -6,37 +6,41 @@ import { readable } from "./text.js";
 
 const FRACTION = { fraction: true, log: false };
 const PERCENT = { ...FRACTION, unit: "%", factor: 100 };
-const MODES = { limits: [LIMITS.surface, LIMITS.particle], zones: ["s-s", "hybrid", "p-s"] };
-const REGIMES = { limits: [LIMITS.full_film, LIMITS.boundary], zones: ["full film", "mixed", "boundary"] };
+const MODES = { limits: [LIMITS.surface, LIMITS.particle], zones: ["s-s", "hybrid", "p-s"], shaded: "hybrid mode" };
+const REGIMES = {
+  limits: [LIMITS.full_film, LIMITS.boundary],
+  ...{ zones: ["F.L.", "M.L.", "B.L."], shaded: "mixed lubrication (M.L.)" },
+};
 
 // Every variable that an axis of a chart can show: its symbol, its words, its scale, and its unit, in
 // which it is shown as `factor` times the value in SI.
 export const VARIABLES = {
-  total_contact_area: { symbol: "Aₜ*", words: "Real contact area", log: true },
+  total_contact_area: { symbol: "A_t*", words: "Real contact area", log: true },
   particle_contact_area_ratio: { symbol: "A_sa,t*", words: "Contact area ratio of particles", ...FRACTION, ...MODES },
   surface_contact_area_ratio: { symbol: "A_ss,t*", words: "Contact area ratio of surfaces", ...FRACTION },
-  solid_load_fraction: { symbol: "L_s", words: "Load fraction of the solids", ...PERCENT, ...REGIMES },
-  fluid_load_fraction: { symbol: "L_f", words: "Load fraction of the film", ...PERCENT },
+  solid_load_fraction: { symbol: "L_s", words: "Load percentage of solid", ...PERCENT, ...REGIMES },
+  fluid_load_fraction: { symbol: "L_f", words: "Load percentage of fluid", ...PERCENT },
   separation: { symbol: "d", words: "Separation", unit: "nm", factor: 1e9, log: false },
-  film_thickness: { symbol: "H_c", words: "Film thickness over ball radius", unit: "10⁻⁴", factor: 1e4, log: false },
-  total_contact_area_over_two_body: { symbol: "Aₜ*", words: "Area over that of dry two-body contact", log: false },
-  load: { symbol: "Fₜ*", words: "Dimensionless normal load", log: true },
-  normal_load: { symbol: "Fₜ", words: "Normal load", unit: "N", log: true },
-  viscosity: { symbol: "ν", words: "Oil viscosity", unit: "cSt", factor: 1e6, log: false },
-  particle_diameter: { symbol: "xₐ", words: "Particle size", unit: "nm", factor: 1e9, log: false },
+  film_thickness: { symbol: "H_c", words: "Film thickness", unit: "10⁻⁴", factor: 1e4, log: false },
+  total_contact_area_over_two_body: { symbol: "A_t*", words: "Area over that of dry two-body contact", log: false },
+  load: { symbol: "F_t*", words: "Dimensionless normal load", log: true },
+  normal_load: { symbol: "F_t", words: "Normal load", unit: "N", log: true },
+  viscosity: { symbol: "ν", words: "Viscosity", unit: "cSt", factor: 1e6, log: false },
+  particle_diameter: { symbol: "x_a", words: "Particle diameter", unit: "nm", factor: 1e9, log: false },
   roughness: { symbol: "σ", words: "Roughness", unit: "nm", factor: 1e9, log: false },
-  particle_density: { symbol: "ηₐ", words: "Particle density", unit: "m⁻²", log: true },
-  diameter_ratio: { symbol: "xₐ/σ", words: "Particle size over roughness", log: false },
-  turning_point_ratio: { symbol: "A_sa,t*", words: "Where turning points occur", ...FRACTION, ...MODES },
+  particle_density: { symbol: "η_a", words: "Particle density", unit: "m⁻²", log: true },
+  diameter_ratio: { symbol: "x_a/σ", words: "Particle diameter over roughness", log: false },
+  turning_point_ratio: { symbol: "A_sa,t*", words: "Where turning points occur", ...FRACTION },
 };
-export const plainSymbol = (symbol) => symbol.replace("_", "");
 
 export const scaleFor = (name) => (VARIABLES[name].log ? d3.scaleLog() : d3.scaleLinear());
 
-export function numberText(name, value) {
+// values with their unit
+export function numberText(name, value, digits) {
   const { factor = 1, unit = "" } = VARIABLES[name];
-  if (unit === "10⁻⁴") return readable(value);
-  return `${readable(value * factor)} ${unit}`.trim();
+  const numbers = [value].flat().map((each) => readable(each * factor, digits)).join(" to ");
+  if (!unit.startsWith("10")) return `${numbers} ${unit}`.trim();
+  return value.length > 1 ? `(${numbers})×${unit}` : `${numbers}×${unit}`;
 }
 
 // The variable of a condition: the load of a point is that in newtons.
@@ -46,8 +50,8 @@ export const letterOf = (name) => VARIABLES[ofCondition(name)].symbol;
 export const unitOf = (name) => VARIABLES[ofCondition(name)].unit;
 
 // a value with its unit
-export const valueText = (name, value) =>
-  name === "viscosity" && value === 0 ? "dry" : numberText(ofCondition(name), value);
+export const valueText = (name, value, digits) =>
+  name === "viscosity" && value === 0 ? "dry" : numberText(ofCondition(name), value, digits);
 
 // the same with its letter: "ν = 90 cSt", or "dry"
 export const conditionWord = (name, value) =>
@@ -60,5 +64,9 @@ export const conditionWords = (point, ...without) =>
 export const spaced = (word) => word.replaceAll("_", " ");
 export const MODE_TEXT = ["two-body", "surface-surface", "hybrid", "particle-surface"];
 export const REGIME_TEXT = ["boundary", "mixed", "full film"];
+export const FULL_FILM = 2; // in which hardly anything touches: it has no contact mode
+export const modeText = ({ mode, regime }) => (regime === FULL_FILM ? "full film" : MODE_TEXT[mode]);
+export const stateText = ({ mode, regime }) =>
+  regime === FULL_FILM ? "full film" : `${MODE_TEXT[mode]} mode, ${REGIME_TEXT[regime]} lubrication`;
 export const statusText = (status) => (status === "converged" ? "" : `${spaced(status)}: ${content.statuses[status]}`);
 export const inputWords = (name) => spaced(name[0].toUpperCase() + name.slice(1));

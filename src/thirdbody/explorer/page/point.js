@@ -4,10 +4,12 @@ import { axes, content, currentInputs, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
 import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
-import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText, valueText } from "./names.js";
-import { conditionWord, conditionWords, numberText, plainSymbol, wordOf } from "./names.js";
-import { escaped } from "./text.js";
+import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
+import { FULL_FILM, modeText, numberText, statusText, valueText, wordOf } from "./names.js";
+import { escaped, plain, typeset } from "./text.js";
 
+const DIGITS = 3; // of numbers without an ensemble
+const [MOST_DIGITS, ALL_DIGITS] = [4, 10]; // of numbers before and after they are rounded
 const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
 let shownFor = "";
 
@@ -23,12 +25,17 @@ export function showPoint(parent) {
   const members = isCalibrated ? ensembleEngines().map((each) => each.state(point)) : [];
   const rows = VALUES.map((name) => {
     const [low, high] = d3.extent(members, (member) => member[name]);
-    const range = low === undefined ? "" : `${numberText(name, low)} to ${numberText(name, high)}`;
-    return [`${VARIABLES[name].words}, ${plainSymbol(VARIABLES[name].symbol)}`, numberText(name, found[name]), range];
+    const words = `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;
+    if (!(high > low)) return [words, numberText(name, found[name], DIGITS)];
+    const [spread, size] = [high - low, high].map((each) => Math.floor(Math.log10(each)));
+    const last = 10 ** Math.max(spread - 1, size - MOST_DIGITS + 1); // the digit that the ensemble supports
+    const text = (value) => numberText(name, value, ALL_DIGITS);
+    const [value, ...range] = [found[name], low, high].map((each) => Math.round(each / last) * last);
+    return [words, text(value), text([...new Set(range)])];
   });
   const words = [
     ["", "", isCalibrated ? "ensemble" : ""],
-    ["Contact mode", MODE_TEXT[found.mode]],
+    ["Contact mode", found.regime === FULL_FILM ? "" : modeText(found)],
     ["Lubrication", REGIME_TEXT[found.regime]],
     ["Status", statusText(found.status)],
   ].filter(([name, text]) => name === "" || text);
@@ -36,8 +43,8 @@ export function showPoint(parent) {
   parent.innerHTML =
     table(`At ${conditionWords(point).join(", ")}`, [...words, ...rows]) +
     table("Contact mode as one condition changes", waiting) +
-    `<p>${escaped(sizesText(engine, point))}</p>`;
-  const cells = parent.querySelectorAll("table:nth-child(2) td");
+    `<p>${typeset(sizesText(engine, point))}</p>`;
+  const cells = parent.querySelectorAll(".frame:nth-child(2) td");
   // these may need other surfaces, which take a moment
   function* fill() {
     for (const [i, { name }] of axes.entries()) {
@@ -66,7 +73,7 @@ export function unusual() {
 function sizesText(engine, { load, ...condition }) {
   const contact = engine.contact(condition);
   if (contact.twoBody) return "";
-  const text = (length) => numberText("separation", length);
+  const text = (length) => numberText("separation", length, DIGITS);
   const { mean, largest } = contact.sizes;
   const scale = conditionWord("particle_diameter", condition.particle_diameter);
   return (
@@ -81,15 +88,15 @@ function changesText(name, point, engine) {
   const count = name === "roughness" ? 24 : 60;
   const changes = modeChanges(stateAt, placesAlong(name, shownRange(name, point), count));
   if (!changes.length) {
-    const { mode } = stateAt(point[name]);
-    return mode < 0 ? "no solution" : `${MODE_TEXT[mode]} throughout`;
+    const text = modeText(stateAt(point[name]));
+    return text ? `${text} throughout` : "no solution";
   }
-  const parts = changes.map(({ at, to }) => `${MODE_TEXT[to]} from ${valueText(name, at)}`);
-  return [MODE_TEXT[changes[0].from], ...parts].join(", ");
+  const parts = changes.map(({ at, to }) => `${to} from ${valueText(name, at, DIGITS)}`);
+  return [changes[0].from, ...parts].join(", ");
 }
 
 function table(title, rows) {
-  const cells = (texts) => texts.map((text) => `<td>${escaped(text)}</td>`).join("");
-  const lines = rows.map(([name, ...texts]) => `<tr><th scope="row">${escaped(name)}</th>${cells(texts)}</tr>`);
-  return `<table><caption>${escaped(title)}</caption>${lines.join("")}</table>`;
+  const cells = (texts) => texts.map((text) => `<td>${typeset(text)}</td>`).join("");
+  const lines = rows.map(([name, ...texts]) => `<tr><th scope="row">${typeset(name)}</th>${cells(texts)}</tr>`);
+  return `<div class="frame" tabindex="0" role="group" aria-label="${escaped(plain(title))}"><table><caption>${typeset(title)}</caption>${lines.join("")}</table></div>`;
 }

@@ -8,7 +8,7 @@ export const conditionAxes = axes.slice(1);
 export const defaultInputs = Object.fromEntries(Object.entries(content.inputs).map(([name, { value }]) => [name, value]));
 
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
-const START = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
+const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
 
 // What can be chosen, and its default
 const names = axes.map(({ name }) => name);
@@ -52,7 +52,18 @@ export const setCondition = (name, value) => change({ conditions: chosen({ ...st
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
 export const reset = () => change(fresh());
 export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
-export const currentPoint = () => ({ ...START, ...state.conditions });
+export const currentPoint = () => ({ ...startOf(state.figure), ...state.conditions });
+
+// The conditions of a figure, of several the nearest to the usual one.
+function startOf(figure) {
+  const { curves } = content.figures.find(({ name }) => name === figure);
+  const start = ([name, usual]) => {
+    const values = curves.map((curve) => curve[name]).filter((value) => value > 0);
+    const nearest = d3.least(values, (value) => Math.abs(value / usual - 1));
+    return [name, nearest ?? (name in curves[0] ? 0 : usual)];
+  };
+  return Object.fromEntries(Object.entries(USUAL).map(start));
+}
 
 const axisNamed = (name) => axes.find((axis) => axis.name === name);
 export const toUnit = (name, value) => value / axisNamed(name).scale;

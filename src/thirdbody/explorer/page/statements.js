@@ -5,7 +5,7 @@ import { currentEngine, engineOf, inSlices } from "./engine.js";
 import { evidenceOf, judge, replacedConditions } from "./judge.js";
 import { verdicts } from "./figures.js";
 import { spaced, valueText, wordOf } from "./names.js";
-import { escaped, readable } from "./text.js";
+import { escaped, readable, typeset } from "./text.js";
 
 const [filter, list, tally] = ["filter", "claims", "tally"].map((id) => document.getElementById(id));
 const PAUSE = 150; // milliseconds without a move, after which statements are judged
@@ -101,7 +101,7 @@ function item(claim) {
   const place = `${claim.place.replace(", section 3.3", "")} — ${verdictText(claim)}`;
   return `<li><button type="button" data-claim="${claim.id}" aria-pressed="${chosen}" class="${verdict} ${changed}">
     <span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span>
-    <span>${escaped(claim.statement)} <span class="place">${escaped(place)}</span></span></button>
+    <span>${typeset(claim.statement)} <span class="place">${typeset(place)}</span></span></button>
     ${chosen ? details(claim) : ""}</li>`;
 }
 
@@ -118,7 +118,7 @@ function details(claim) {
     `Tolerance: ${tolerance}, ${claim.reason}`,
     conditions && `Judged at ${conditions}, not at the paper's conditions.`,
   ];
-  const paragraphs = lines.filter(Boolean).map((line) => `<p>${escaped(line)}</p>`);
+  const paragraphs = lines.filter(Boolean).map((line) => `<p>${typeset(line)}</p>`);
   return `<div class="more"><blockquote>${escaped(claim.quote)}</blockquote>${paragraphs.join("")}</div>`;
 }
 

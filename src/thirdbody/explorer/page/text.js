@@ -7,6 +7,23 @@ export const powerOfTen = (exponent) =>
 // text inside of markup
 export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
+// Texts with symbols such as A_sa,t* and powers such as 3e-6 as markup: a letter, its index, and a power.
+const SYMBOL = /(?<!\w)(\p{L})_(\w+(?:,t)?)|[νσ]/gu;
+const POWER = /(?<=\d)e([-+]?\d+)/g;
+const LETTERS = { eta: "η", sigma: "σ", omega: "ω", kappa: "κ", phi: "φ", nu: "ν", ₐ: "_a", ₜ: "_t" };
+const LETTER = /(?<![a-z])(?:eta|sigma|omega|kappa|phi|nu)(?![a-z])|[ₐₜ]/g;
+const typesetter = (letterIn, indexIn) => (text) =>
+  escaped(text)
+    .replace(LETTER, (word) => LETTERS[word])
+    .replace(SYMBOL, (found, letter = found, index) => letterIn(letter) + (index ? indexIn(index) : ""))
+    .replace(POWER, (_, exponent) => `×${powerOfTen(Number(exponent))}`);
+export const typeset = typesetter((letter) => `<i>${letter}</i>`, (index) => `<sub>${index}</sub>`);
+export const typesetInDrawing = typesetter(
+  (letter) => `<tspan font-style="italic">${letter}</tspan>`,
+  (index) => `<tspan dy="0.3em" font-size="0.8em">${index}</tspan><tspan dy="-0.24em">\u200b</tspan>`,
+);
+export const plain = (text) => text.replace(SYMBOL, (found, letter = found, index = "") => letter + index);
+
 // The number that a person types, with a decimal point or comma; NaN where it is none, or where a comma
 // may stand before thousands: 1,000.
 export function numberIn(text) {
@@ -24,7 +41,7 @@ export const significant = (value, digits) => d3.format(`.${digits}~g`)(value);
 export function readable(value, digits = 4) {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
-  if (size === 0 || (size >= 1e-4 && size < 10 ** digits)) return d3.format(`.${digits}~r`)(value);
+  if (size === 0 || (size >= 1e-4 && size < 10 ** Math.max(digits, 4))) return d3.format(`.${digits}~r`)(value);
   const [mantissa, exponent] = d3.format(`.${digits - 1}~e`)(value).split("e");
   const power = powerOfTen(Number(exponent));
   return mantissa === "1" ? power : `${mantissa}×${power}`;
