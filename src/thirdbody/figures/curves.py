@@ -223,6 +223,8 @@ def _curve_series(content, curves, printed) -> Iterator[Series]:
         yield from marks.turning_point_series(x, y, curves, marks.LOCUS)
     if content.locus or y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
+    if y == marks.RATIO and x == "load":
+        yield from marks.slight_series(x, y, curves)
     yield from marks.printed_series(x, y, curves, printed)
     if x in ("load", "normal_load"):
         for curve in (curve for curve in curves if curve.has(f"{y}_low")):
