@@ -24,7 +24,6 @@ TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
 EVERY_LOAD = "printed at every load"
 SLIGHT = "slight peaks"
-NEAR = 0.15  # relative distance of marks at one place
 LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
 VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
 PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
@@ -113,17 +112,17 @@ def printed_series(
     x: str, y: str, curves: Sequence[Curve], printed: Sequence[Mapping]
 ) -> Iterator[Series]:
     """Printed numbers of ``curves``, rows of the table ``printed``, in a panel of ``x`` and ``y``;
-    each position is shown once, even if several curves have it or are near it."""
-    drawn: dict[str, list[NDArray]] = {}
+    each position is shown once, even if several curves have it."""
+    drawn = set()
     for curve in curves:
         key, colour = condition_key(curve.condition), {"color": curve.look["color"]}
         own = [row for row in printed if row_key(row) == key]
         numbers = {row["quantity"]: row["value"] for row in own}
         for row in own:
             points = _low_value_high(curve, row, x, y, numbers)
-            places = drawn.setdefault(row["id"], [])
-            if points and not any(np.allclose(points, each, rtol=NEAR) for each in places):
-                places.append(np.array(points))
+            place = row["id"], tuple(np.ravel(points))
+            if points and place not in drawn:
+                drawn.add(place)
                 points, look = np.array(points), LOOKS[PRINTED] | colour
                 if _is_at_every_load(row, x, y):
                     load, value = curve.values[x][[0, -1]], np.full(2, row["value"])
