@@ -19,8 +19,8 @@ from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
-from thirdbody.figures.schematics import SCHEMATICS, STRETCH
-from thirdbody.figures.sections import sections, state_of
+from thirdbody.figures.schematics import SCHEMATICS
+from thirdbody.figures.sections import STRETCH, sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
 
 pytestmark = pytest.mark.usefixtures("style")
