@@ -59,9 +59,7 @@ def _notes(panels) -> list[str]:
     if len({condition.is_dry for condition in conditions}) > 1:
         sentences.append("Broad curves: dry contact.")
     sentences += [
-        ZONES[SCALES[y].zones]
-        for y in dict.fromkeys(panel.y for panel in panels)
-        if SCALES[y].zones
+        ZONES[zones] for zones in dict.fromkeys(SCALES[panel.y].zones for panel in panels) if zones
     ]
     return sentences
 

@@ -113,6 +113,7 @@ class Content:
     x: str = "load"
     surface: int | None = None
     locus: bool = False
+    least: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -163,7 +164,13 @@ class CurveFigure:
                 shared = shared_notes([curve.condition for curve in chosen])
                 own = ", ".join(text for text in shared if text not in common)
                 panels.append(
-                    Panel(own or panel_title(content.x, content.y), content.x, content.y, series)
+                    Panel(
+                        own or panel_title(content.x, content.y),
+                        content.x,
+                        content.y,
+                        series,
+                        least=content.least,
+                    )
                 )
         panels = [panel for panel in panels if panel.series]
         if not panels:
@@ -223,6 +230,8 @@ def _curve_series(content, curves, printed) -> Iterator[Series]:
         yield from marks.turning_point_series(x, y, curves, marks.LOCUS)
     if content.locus or y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
+    if y == marks.RATIO and x == "load":
+        yield from marks.slight_series(x, y, curves)
     yield from marks.printed_series(x, y, curves, printed)
     if x in ("load", "normal_load"):
         for curve in (curve for curve in curves if curve.has(f"{y}_low")):
@@ -307,17 +316,19 @@ def _draw_panel(axes, panel, newtons_per_load):
     ranges, lines = panel.of_kind(marks.BAND), {}
     shown = np.unique(np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int))
     for series in [ranges[place] for place in shown if ranges]:
-        outline = np.column_stack((series.x, series.y))
+        outline = np.column_stack((series.x, np.maximum(series.y, panel.least or -np.inf)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in [one for one in panel.series if one.kind != marks.BAND]:
         if panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
-            (lines[series],) = axes.plot(series.x, series.y, **series.look)
+            (lines[series],) = axes.plot(
+                series.x, np.maximum(series.y, panel.least or -np.inf), **series.look
+            )
         elif series.kind == marks.TOLERANCE:
             axes.axvspan(*series.x, **series.look)
         else:
             for end in series.x:
                 axes.axvline(end, **series.look)
-    set_scales(axes, panel.x, panel.y, newtons_per_load)
+    set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
     marked = []
     for kind in (marks.TURNING_POINTS, marks.PRINTED):
         some = [line for series, line in lines.items() if series.kind == kind]

@@ -49,13 +49,15 @@ class Series:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A panel: title, names of the quantities on its axes, series, and its letter once drawn."""
+    """A panel: title, names of the quantities on its axes, series, its letter once drawn, and where a
+    logarithmic axis of a fraction begins, 0 for a linear one."""
 
     title: str
     x: str
     y: str
     series: Sequence[Series]
     letter: str = ""
+    least: float = 0.0
 
     def of_kind(self, kind: str) -> list[Series]:
         """The series of one kind."""

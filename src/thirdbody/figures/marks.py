@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
 EVERY_LOAD = "printed at every load"
+SLIGHT = "slight peaks"
+LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
+VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
 PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
 LIMIT_OF_ALL = "printed limit of all surfaces"
 # markers of points that have not converged; the curve ends where there are no values
@@ -65,11 +68,26 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
         yield Series(kind, "", *np.array(places), look=LOOKS[kind])
 
 
+def slight_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
+    """Peaks of A_sa,t* that are no turning points, in a panel where other curves have some."""
+    places = []
+    for curve in curves if any(curve.turning_point for curve in curves) else ():
+        ratio = curve.values[RATIO]
+        top = int(np.nanargmax(ratio))
+        rise = ratio[top] - max(np.nanmin(ratio[: top + 1]), np.nanmin(ratio[top:]))
+        if not curve.turning_point and rise >= LEAST_RISE:
+            places.append([curve.values[name][top] for name in (x, y)])
+    if places:
+        yield Series(SLIGHT, "", *np.array(places).T, look=LOOKS[SLIGHT])
+
+
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
     """First and last points with a status other than ``converged``, and ends of curves without values."""
     for status in STATUSES:
         for curve in curves:
             marked = curve.values[STATUS] == SOLUTION_STATUSES.index(status)
+            if status == "not_converged" and "error_bound" in curve.values:
+                marked &= ~(curve.values["error_bound"] < VISIBLE_ERROR)
             if status in WITHOUT_VALUES:
                 beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
                 marked = beside & np.isfinite(curve.values[y])
@@ -98,14 +116,17 @@ def printed_series(
     drawn = set()
     for curve in curves:
         key, colour = condition_key(curve.condition), {"color": curve.look["color"]}
-        for row in (row for row in printed if row_key(row) == key):
-            points = _low_value_high(curve, row, x, y)
+        own = [row for row in printed if row_key(row) == key]
+        numbers = {row["quantity"]: row["value"] for row in own}
+        for row in own:
+            points = _low_value_high(curve, row, x, y, numbers)
             place = row["id"], tuple(np.ravel(points))
             if points and place not in drawn:
                 drawn.add(place)
                 points, look = np.array(points), LOOKS[PRINTED] | colour
                 if _is_at_every_load(row, x, y):
                     load, value = curve.values[x][[0, -1]], np.full(2, row["value"])
+                    points[0] = np.sqrt(load.prod())  # the tolerance in the middle of the axis
                     look = LOOKS[EVERY_LOAD] | colour
                     yield Series(EVERY_LOAD, row["id"], load, value, curve.condition, look)
                 else:
@@ -120,9 +141,10 @@ def _is_at_every_load(row, x, y) -> bool:
     return x == "load" and row["quantity"] == y and bool(row["extreme"]) and row["value"] in ends
 
 
-def _low_value_high(curve, row, x, y) -> tuple[NDArray, NDArray] | None:
+def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None:
     """The number in ``row`` between the ends of its tolerance, as points in a panel of ``x`` and
-    ``y``, at the curve along the other axis; None if the panel does not show it."""
+    ``y``, along the other axis at the curve or, of a turning point, at the printed one of ``numbers``;
+    None if the panel does not show it."""
     quantity, number = row["quantity"], np.array([row["low"], row["value"], row["high"]])
     if x == quantity == "film_thickness":
         return number, np.full(3, curve.at(y, _load_of(curve, row)))
@@ -133,10 +155,14 @@ def _low_value_high(curve, row, x, y) -> tuple[NDArray, NDArray] | None:
     if y in LOADS.get(quantity, ()):
         if quantity == MIXED:
             number = number * _falls_to(curve, SOLID, BOUNDARY_LIMIT)
+        if quantity == "turning_point_load" and "turning_point_ratio" in numbers:
+            return number, np.full(3, numbers["turning_point_ratio"])
         return number, np.full(3, curve.at(y, number[1]))
     if y != AT_TURNING_POINT.get(quantity, quantity):
         return None
     load = _load_of(curve, row)
+    if quantity in AT_TURNING_POINT:
+        load = numbers.get("turning_point_load", load)
     if quantity == "turning_point_solid_load":
         number = number / load  # L_s = L_s F_t*/F_t*
     if SCALES[y].zones:  # a fraction

@@ -118,9 +118,12 @@ def axis_text(name: str, value: float) -> str:
     return f"{number} {unit[1]}" if unit else number
 
 
-def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:
+def set_scales(
+    axes: Axes, x: str, y: str, newtons_per_load: float | None = None, least: float = 0.0
+) -> None:
     """Set scales, ticks, labels and limits of axes after all data have been drawn; with
-    ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge."""
+    ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge; a fraction is
+    logarithmic from ``least`` on, if it is given."""
     axes.margins(x=0.02, y=0.04)
     limits = axes.dataLim
     for axis, name, (low, high) in (
@@ -143,6 +146,8 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         over_sizes = x == "diameter_ratio"  # where tolerances are shaded
         top = limits.y1 if 0.0 < limits.y1 < 0.5 and not over_sizes else 1.0
         axes.set_ylim(-0.08 * top, 1.08 * top)
+        if least:
+            axes.set(yscale="log", ylim=(least, 1.3))
         _draw_zones(axes, SCALES[y], shaded=not over_sizes)
     if x == "load" and newtons_per_load is not None:
         ends = lambda load: load * newtons_per_load, lambda newtons: newtons / newtons_per_load
@@ -171,9 +176,14 @@ def _draw_zones(axes, scale, shaded):
     if shaded:
         axes.axhspan(limits[0], min(limits[1], high), color=ZONE, linewidth=0.0, zorder=0.5)
     limits = [limit for limit in limits if limit < high]
-    edges = np.array([low, *limits, high])
+    edges = axes.transScale.transform([(1.0, each) for each in (low, *limits, high)])[:, 1]
+    middles = axes.transScale.inverted().transform(
+        [(0.0, each) for each in 0.5 * (edges[1:] + edges[:-1])]
+    )[:, 1]
+    heights = np.diff(edges) / (edges[-1] - edges[0])
+    zones = zip(middles, names, heights, strict=False)
+    named = [(middle, name) for middle, name, height in zones if height > 0.05]
     right = axes.secondary_yaxis("right")
-    middles = zip(0.5 * (edges[1:] + edges[:-1]), names, np.diff(edges), strict=False)
-    named = [(middle, name) for middle, name, height in middles if height > 0.05 * (high - low)]
     right.set_yticks(*zip(*named, strict=True))
+    right.yaxis.set_minor_locator(NullLocator())
     right.tick_params(length=0)

@@ -1,6 +1,6 @@
 """Figures 1 and 2: the three-body interface and its contact modes, with stretched heights."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -9,22 +9,20 @@ from thirdbody.beside import toml_beside
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
 from thirdbody.figures.scales import label, shared_notes
-from thirdbody.figures.sections import PARTICLES, Section, condition_of, panels_of
+from thirdbody.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.model.regimes import CONTACT_MODES
 
-INTERFACE, MODES = (TWO_COLUMNS, 3.1), (TWO_COLUMNS, 3.2)  # sizes of the figures [inches]
-INTERFACE_SHAPE, MODES_SHAPE = 0.4, 1.25  # height over length of their sections on paper
-STRETCH = 8.0  # of heights over lengths
+INTERFACE, MODES = 3.6, 2.75  # heights of the figures [inches]
+INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
 MICROMETRE = 1e-6
-LEFT, RIGHT = 0.12, 0.25  # parts of the length: of the arrow of d, and of the names of the surfaces
+SCALE = 0.5e-6  # height of the scale bar [m]
 
-SUMMITS, LUBRICANT, ZONE = "contact of summits", "lubricant", "elastic zone"
-CARRYING, FREE = "particle that carries load", "free particle"
+SUMMITS, LUBRICANT = "contact of summits", "lubricant"
+PARTICLE = "particle between both"
 CONTENT = toml_beside(__file__)
-LOOKS, ARROWS, MODE_TITLES = CONTENT["looks"], CONTENT["arrows"], CONTENT["modes"]
-NAMES = CONTENT["names"]
+LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
-NOTE = "heights stretched {0:g} times, particles drawn round"
+STRETCHED = f"heights stretched {STRETCH:g} times, particles drawn round"
 
 
 def plot_interface(data: PlainDataset) -> Drawing:
@@ -33,13 +31,14 @@ def plot_interface(data: PlainDataset) -> Drawing:
     condition = condition_of(section)
     if condition.is_dry or condition.is_two_body:
         raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
-    title = ", ".join([*shared_notes([condition]), NOTE.format(STRETCH)])
-    figure = empty_panels([_panel(title, section)], INTERFACE, columns=1)
+    title = ", ".join(shared_notes([condition]))
+    figure = empty_panels([_panel(title, section)], (TWO_COLUMNS, INTERFACE), columns=1)
     (axes,) = figure.axes
     axes.set_title(title, loc="left")  # the only panel has no letter
     _draw_section(axes, figure.panels[0], section, INTERFACE_SHAPE)
-    _draw_load(axes, section)
-    _name_parts(axes, section, (SUMMITS, CARRYING, FREE, ZONE, LUBRICANT))
+    _draw_arrows(axes, section)
+    _name_parts(axes, section)
+    figure.supxlabel(STRETCHED, fontsize="medium")
     return figure
 
 
@@ -57,44 +56,29 @@ def plot_modes(data: PlainDataset) -> Drawing:
             )
         own = (text for text in shared_notes([condition]) if text not in common)
         panels.append(_panel(", ".join((MODE_TITLES[mode], *own)), section))
-    figure = empty_panels(panels, MODES, columns=3)
+    figure = empty_panels(panels, (TWO_COLUMNS, MODES), columns=3)
     for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
         _draw_section(axes, panel, section, MODES_SHAPE)
-        _name_parts(axes, section, (SUMMITS, CARRYING, ZONE))
-    figure.supxlabel(", ".join([*common, NOTE.format(STRETCH)]), fontsize=8)
+        _name_parts(axes, section)
+    figure.supxlabel(f"{', '.join(common)}; {STRETCHED}", fontsize="medium")
     return figure
 
 
 def _panel(title, section: Section) -> Panel:
-    """The lines of a section: surfaces, contacts of summits, and the outlines of the particles, drawn round,
-    undeformed although they indent the surfaces where they are held; the smaller of two that would overlap
-    is left out."""
+    """The lines of a section: surfaces, contacts of summits, and the particles, which are round on paper."""
     position, touch = section["position"], section["surfaces_touch"]
     lines = {"surface 1": section["upper"], "surface 2": section["lower"]}
     if touch.any():
         lines[SUMMITS] = np.where(touch, section["lower"], np.nan)
     series = [Series(CURVE, name, position, line, look=LOOKS[name]) for name, line in lines.items()]
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
-    for x, y, size, carries in _shown(section):
-        outline = x + 0.5 * STRETCH * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
-        state = "carries load" if carries else "free"
-        look = LOOKS[CARRYING if carries else FREE]
-        series.append(Series(CURVE, f"particle of {size:.4g} m; {state}", *outline, look=look))
+    for x, y, size, carries_load in zip(*(section[name] for name in PARTICLES), strict=True):
+        if not np.isnan(x):
+            circle = x + 0.5 * STRETCH * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
+            state = "carries load" if carries_load else "free"
+            look = LOOKS[PARTICLE if carries_load else "free particle"]
+            series.append(Series(CURVE, f"particle of {size:.4g} m; {state}", *circle, look=look))
     return Panel(title, "position", "height", series)
-
-
-def _shown(section) -> list[Sequence[float]]:
-    """Position, height, size and whether it carries load of each particle that is drawn: those that carry load
-    first, then the largest."""
-    rows = [
-        row for row in zip(*(section[name] for name in PARTICLES), strict=True) if row[0] == row[0]
-    ]
-    shown = []
-    for x, height, size, carries in sorted(rows, key=lambda row: (-row[3], -row[2])):
-        apart = (abs(x - x2) > 0.5 * STRETCH * (size + size2) for x2, _, size2, _ in shown)
-        if all(apart):
-            shown.append((x, height, size, carries))
-    return shown
 
 
 def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> None:
@@ -104,96 +88,70 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
     if section["viscosity"] > 0.0:
         axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
-    for x, bottom, _, size in _elastic_zones(section):
-        inside = np.abs(position - x) <= 0.5 * STRETCH * size
-        above = np.maximum(section["upper"][inside], bottom)
-        axes.fill_between(position[inside], bottom, above, **LOOKS[ZONE])
     for series in panel.series:
         if series.name in edges:
             axes.fill_between(series.x, series.y, edges[series.name], **series.look)
         elif series.name == SUMMITS:
-            axes.plot(series.x, series.y, solid_capstyle="butt", **series.look)
+            axes.plot(series.x, series.y, solid_capstyle="round", **series.look)
         else:
             axes.fill(series.x, series.y, zorder=2.5, **series.look)
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
     axes.set_aspect(STRETCH)
-    _draw_separation(axes, section)
-    facts = (
-        f"$d$ = {section['separation'] / MICROMETRE:.2f} µm\n"
-        f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}, "
-        f"$L_s$ = {section['solid_load_fraction']:.0%}"
-    )
-    axes.text(0.03, 0.96, facts, transform=axes.transAxes, va="top", fontsize=7)
+    corner, end = middle - 0.94 * reach, 0.97 * length
+    start = end - STRETCH * SCALE
+    axes.plot([start, end, end], [corner, corner, corner + SCALE], color="black", linewidth=1.5)
+    across, up = STRETCH * SCALE / MICROMETRE, SCALE / MICROMETRE
+    axes.text(start, corner, f"{across:g} × {up:g} µm ", ha="right", va="bottom")
+    facts = [
+        f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
+        f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
+    ]
+    if section["viscosity"] > 0.0:
+        facts.append(f"$L_s$ = {section['solid_load_fraction']:.0%}")
+    axes.set_xlabel(", ".join(facts), fontsize="medium")
 
 
-def _elastic_zones(section) -> list[Sequence[float]]:
-    """Position, lower and upper end, and width of what is left of the gap above each particle that carries
-    load through h_e."""
-    zones = []
-    for x, height, size, carries in _shown(section):
-        above, top = np.interp(x, section["position"], section["upper"]), height + 0.5 * size
-        if carries and above > top:
-            zones.append((x, height, above, size))
-    return zones
+def _name_parts(axes, section):
+    """Names on the drawing, with lines to the lubricant, a contact of summits and a particle between both."""
+    position, length = section["position"], section["position"][-1]
+    for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
+        look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
+        axes.text(0.02, height, name, **look)
+    bottom, top = axes.get_ylim()
+    middle = 0.5 * (section["upper"] + section["lower"])
+    if section["surfaces_touch"].any():
+        place = np.argmax(section["surfaces_touch"])
+        beside = 0.3 * length, 0.4 * bottom
+        _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
+    x, y, _, carries = (section[name] for name in PARTICLES)
+    if carries.any():
+        last = np.flatnonzero(carries)[-1]
+        _point_at(axes, PARTICLE, (x[last], y[last]), (0.67 * length, 0.55 * bottom))
+    if section["viscosity"] > 0.0:
+        widest = np.argmax(section["upper"] - section["lower"])
+        beside = position[widest] + 0.05 * length, 0.85 * top
+        _point_at(axes, LUBRICANT, (position[widest], middle[widest]), beside)
 
 
-def _name_parts(axes, section, parts):
-    """Names of the surfaces, and of ``parts`` at the lower edge with lines that lead to them."""
-    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
-    beside = section["position"] > (1.0 - RIGHT) * right
-    style, away = {"fontsize": 7, "ha": "right"}, 0.02 * (top - bottom)
-    highest, lowest = section["upper"][beside].max(), section["lower"][beside].min()
-    axes.text(0.98 * right, highest + away, "surface 1", va="bottom", **style)
-    axes.text(0.98 * right, lowest - away, "surface 2", va="top", **style)
-    places = {name: place for name, place in _places(section).items() if name in parts}
-    named = sorted(places, key=lambda name: places[name][0])
-    for index, name in enumerate(named):
-        x = left + (right - left) * (index + 0.5) / len(named)
-        text = (x, bottom + 0.03 * (top - bottom))
-        style = {"ha": "center", "va": "bottom", "fontsize": 7, "zorder": 3.0}
-        axes.annotate(NAMES[name], places[name], text, arrowprops=ARROWS["leader"], **style)
+def _point_at(axes, text, place, beside):
+    look = {"ha": "center", "va": "center", "arrowprops": ARROWS["leader"], "zorder": 4}
+    axes.annotate(text, place, beside, **look)
 
 
-def _places(section) -> dict[str, tuple[float, float]]:
-    """A place of each part that there is."""
-    position, lower, upper = (section[name] for name in ("position", "lower", "upper"))
-    places, touch = {}, np.flatnonzero(section["surfaces_touch"])
-    if touch.size:
-        middle = touch[touch.size // 2]
-        places[SUMMITS] = position[middle], lower[middle]
-    for name, kind in ((CARRYING, 1), (FREE, 0)):
-        some = [row for row in _shown(section) if row[3] == kind]
-        if some:
-            x, height, _, _ = max(some, key=lambda row: row[2])
-            places[name] = x, height
-    zones = _elastic_zones(section)
-    if zones:
-        x, height, above, size = max(zones, key=lambda zone: zone[3])
-        places[ZONE] = x, 0.5 * (height + 0.5 * size + above)
-    covered = position < LEFT * position[-1]
-    for x, _, size, _ in _shown(section):
-        covered |= np.abs(position - x) < 0.6 * STRETCH * size
-    widest = np.argmax(np.where(covered, 0.0, upper - lower))
-    places[LUBRICANT] = position[widest], 0.5 * (lower + upper)[widest]
-    return places
-
-
-def _draw_separation(axes, section):
-    """The separation of the mean planes."""
+def _draw_arrows(axes, section):
+    """The separation of the mean planes, the elastic zone below the upper one, and the load on both surfaces."""
     length, d = section["position"][-1], section["separation"]
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
-    axes.annotate("", (0.03 * length, 0.0), (0.03 * length, d), arrowprops=ARROWS["separation"])
-    axes.text(0.03 * length, 0.5 * d, "  $d$", va="center")
-
-
-def _draw_load(axes, section):
-    """The load on both surfaces."""
-    place, d = 0.6 * section["position"][-1], section["separation"]
+    place = 0.025 * length
+    axes.annotate("", (place, 0.0), (place, d), arrowprops=ARROWS["separation"])
+    axes.text(place, 0.5 * d, "  $d$", va="center")
     bottom, top = axes.get_ylim()
-    for end, start in ((d + 0.35 * (top - d), 0.98 * top), (0.35 * bottom, 0.98 * bottom)):
-        axes.annotate("", (place, end), (place, start), arrowprops=ARROWS["load"])
-        axes.text(place, 0.5 * (start + end), "   $F_t$", va="center")
+    axes.axhspan(max(d - section["elastic_depth"], bottom), d, 0.07, 0.09, **LOOKS["elastic zone"])
+    axes.text(0.1 * length, 0.2 * bottom, "$h_e$", va="center")
+    for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
+        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=ARROWS["load"])
+        axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
 
 
 SCHEMATICS: dict[str, Callable[[PlainDataset], Drawing]] = {

@@ -1,7 +1,8 @@
 """Random sections through the three-body interface, and their dataset.
 
 The surfaces are Gaussian, the particles follow the size distribution of the model, and the mean
-planes are at the solved separation.  The seed is fixed.  A section is a mapping by the names of
+planes are at the solved separation.  Lengths are as in the model; on paper heights are stretched, and
+particles, which are drawn round, touch the surfaces as they are drawn.  The seed is fixed.  A section is a mapping by the names of
 ``VARIABLES``, and ``position`` along it; its state has the condition and the solution.
 """
 
@@ -21,10 +22,20 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
 
 SEED = 20240507  # publication date of the paper
-LENGTHS = {"fig01": 70e-6, "fig02": 40e-6}  # of the sections of each schematic [m]: several summits
+STRETCH = 25.0  # of heights over lengths, so that several summits are seen
+LENGTHS = {"fig01": 150e-6, "fig02": 84e-6}  # of the sections of each schematic [m]
+# ASSUME: fewer particles than in a slab as deep as their mean spacing, so that each is seen
+SPACING = 16e-6  # of particles [m]
 POINTS = 500
-CLEARANCE = 0.12  # distance of contacts from the ends, as a fraction of the section
 ATTEMPTS = 1000
+LEFT, MIDDLE, RIGHT = (0.15, 0.45), (0.35, 0.65), (0.55, 0.85)  # parts of a section
+# parts with a contact of summits, and with a particle that touches both surfaces, by contact mode
+TOUCHING = {
+    "two_body": ((LEFT, RIGHT), ()),
+    "surface_surface": ((LEFT, RIGHT), ()),
+    "hybrid": ((LEFT,), (RIGHT,)),
+    "particle_surface": ((), (MIDDLE,)),
+}
 
 Section = Mapping[str, Any]
 
@@ -36,7 +47,7 @@ STATE |= {"contact_mode": variable_attributes(FLAGS["contact_mode"])}
 # attributes of the other variables, over the position and over the particles
 OTHERS = toml_beside(__file__)
 LINES, PARTICLES = OTHERS["lines"], OTHERS["particles"]
-VARIABLES = STATE | LINES | PARTICLES
+VARIABLES = STATE | OTHERS["panel"] | LINES | PARTICLES
 
 
 def state_of(condition: Condition, solution: Any) -> dict[str, Any]:
@@ -80,37 +91,30 @@ def panels_of(data: PlainDataset) -> list[Section]:
 
 def section_through(state: Section, parameters: Parameters, length: float, seed: int) -> Section:
     """A random section of this ``length`` [m] through the contacts that carry the load in the mode of the
-    ``state``: summits, a particle, or both; ``ValueError`` if none is found."""
+    ``state``: summits, particles, or both; ``ValueError`` if none is found."""
     random = np.random.default_rng(seed)
     position = np.linspace(0.0, length, POINTS)
     mode = CONTACT_MODES[state["contact_mode"]]
-    summits_touch = mode in ("two_body", "surface_surface", "hybrid")
-    particle_carries = mode in ("particle_surface", "hybrid")
-    # largest excess of a gap over a particle that carries load in it: the height of the plane that
-    # particles meet, plus the elastic zone as printed
-    options, sigma = parameters.interpretation, state["roughness"]
-    depth = parameters.elastic_depth_ratio * state["particle_diameter"]
-    plane = options.particle_plane.height(parameters.surface(sigma).summit_offset)
-    reach = plane + options.elastic_limits.beyond * depth
-    held = reach if particle_carries else None
+    summits, held = TOUCHING[mode]
     for _ in range(ATTEMPTS):
-        lower, upper = _surfaces(state, parameters, position, summits_touch, random)
+        lower, upper = _surfaces(state, parameters, position, summits, random)
         touches = lower > upper
         particles = _particles(state, parameters, position, lower, upper, held, random)
         if (
-            touches.any() == summits_touch
-            and particles["particle_carries_load"].any() == particle_carries
+            touches.any() == bool(summits)
+            and particles["particle_carries_load"].any() == bool(held)
             and _are_apart(particles, position[touches], length)
         ):
             middle = 0.5 * (lower + upper)
             lower, upper = np.where(touches, middle, [lower, upper])
             lines = dict(zip(LINES, (lower, upper, touches.astype(np.int8)), strict=True))
-            return {**state, "position": position, **lines, **particles}
+            depth = parameters.elastic_depth_ratio * state["particle_diameter"]
+            return {**state, "elastic_depth": depth, "position": position, **lines, **particles}
     raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
 
 
-def _surfaces(state, parameters, position, summits_touch, random):
-    """Heights of the lower and the upper surface; they interpenetrate where summits touch."""
+def _surfaces(state, parameters, position, summits, random):
+    """Heights of the lower and the upper surface; they interpenetrate somewhere within each of ``summits``."""
     sigma, separation = state["roughness"], state["separation"]
     # the correlation length l of a Gaussian surface with the summit density of the model, which is
     # 1/(2 pi sqrt(3) l^2) for the autocorrelation exp(-x^2/2l^2): Nayak (1971)
@@ -124,33 +128,43 @@ def _surfaces(state, parameters, position, summits_touch, random):
     profiles = np.array([np.convolve(each, kernel, "valid") for each in noise])
     # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
     lower, upper = sigma / np.sqrt(2.0) * (profiles / np.sqrt(np.sum(kernel**2)))
-    if summits_touch:
+    for first, last in summits:
         # a Gaussian process through a given height there: a sample plus its regression on the
         # difference; above a high level d it rises by sigma^2/d on average
-        place = random.uniform(0.25, 0.4) * position[-1]
+        place = random.uniform(first, last) * position[-1]
         missing = separation + sigma**2 / separation - np.interp(place, position, lower - upper)
         rise = 0.5 * missing * np.exp(-0.5 * ((position - place) / length) ** 2)
         lower, upper = lower + rise, upper - rise
     return lower, upper + separation
 
 
-def _particles(state, parameters, position, lower, upper, reach, random) -> dict[str, NDArray]:
-    """Particles of a slab as deep as their mean spacing; with a ``reach`` the first carries load: it is in
-    the narrowest gap on the right, and larger than this gap minus the reach."""
-    count = round(position[-1] * np.sqrt(state["particle_density"]))
-    places = random.uniform(0.05, 0.95, count) * position[-1]
+def _particles(state, parameters, position, lower, upper, held, random) -> dict[str, NDArray]:
+    """Particles of random sizes, each in its part of the section; in the narrowest gap within each of ``held``
+    is one that touches both surfaces, or else the largest."""
+    count = round(position[-1] / SPACING)
+    places = (np.arange(count) + random.uniform(0.2, 0.8, count)) / count * position[-1]
     smallest = np.zeros(count)
-    if reach is not None:
-        right = (position > 0.6 * position[-1]) & (position < (1 - CLEARANCE) * position[-1])
-        gap = np.where(right, upper - lower, np.inf)
-        places[0], smallest[0] = position[np.argmin(gap)], max(gap.min() - reach, 0.0)
+    carries = np.zeros(count, bool)
+    for first, last in held:
+        within = (position > first * position[-1]) & (position < last * position[-1])
+        gap = np.where(within, upper - lower, np.inf)
+        narrowest = np.argmin(gap)
+        nearest = np.argmin(np.abs(places - position[narrowest]))
+        places[nearest], smallest[nearest] = position[narrowest], gap[narrowest]
+        carries[nearest] = True
     fractions = random.uniform(size=count)
     sizes = size_quantiles(fractions, smallest, state["particle_diameter"], parameters)
+    apart = np.abs(places[:, None] - places[carries]) > 0.5 * STRETCH * (
+        sizes[:, None] + sizes[carries]
+    )
+    clear = carries | apart.all(axis=1)  # free particles leave room for those
+    places, sizes, carries = places[clear], sizes[clear], carries[clear]
     settled = [
-        _settled(place, size, position, lower, upper, reach or 0.0)
+        _settled(place, size, position, lower, upper)
         for place, size in zip(places, sizes, strict=True)
     ]
-    heights, carries = np.reshape(settled, (count, 2)).T
+    heights, touch = np.reshape(settled, (-1, 2)).T
+    carries |= touch > 0.0
     return dict(zip(PARTICLES, (places, heights, sizes, carries.astype(np.int8)), strict=True))
 
 
@@ -164,22 +178,20 @@ def size_quantiles(
     return mean + spread * ndtri(below + (above - below) * fraction)
 
 
-def _settled(place, diameter, position, lower, upper, reach) -> tuple[float, bool]:
+def _settled(place, diameter, position, lower, upper) -> tuple[float, bool]:
     """Height of a particle that rests on the lower surface or is held in a narrower gap; and whether it
-    carries load: the gap exceeds it by at most ``reach``."""
-    radius = 0.5 * diameter
-    across = np.abs(position - place) < radius
-    if not across.any():
-        return np.interp(place, position, lower) + radius, False
-    half_chord = np.sqrt(radius**2 - (position[across] - place) ** 2)
-    rests = (lower[across] + half_chord).max()
-    hangs = (upper[across] - half_chord).min()
-    return min(rests, 0.5 * (rests + hangs)), rests + reach > hangs
+    touches both."""
+    radius, across = 0.5 * diameter, np.abs(position - place) / STRETCH
+    half_chord = np.sqrt(np.maximum(radius**2 - across**2, 0.0))
+    near = across <= max(radius, across.min())
+    rests = (lower[near] + half_chord[near]).max()
+    hangs = (upper[near] - half_chord[near]).min()
+    return min(rests, 0.5 * (rests + hangs)), rests > hangs
 
 
 def _are_apart(particles, contacts, length) -> bool:
     """Whether no particle overlaps another, a contact of summits, or the ends of the section."""
-    places, radii = particles["particle_position"], 0.5 * particles["particle_size"]
+    places, radii = particles["particle_position"], 0.5 * STRETCH * particles["particle_size"]
     distances = np.abs(places[:, None] - places) - radii[:, None] - radii
     np.fill_diagonal(distances, np.inf)
     within = (places > radii) & (places < length - radii)
