@@ -128,8 +128,9 @@ def _name_parts(axes, section):
         last = np.flatnonzero(carries)[-1]
         _point_at(axes, PARTICLE, (x[last], y[last]), (0.67 * length, 0.55 * bottom))
     if section["viscosity"] > 0.0:
-        widest = np.argmax(section["upper"] - section["lower"])
-        beside = position[widest] + 0.05 * length, 0.85 * top
+        inside = (0.7 * length < position) & (position < 0.9 * length)
+        widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
+        beside = position[widest] + 0.05 * length, 0.92 * top
         _point_at(axes, LUBRICANT, (position[widest], middle[widest]), beside)
 
 
