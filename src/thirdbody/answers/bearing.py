@@ -11,8 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
+from thirdbody.arguments import check_number, checked_numbers, checked_parameters
 from thirdbody.beside import toml_beside
-from thirdbody.conditions import check_number, checked_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.configuration.printed import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import did_you_mean, format_value

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
 from thirdbody.answers.bearing import USUAL as BEARING
 from thirdbody.answers.bearing import USUAL_DENSITY, bearing, implied_speed
-from thirdbody.conditions import (
+from thirdbody.arguments import (
     checked_numbers,
     checked_parameters,
     in_si,

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.arguments import checked_numbers
 from thirdbody.beside import toml_beside
-from thirdbody.conditions import checked_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.conditions import (
+from thirdbody.arguments import (
     check_number,
     checked_array,
     checked_numbers,

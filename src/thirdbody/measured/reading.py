@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 
 from thirdbody.answers.bearing import USUAL as BEARING
-from thirdbody.conditions import NEVER_ZERO, warn_outside
+from thirdbody.arguments import NEVER_ZERO, warn_outside
 from thirdbody.measured.estimates import MEASURED
 from thirdbody.messages import format_path, format_value
 from thirdbody.units import ENGINEERING, UNITS, registry
