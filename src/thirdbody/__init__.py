@@ -23,7 +23,8 @@ extra that they need.
 import re
 from pathlib import Path
 
-# the module of each public name, as listed for editors and type checkers
+# The module of each public name, as listed for editors and type checkers.  ``lazy_loader.attach_stub`` reads such a
+# list too; it is not used, as it would be one more package to install for two lines.
 _STUB = Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8")
 _MODULES = {name: module for module, name in re.findall(r"from (\S+) import (\w+) as", _STUB)}
 __all__ = ["__version__", *_MODULES]

@@ -19,8 +19,8 @@ from typing import Annotated, Any
 
 import typer
 
-from thirdbody.beside import toml_beside
 from thirdbody.messages import did_you_mean
+from thirdbody.toml_tables import toml_beside
 from thirdbody.units import ENGINEERING, SEARCHED
 
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
@@ -74,9 +74,13 @@ def _other(key: str, *more: Any) -> dict[str, tuple]:
 
 NAMES = {"first": "from", "last": "to", "first_N": "from-N", "last_N": "to-N"}  # of options
 FILE = None, "FILE", str  # no default
-CONDITIONS, BEARING, ESTIMATES = (TEXTS[name] for name in ("conditions", "bearing", "estimates"))
-EACH, SOME = _options(CONDITIONS, Parameter.empty), _options(CONDITIONS)
-OTHER = _options({f"other_{key}": f"second interface: {text}" for key, text in CONDITIONS.items()})
+CONDITION_TEXTS, BEARING, ESTIMATES = (
+    TEXTS[name] for name in ("conditions", "bearing", "estimates")
+)
+EACH, SOME = _options(CONDITION_TEXTS, Parameter.empty), _options(CONDITION_TEXTS)
+OTHER = _options(
+    {f"other_{key}": f"second interface: {text}" for key, text in CONDITION_TEXTS.items()}
+)
 BODIES = dict.fromkeys(("ball", "flat", "particle"), f"{MATERIALS}, e.g. 205,0.29,5")
 JSON = {"json": (Annotated[bool, typer.Option("--json", help="print the answer as JSON")], False)}
 COMMON = _other("inputs", *FILE) | JSON
@@ -218,7 +222,9 @@ def _compare_data(given):
         given["file"],
         parameters=_inputs(given, "inputs"),
         assumed=Assumed(**_known(given, vars(Assumed()))),
-        **_known(given, [*CONDITIONS, "speed_m_per_s", "oil_density_kg_per_m3", "ball_radius_mm"]),
+        **_known(
+            given, [*CONDITION_TEXTS, "speed_m_per_s", "oil_density_kg_per_m3", "ball_radius_mm"]
+        ),
     )
     _write_products(given, found)
     return found.answer
@@ -243,7 +249,7 @@ def _interface(given: Mapping[str, Any]) -> Any:
     from thirdbody.answers.interface import Interface
 
     unused = {key: SEARCHED[name][0] for name, key in ENGINEERING.items()}
-    conditions = unused | _known(given, CONDITIONS)
+    conditions = unused | _known(given, CONDITION_TEXTS)
     return Interface(**conditions, parameters=_inputs(given, "inputs"))
 
 

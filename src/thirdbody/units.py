@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.beside import toml_beside
 from thirdbody.extras import require
 from thirdbody.messages import did_you_mean, format_value
+from thirdbody.toml_tables import toml_beside
 
 
 @dataclass(frozen=True)

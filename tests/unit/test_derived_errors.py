@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.curves.transitions import LIMITS, limit_crossings
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
@@ -76,7 +76,7 @@ def crossings(count, parameters, rtol):
     """Loads and their error bounds of all transitions of all curves."""
     solution = solved(count, parameters, rtol)
     values = {quantity: getattr(solution, quantity) for quantity, _ in LIMITS}
-    limit, curve, crossing, error, _ = transitions(
+    limit, curve, crossing, error, _ = limit_crossings(
         solution.separation, values, CURVES, parameters, rtol
     )
     order = np.lexsort((crossing, curve, limit))
@@ -96,4 +96,4 @@ def test_transition_loads_on_few_loads(parameters, rtol):
 def test_no_crossing_is_invented_beside_an_unsolved_point(parameters):
     separation = np.array([[1e-6], [0.9e-6], [np.nan]])
     values = dict.fromkeys(dict(LIMITS), np.array([[0.99], [0.99], [np.nan]]))
-    assert transitions(separation, values, CURVES[:, :1], parameters, 1e-9)[0].size == 0
+    assert limit_crossings(separation, values, CURVES[:, :1], parameters, 1e-9)[0].size == 0

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.answers.find import sweep_values
-from thirdbody.conditions import in_si
+from thirdbody.arguments import in_si
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.units import ENGINEERING
 

@@ -11,16 +11,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.beside import toml_beside
-from thirdbody.conditions import check_number, checked_numbers, checked_parameters
+from thirdbody.arguments import check_number, checked_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.configuration.printed import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters
+from thirdbody.toml_tables import toml_beside
 from thirdbody.units import UNITS
 
 TABLES = toml_beside(__file__)
-USUAL, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
+USUAL_BEARING, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
 BODIES = "ball", "flat", "particle"
 GIGA = 1e9
 USUAL_DENSITY = 850.0  # of mineral oils [kg m-3]
@@ -134,7 +134,9 @@ def bearing(
     """
     arguments = {name: value for name, value in locals().items() if value is not None}
     parameters = checked_parameters(parameters)
-    numbers = checked_numbers({name: arguments[name] for name in USUAL if name in arguments}, USUAL)
+    numbers = checked_numbers(
+        {name: arguments[name] for name in USUAL_BEARING if name in arguments}, USUAL_BEARING
+    )
     bodies = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
     modulus, changes = parameters.elastic_modulus_surfaces, {}
     if bodies:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import (
+from thirdbody.arguments import (
     check_count,
     check_points,
     check_rtol,

@@ -19,7 +19,7 @@ from thirdbody.answers.find import (
     turning_window,
 )
 from thirdbody.answers.sizes import sizes_note
-from thirdbody.conditions import (
+from thirdbody.arguments import (
     check_count,
     checked_names,
     checked_parameters,

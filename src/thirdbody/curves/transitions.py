@@ -27,7 +27,7 @@ LIMITS = (
 )
 
 
-def transitions(
+def limit_crossings(
     separation: NDArray,
     values: Mapping[str, NDArray],
     conditions: NDArray,

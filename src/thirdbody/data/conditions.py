@@ -6,7 +6,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.units import ENGINEERING, UNITS
+from thirdbody.units import CONDITIONS, ENGINEERING, UNITS
 
 
 class Axis(NamedTuple):
@@ -28,13 +28,19 @@ class Axis(NamedTuple):
     scale: float
 
     @classmethod
-    def of(cls, name: str, suffix: str, symbol: str, sign: str, long_name: str) -> Self:
-        """The axis whose column ends with ``suffix``, the SI unit."""
-        key = ENGINEERING[name] if suffix else name
-        column = f"{name}_{suffix}" if suffix else name
-        unit = UNITS[key]
-        units = UNITS[name].text
-        return cls(name, column, symbol, sign, long_name, units, key, unit.text, unit.scale)
+    def of(cls, name: str) -> Self:
+        """The axis of a condition, from ``thirdbody/units.toml``."""
+        described = CONDITIONS[name]
+        # the load has no unit of its own: newtons also depend on the inputs
+        key = name if name == "load" else ENGINEERING[name]
+        return cls(
+            name=name,
+            **{each: described[each] for each in ("column", "symbol", "sign", "long_name")},
+            units=UNITS[name].text,
+            key=key,
+            unit=UNITS[key].text,
+            scale=UNITS[key].scale,
+        )
 
     def to_si(self, value: float) -> float:
         """The float in SI nearest to the decimal ``value`` [engineering unit]: 300 nm is 3e-07 m."""
@@ -49,20 +55,7 @@ class Axis(NamedTuple):
         return value / self.scale
 
 
-_AXES = (
-    Axis.of("load", "", "F_t*", "Fₜ*", "dimensionless mean normal load"),
-    Axis.of("viscosity", "m2_per_s", "nu", "ν", "kinematic viscosity of the lubricant, 0 when dry"),
-    Axis.of(
-        "particle_diameter",
-        "m",
-        "x_a",
-        "xₐ",
-        "mean diameter of the third particles, 0 without them",
-    ),
-    Axis.of("roughness", "m", "sigma", "σ", "equivalent root mean square surface roughness"),
-    Axis.of("particle_density", "per_m2", "eta_a", "ηₐ", "number of particles per unit area"),
-)
-AXES = {axis.name: axis for axis in _AXES}
+AXES = {name: Axis.of(name) for name in CONDITIONS}
 DIMENSIONS = tuple(AXES)  # of every dataset, in this order
 
 

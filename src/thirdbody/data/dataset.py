@@ -16,7 +16,7 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import check_rtol, checked_names, checked_parameters, in_si
+from thirdbody.arguments import check_rtol, checked_names, checked_parameters, in_si
 from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 from thirdbody.data.files import atomic_write

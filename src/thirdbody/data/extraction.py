@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.curves.transitions import LIMITS, limit_crossings
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import PlainDataset
@@ -32,7 +32,7 @@ def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) 
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
     separation = dataset["separation"].values[:, shown]
-    found = transitions(separation, values, conditions, parameters, rtol)
+    found = limit_crossings(separation, values, conditions, parameters, rtol)
     limits, curves, loads, errors, rising = found
     columns = {
         "quantity": [LIMITS[limit][0] for limit in limits],

@@ -20,46 +20,46 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files under temporary names beside the ``paths``, which are yielded, and move them into
     place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
     an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
-    places = [_place(path) for path in paths]
-    # temporary names that no other process uses
-    parts = [
-        place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
-        for place in places
-    ]
+    # with temporary names that no other process uses
+    parts = {
+        place: place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
+        for place in map(_place, paths)
+    }
     try:
-        for place, part in zip(places, parts, strict=True):
-            _remove_leftovers(place)
-            if place.exists() and not place.is_file():  # a device must not be replaced
-                kind = "Is a directory" if place.is_dir() else "Not a regular file"
-                raise OSError(errno.EINVAL, kind, part)
-            part.touch()
-            part.unlink()
-        yield parts[0] if len(parts) == 1 else tuple(parts)
-        for part in parts:
-            with open(part, "rb") as written:
-                os.fsync(written.fileno())
-        for place, part in zip(places, parts, strict=True):
+        for place, part in parts.items():
+            _prepare(place, part)
+        written = tuple(parts.values())
+        yield written[0] if len(written) == 1 else written
+        for part in written:
+            with open(part, "rb") as stream:
+                os.fsync(stream.fileno())
+        for place, part in parts.items():
             os.replace(part, place)
     except OSError as error:
-        elsewhere = error.filename and Path(error.filename) not in (*places, *parts)
+        elsewhere = error.filename and Path(error.filename) not in (*parts, *parts.values())
         if elsewhere or error.strerror is None:
             raise
-        names = ", ".join(map(format_path, places))
+        names = ", ".join(map(format_path, parts))
         raise OSError(f"{names} cannot be written ({error.strerror})") from None
     finally:
-        for part in parts:
+        for part in parts.values():
             with suppress(OSError):
                 part.unlink()
 
 
-def _remove_leftovers(place):
-    """Remove temporary files of writes that were killed: those older than any job takes."""
-    for part in place.parent.glob(
-        f".{glob.escape(place.stem)}.partial*{glob.escape(place.suffix)}"
-    ):
+def _prepare(place, part):
+    """Remove temporary files of writes that were killed, those older than any job takes; then raise ``OSError``
+    unless ``part`` can be written and moved to ``place``."""
+    leftovers = f".{glob.escape(place.stem)}.partial*{glob.escape(place.suffix)}"
+    for leftover in place.parent.glob(leftovers):
         with suppress(OSError):
-            if time.time() - part.stat().st_mtime > LONGEST_WRITE:
-                part.unlink()
+            if time.time() - leftover.stat().st_mtime > LONGEST_WRITE:
+                leftover.unlink()
+    if place.exists() and not place.is_file():  # a device must not be replaced
+        kind = "Is a directory" if place.is_dir() else "Not a regular file"
+        raise OSError(errno.EINVAL, kind, part)
+    part.touch()
+    part.unlink()
 
 
 def _place(path: str | Path) -> Path:

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.figures import marks
 from thirdbody.figures.drawing import CURVE, Panel
@@ -19,6 +18,7 @@ from thirdbody.figures.scales import (
     unit_text,
     value_text,
 )
+from thirdbody.toml_tables import toml_beside
 
 WORDS = toml_beside(__file__)
 ZONES = WORDS.pop("zones")

@@ -16,7 +16,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
@@ -32,6 +31,7 @@ from thirdbody.figures.scales import (
     shared_notes,
     value_text,
 )
+from thirdbody.toml_tables import toml_beside
 
 MOST_RANGES = 5  # drawn in a panel; the file of the data drawn has all
 BAND_STEP = 2  # every second load is enough for the edge of a range

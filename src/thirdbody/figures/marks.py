@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.drawing import Series
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
+from thirdbody.toml_tables import toml_beside
 
 if TYPE_CHECKING:
     from thirdbody.figures.curves import Curve

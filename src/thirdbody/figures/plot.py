@@ -17,7 +17,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from thirdbody.conditions import checked_names
+from thirdbody.arguments import checked_names
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.quantities import NORMAL_LOAD, STATUS

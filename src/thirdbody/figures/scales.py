@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import LogLocator, NullLocator
 
-from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.toml_tables import toml_beside
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 ABOVE_NEWTONS = 16.0  # points between the axes and their title

@@ -5,12 +5,12 @@ from collections.abc import Callable
 import numpy as np
 from matplotlib.axes import Axes
 
-from thirdbody.beside import toml_beside
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
 from thirdbody.figures.scales import label, shared_notes
 from thirdbody.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.model.regimes import CONTACT_MODES
+from thirdbody.toml_tables import toml_beside
 
 INTERFACE, MODES = 3.6, 2.75  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper

@@ -11,9 +11,8 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
-from thirdbody.answers.bearing import USUAL as BEARING
-from thirdbody.answers.bearing import USUAL_DENSITY, bearing, implied_speed
-from thirdbody.conditions import (
+from thirdbody.answers.bearing import USUAL_BEARING, USUAL_DENSITY, bearing, implied_speed
+from thirdbody.arguments import (
     checked_numbers,
     checked_parameters,
     in_si,
@@ -165,7 +164,7 @@ def compare(
 def _of_bearing(parameters, has_speeds, given):
     """The inputs for the ball, speed and oil that are given, and the speed [m/s] at which they hold."""
     given = {name: each for name, each in given.items() if each is not None}
-    numbers = checked_numbers(given, BEARING)
+    numbers = checked_numbers(given, USUAL_BEARING)
     speed, derives = numbers.get("speed_m_per_s"), "oil_density_kg_per_m3" in numbers
     usual = f"{implied_speed(parameters):.3g} m/s (with {USUAL_DENSITY:g} kg/m3)"
     if has_speeds and speed is None:
@@ -176,7 +175,7 @@ def _of_bearing(parameters, has_speeds, given):
         raise ValueError(f"{message}; allowed: none, or also oil_density_kg_per_m3")
     if has_speeds and not derives:
         density = USUAL_DENSITY * implied_speed(parameters) / speed
-        least, most, _ = BEARING["oil_density_kg_per_m3"]
+        least, most, _ = USUAL_BEARING["oil_density_kg_per_m3"]
         if not least <= density <= most:
             message = f"speed_m_per_s is {speed:g}, at which the inputs stand for an oil of"
             allowed = f"{usual}, or oil_density_kg_per_m3, which derives the inputs"

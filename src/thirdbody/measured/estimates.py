@@ -11,13 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.beside import toml_beside
-from thirdbody.conditions import checked_numbers
+from thirdbody.arguments import checked_numbers
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
+from thirdbody.toml_tables import toml_beside
 
 TABLES = toml_beside(__file__)
-MEASURED, FORMULAS, USUAL = TABLES["measured"], TABLES["formulas"], TABLES["usual"]
+MEASURED, FORMULAS, USUAL_ASSUMED = TABLES["measured"], TABLES["formulas"], TABLES["usual"]
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Assumed:
     resistivity_ohm_m: float = 2.2e-7
 
     def __post_init__(self):
-        for name, number in checked_numbers(vars(self), USUAL).items():
+        for name, number in checked_numbers(vars(self), USUAL_ASSUMED).items():
             object.__setattr__(self, name, number)
 
 

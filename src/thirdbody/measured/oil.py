@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.conditions import (
+from thirdbody.arguments import (
     check_number,
     checked_array,
     checked_numbers,
@@ -47,7 +47,7 @@ CODE = re.compile(
 # its Table 1: most particles per mL for scale numbers 0 to 9, times 1000 for each 10 more
 MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
 LARGEST = 28
-USUAL = {"gap_nm": (1.0, 1e5, "nm")}
+USUAL_GAP = {"gap_nm": (1.0, 1e5, "nm")}
 
 
 def oil_viscosity(
@@ -186,7 +186,7 @@ def cleanliness(
     """
     parameters = checked_parameters(parameters)
     check_number("enrichment", enrichment)
-    gap_nm = checked_numbers({"gap_nm": gap_nm}, USUAL)["gap_nm"]
+    gap_nm = checked_numbers({"gap_nm": gap_nm}, USUAL_GAP)["gap_nm"]
     rows, notes = [], []
     numbers = _scale_numbers(code)
     for size, number in zip(SIZES, numbers):

@@ -13,17 +13,17 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from thirdbody.answers.bearing import USUAL as BEARING
-from thirdbody.conditions import NEVER_ZERO, warn_outside
+from thirdbody.answers.bearing import USUAL_BEARING
+from thirdbody.arguments import NEVER_ZERO, warn_outside
 from thirdbody.measured.estimates import MEASURED
 from thirdbody.messages import format_path, format_value
 from thirdbody.units import ENGINEERING, UNITS, registry
 
 # a unit of each condition, and the usual range of the numbers, by the name in headings
-CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
-CONDITIONS["speed"] = "m/s"
-USUAL = {name: ends for name, (_, _, *ends) in MEASURED.items()}
-USUAL["speed"] = BEARING["speed_m_per_s"][:2]
+CONDITION_UNITS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
+CONDITION_UNITS["speed"] = "m/s"
+USUAL_ENDS = {name: ends for name, (_, _, *ends) in MEASURED.items()}
+USUAL_ENDS["speed"] = USUAL_BEARING["speed_m_per_s"][:2]
 # headings of the library's own tables: their name and unit
 OWN = {
     key: (UNITS[key].condition.replace("_", " "), UNITS[key].text) for key in ENGINEERING.values()
@@ -53,7 +53,7 @@ def read_measured(measured: str | PathLike | pd.DataFrame) -> tuple[dict[str, An
     for heading, column in table.items():
         name, unit = _named(heading)
         is_relative = name in LENGTHS and unit in DIMENSIONLESS  # H_c
-        if is_relative or name not in MEASURED.keys() | CONDITIONS.keys():
+        if is_relative or name not in MEASURED.keys() | CONDITION_UNITS.keys():
             others.append(str(heading))
         elif name in columns:
             message = f"measured has the column {format_value(heading)}, a second one of {name}"
@@ -180,7 +180,7 @@ def _with_points(columns):
 def _quantity(name, heading, unit, column, notes):
     """A column as a quantity, nan in cells without a measurement; ``notes`` get the marks of these."""
     numbers = _numbers(name, heading, column, notes)
-    wanted = CONDITIONS.get(name) or MEASURED[name][1]
+    wanted = CONDITION_UNITS.get(name) or MEASURED[name][1]
     if unit in DIMENSIONLESS or (not unit and name in MEASURED):  # ratios may omit their unit
         unit = "dimensionless"
     try:
@@ -191,8 +191,8 @@ def _quantity(name, heading, unit, column, notes):
     if not unit or not known:
         message = f"the unit of {format_value(heading)} is not known"
         raise ValueError(f"{message}; allowed: as '{name} [{wanted}]'")
-    if name in USUAL:
-        ends = registry().Quantity(USUAL[name], wanted).to(quantity.units).magnitude
+    if name in USUAL_ENDS:
+        ends = registry().Quantity(USUAL_ENDS[name], wanted).to(quantity.units).magnitude
         warn_outside({name: numbers}, {name: (*ends, unit.replace("dimensionless", "1"))})
     return quantity
 

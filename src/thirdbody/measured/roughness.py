@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions import checked_array, common_index, is_column
+from thirdbody.arguments import checked_array, common_index, is_column
 from thirdbody.messages import format_value
 from thirdbody.units import has_unit, plain_numbers
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.conditions import (
+from thirdbody.arguments import (
     OutOfRangeWarning,
     check_number,
     checked_parameters,

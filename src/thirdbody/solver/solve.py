@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import (
+from thirdbody.arguments import (
     CONDITIONS,
     broadcast_by_name,
     check_points,

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.beside import toml_beside
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
+from thirdbody.toml_tables import toml_beside
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
 # Suffix of a variable: the word in its long name, and the function, which ignores nan.

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.places import figures_named
-from thirdbody.study.sampling import TINY, Curve, NotReached, loads_within, logarithm, sample
+from thirdbody.study.sampling import TINY, NotReached, SolvedCurve, loads_within, logarithm, sample
 
 if TYPE_CHECKING:
     from thirdbody.study.evidence import Evidence
@@ -226,7 +226,7 @@ class Claim:
         values = [sample(curve, quantity, x, self.against) for curve in curves]
         return x, np.array(values)
 
-    def pairs(self, evidence: "Evidence") -> Iterator[tuple[Curve, Curve]]:
+    def pairs(self, evidence: "Evidence") -> Iterator[tuple[SolvedCurve, SolvedCurve]]:
         """The reference of each curve, and the curve."""
         for reference, condition in zip(self.references, self.curves, strict=True):
             yield evidence.curves[reference], evidence.curves[condition]

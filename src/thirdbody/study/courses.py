@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.study.sampling import Curve
+from thirdbody.study.sampling import SolvedCurve
 
 SATURATED = 1e-12  # closer to 0 or 1, the odds of a ratio have lost their digits
 
@@ -62,7 +62,7 @@ COURSES = {
 
 
 def sequence_miss(
-    curve: Curve, published: Sequence[str], tolerance: float, open_end: bool
+    curve: SolvedCurve, published: Sequence[str], tolerance: float, open_end: bool
 ) -> float:
     """Largest excursion of a curve from the ``published`` sequence of states, if its points are assigned to
     the steps in order so that it is minimal.  Each step must have a point that is inside by the ``tolerance``,
@@ -92,7 +92,7 @@ def _excursion(curve, step):
     return np.min(excursions, axis=0)
 
 
-def passed_states(curve: Curve, published: Sequence[str]) -> str:
+def passed_states(curve: SolvedCurve, published: Sequence[str]) -> str:
     """Text of the states along a curve: regimes, modes or both, as in the ``published`` sequence."""
     names = " ".join(published).replace(" or ", " ").split()
     families = {STATES[name][0] for name in names}

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
@@ -13,11 +12,11 @@ from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import has_values
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
+from thirdbody.study.sampling import SolvedCurve
 
 WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm
 # Points with larger errors are not used: statements are evaluated to per cents, whatever rtol is.
 LARGEST_ERROR = 1e-3
-Curve = Mapping[str, NDArray]
 
 
 @dataclass(frozen=True)
@@ -43,12 +42,12 @@ class Evidence:
 
     parameters: Parameters
     effort: Effort
-    curves: dict[Condition, Curve]
+    curves: dict[Condition, SolvedCurve]
     turning_points: dict[Condition, TurningPoints]
     windows: dict[float, tuple[float, float]]
 
 
-def curve_of(solved: Curve) -> Curve:
+def curve_of(solved: SolvedCurve) -> SolvedCurve:
     """The quantities of a curve over the load, from ``QUANTITIES``, ``load`` and ``normal_load``;
     ``film_thickness`` is d/R_x [1], with or without a film."""
     area = np.maximum(solved["total_contact_area"], np.finfo(float).tiny)

@@ -17,14 +17,16 @@ RANGE_KEYS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
     f"{name}_max": (name, -1.0) for name in CURVE_QUANTITIES
 }
 
-Curve = Mapping[str, NDArray]  # from ``thirdbody.study.evidence.curve_of``
+SolvedCurve = Mapping[str, NDArray]  # from ``thirdbody.study.evidence.curve_of``
 
 
 class NotReached(Exception):
     """No load of a curve is within the bounds of a claim, by the shortfall in the argument."""
 
 
-def loads_within(limits: Mapping[str, float], grid: Curve, bounded: Sequence[Curve]) -> NDArray:
+def loads_within(
+    limits: Mapping[str, float], grid: SolvedCurve, bounded: Sequence[SolvedCurve]
+) -> NDArray:
     """Loads F_t* [1] of a curve, ``grid``: one if ``limits`` give it or a level, otherwise all
     within their bounds on ``bounded`` curves; ``NotReached`` if there are none."""
     load = grid["load"]
@@ -63,7 +65,7 @@ def first_fall(loads: NDArray, values: NDArray) -> float:
     return loads[right - 1] * np.exp(advance * step)
 
 
-def sample(curve: Curve, quantity: str, x: NDArray, against: str = "load") -> NDArray:
+def sample(curve: SolvedCurve, quantity: str, x: NDArray, against: str = "load") -> NDArray:
     """A quantity where ``against`` equals ``x``, interpolated in logarithms; nan if unsolved."""
     if quantity == against:
         return x

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.curves.transitions import LIMITS, limit_crossings
 from thirdbody.curves.windows import WindowSearch
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.bounds import BOUNDS
@@ -112,7 +112,7 @@ def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArr
     if conditions:
         curves = [evidence.curves[condition] for condition in conditions]
         values = {name: np.column_stack([curve[name] for curve in curves]) for name, _ in LIMITS}
-        limit, curve, load, *_ = transitions(
+        limit, curve, load, *_ = limit_crossings(
             np.column_stack([curve["separation"] for curve in curves]),
             values,
             np.transpose(conditions),
