@@ -133,13 +133,13 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
     own, bare = in_own_unit(unit, given, newtons_per_load)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
-    allowed = (array >= least) & np.isfinite(array)
-    if unit.condition == "particle_diameter":
-        allowed &= array <= LARGEST
+    allowed, most = (array >= least) & np.isfinite(array), ""
+    if unit.condition == "particle_diameter" and (array > LARGEST).any():
+        allowed, most = allowed & (array <= LARGEST), f" up to {LARGEST:g}"
     wrong = array[~allowed]
     if wrong.size:
         row = "" if rows is None else f" in row {rows[np.argmin(allowed)]}"
-        raise ValueError(f"{key} is {wrong[0]:g}{row}; allowed: {sign} finite numbers")
+        raise ValueError(f"{key} is {wrong[0]:g}{row}; allowed: {sign} finite numbers{most}")
     return own, np.array(own.to_si(array, newtons_per_load))
 
 

@@ -1,33 +1,27 @@
-"""The command ``thirdbody``: each engineering question is a sub-command.
+"""The command ``thirdbody``: each engineering question is a sub-command, a function of this module.
 
-``command.toml`` has their texts.  The rest of the library is imported only to answer a question, so
-that ``thirdbody --help`` is quick.
+The rest of the library is imported only to answer a question, so that ``thirdbody --help`` is quick.
 """
 
 import io
-import json
 import os
 import re
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import redirect_stdout, suppress
-from functools import partial
-from inspect import Parameter, Signature, signature
+from inspect import signature
+from json import dumps
 from shutil import get_terminal_size
 from typing import Annotated, Any
 
 import typer
 
 from thirdbody.messages import did_you_mean
-from thirdbody.toml_tables import toml_beside
 from thirdbody.units import ENGINEERING, SEARCHED
 
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
-TEXTS = toml_beside(__file__)
-QUESTIONS = TEXTS["questions"]
-COMMANDS = {name: f"thirdbody {name} {each['example']}" for name, each in QUESTIONS.items()}
-EXAMPLES = {name: each for name, each in COMMANDS.items() if name != "compare-data"}
+COMMANDS = {}  # the example of each question by its name
 MATERIALS = "steel, silicon-nitride, alumina, or GPa,1,GPa: modulus, Poisson's ratio and hardness"
 
 
@@ -53,38 +47,40 @@ def _material(text: str) -> Any:
         raise typer.BadParameter(f"is {text!r}; allowed: {MATERIALS}, e.g. 205,0.29,5") from None
 
 
-def _options(
-    texts: Mapping[str, str],
-    default: Any = None,
-    metavar: str = "NUMBER",
-    parser: Callable = _number,
-) -> dict[str, tuple]:
-    """Types and defaults of options with these help texts, by the names of their arguments."""
-    options = {}
-    for key, text in texts.items():
-        name = "--" + NAMES.get(key, key).replace("_", "-")
-        option = typer.Option(name, help=text, metavar=metavar, parser=parser)
-        options[key] = Annotated[str | None, option], default
-    return options
+def _option(name: str, text: str, metavar: str = "NUMBER", parser: Callable = _number) -> Any:
+    """The type of an argument that an option sets."""
+    option = typer.Option(f"--{name}", help=text, metavar=metavar, parser=parser)
+    return Annotated[str | None, option]
 
 
-def _other(key: str, *more: Any) -> dict[str, tuple]:
-    return _options({key: TEXTS["others"][key]}, *more)
+def _file(name: str, text: str) -> Any:
+    return _option(name, text, "FILE", str)
 
 
-NAMES = {"first": "from", "last": "to", "first_N": "from-N", "last_N": "to-N"}  # of options
-FILE = None, "FILE", str  # no default
-CONDITION_TEXTS, BEARING, ESTIMATES = (
-    TEXTS[name] for name in ("conditions", "bearing", "estimates")
-)
-EACH, SOME = _options(CONDITION_TEXTS, Parameter.empty), _options(CONDITION_TEXTS)
-OTHER = _options(
-    {f"other_{key}": f"second interface: {text}" for key, text in CONDITION_TEXTS.items()}
-)
-BODIES = dict.fromkeys(("ball", "flat", "particle"), f"{MATERIALS}, e.g. 205,0.29,5")
-JSON = {"json": (Annotated[bool, typer.Option("--json", help="print the answer as JSON")], False)}
-COMMON = _other("inputs", *FILE) | JSON
-PRODUCTS = _other("csv", *FILE) | _other("plot", *FILE)
+def _body(name: str) -> Any:
+    return _option(name, f"{MATERIALS}, e.g. 205,0.29,5", "MATERIAL", _material)
+
+
+LOAD = "normal load [N]"
+VISCOSITY = "kinematic viscosity of the lubricant, 0 if dry [cSt]"
+SIZE = "mean particle diameter x_a as in the paper, 0 if none [nm]"
+ROUGHNESS = "equivalent root mean square roughness, sqrt(Rq_1^2 + Rq_2^2) of two surfaces; Rq is 1.25 Ra [nm]"
+DENSITY = "particles per area, 0 if none [m-2]"
+Load = _option("load-N", LOAD)
+Viscosity = _option("viscosity-cSt", VISCOSITY)
+Size = _option("particle-diameter-nm", SIZE)
+Roughness = _option("roughness-nm", ROUGHNESS)
+Density = _option("particle-density-per-m2", DENSITY)
+First = _option("from", "first value, in the unit of its option")
+Last = _option("to", "last value, in the unit of its option")
+FirstLoad = _option("from-N", "first load [N]")
+LastLoad = _option("to-N", "last load [N]")
+Inputs = _file("inputs", "inputs from bearing --write; default: calibrated")
+Csv = _file("csv", "table to write")
+Plot = _file("plot", "figure to write")
+Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
+Asked = tuple[Any, bool]  # an answer, and whether it is printed as JSON
+
 
 questions = typer.Typer(
     add_completion=False,
@@ -113,135 +109,333 @@ def _thirdbody(
     """Contact of rough surfaces with hard particles and an oil film between them."""
 
 
-def _question(name: str, options: dict[str, tuple]) -> Callable:
-    """Add a function of the given arguments as a sub-command with ``options``."""
+def _question(example: str) -> Callable:
+    """Add a function as the sub-command of its name, with an example."""
 
-    def add(answer: Callable) -> None:
-        def asked(**given: Any) -> tuple[Any, bool]:
-            return answer(given), given["json"]
-
-        asked.__signature__ = Signature(
-            Parameter(key, Parameter.KEYWORD_ONLY, annotation=kind, default=default)
-            for key, (kind, default) in options.items()
-        )
+    def add(answer: Callable) -> Callable:
+        name = answer.__name__.replace("_", "-")
+        COMMANDS[name] = f"thirdbody {name} {example}"
         epilog = f"\b\nExample:\n  {COMMANDS[name]}"  # \b: no wrapping
-        questions.command(name, help=QUESTIONS[name]["text"], epilog=epilog)(asked)
+        return questions.command(name, epilog=epilog)(answer)
 
     return add
 
 
-@_question("state", EACH | COMMON)
-def _state(given):
-    return _interface(given).state()
+@_question(
+    "--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 --roughness-nm 300 "
+    "--particle-density-per-m2 1e11"
+)
+def state(
+    *,
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Size,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """Load sharing, contact area, regime and mode."""
+    return _interface(locals()).state(), json
 
 
-def _without(along: str) -> dict[str, tuple]:
-    return {key: option for key, option in EACH.items() if key != ENGINEERING[along]} | COMMON
+@_question(
+    "--load-N 10 --particle-diameter-nm 500 --roughness-nm 300 --particle-density-per-m2 1e11"
+)
+def viscosity(
+    *,
+    first: First = SEARCHED["viscosity"][0],
+    last: Last = SEARCHED["viscosity"][1],
+    load_N: Load,
+    particle_diameter_nm: Size,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """Which viscosity leaves boundary lubrication."""
+    return _changes(locals(), "viscosity", ["lubrication_regime"]), json
 
 
-def _changes(along, flags, given):
-    between = _increasing(given, "first", "last")
-    between = None if between == SEARCHED[along] else between
-    return _interface(given).transitions(along, flags, between)
+@_question("--load-N 10 --viscosity-cSt 90 --roughness-nm 300 --particle-density-per-m2 1e11")
+def size(
+    *,
+    first: First = SEARCHED["particle_diameter"][0],
+    last: Last = SEARCHED["particle_diameter"][1],
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """Which particle size a filter has to keep out."""
+    return _changes(locals(), "particle_diameter", ["contact_mode"]), json
 
 
-for name, each in QUESTIONS.items():
-    if "along" in each:
-        along, (first, last) = each["along"], SEARCHED[each["along"]]
-        options = _other("first", first) | _other("last", last) | _without(along)
-        _question(name, options)(partial(_changes, along, each["flags"]))
+@_question(
+    "--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 --particle-density-per-m2 1e11"
+)
+def roughness(
+    *,
+    first: First = SEARCHED["roughness"][0],
+    last: Last = SEARCHED["roughness"][1],
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Size,
+    particle_density_per_m2: Density,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """At which roughness the regime or mode changes."""
+    return _changes(locals(), "roughness", ["lubrication_regime", "contact_mode"]), json
 
 
-@_question("turning-point", _other("first_N", 0.04) | _other("last_N", 80.0) | _without("load"))
-def _turning_point(given):
-    return _interface(given).turning_point(_increasing(given, "first_N", "last_N"))
+@_question("--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 --roughness-nm 300")
+def density(
+    *,
+    first: First = SEARCHED["particle_density"][0],
+    last: Last = SEARCHED["particle_density"][1],
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Size,
+    roughness_nm: Roughness,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """Which density of debris is too much."""
+    return _changes(locals(), "particle_density", ["contact_mode"]), json
 
 
-OF_BODIES = _options(BODIES, None, "MATERIAL", _material) | _other("write", *FILE) | JSON
+@_question(
+    "--viscosity-cSt 90 --particle-diameter-nm 500 --roughness-nm 300 "
+    "--particle-density-per-m2 1e11"
+)
+def transitions(
+    *,
+    first: First = SEARCHED["load"][0],
+    last: Last = SEARCHED["load"][1],
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Size,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """At which load the regime or mode changes."""
+    return _changes(locals(), "load", ["lubrication_regime", "contact_mode"]), json
 
 
-@_question("bearing", _options(BEARING) | OF_BODIES)
-def _bearing(given):
-    from thirdbody.answers.bearing import bearing, derived
+@_question(
+    "--viscosity-cSt 0 --particle-diameter-nm 300 --roughness-nm 300 --particle-density-per-m2 1e11"
+)
+def turning_point(
+    *,
+    first_N: FirstLoad = 0.04,
+    last_N: LastLoad = 80.0,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Size,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """At which load the contact area turns (TPCA), and for which sizes."""
+    ends = _increasing(first_N, last_N, "-N")
+    return _interface(locals()).turning_point(ends), json
+
+
+@_question(
+    "--ball silicon-nitride --ball-radius-mm 5 --speed-m-per-s 2 "
+    "--oil-density-kg-per-m3 850 --pressure-viscosity-per-GPa 20 --write bearing.yaml"
+)
+def bearing(
+    *,
+    ball_radius_mm: _option("ball-radius-mm", "radius R_x [mm]") = None,
+    speed_m_per_s: _option("speed-m-per-s", "rolling speed u [m/s]") = None,
+    oil_density_kg_per_m3: _option(
+        "oil-density-kg-per-m3", "density rho [kg m-3]; required with the speed"
+    ) = None,
+    dynamic_viscosity_mPa_s: _option(
+        "dynamic-viscosity-mPa-s", "mu_0 [mPa s]; with nu instead of the density"
+    ) = None,
+    viscosity_cSt: _option("viscosity-cSt", "nu [cSt]; U is printed for it") = None,
+    pressure_viscosity_per_GPa: _option("pressure-viscosity-per-GPa", "alpha [GPa-1]") = None,
+    apparent_area_mm2: _option("apparent-area-mm2", "A_n [mm2], reference area of loads") = None,
+    ball: _body("ball") = None,
+    flat: _body("flat") = None,
+    particle: _body("particle") = None,
+    write: _file("write", "file of inputs to write") = None,
+    json: Json = False,
+) -> Asked:
+    """Which inputs follow from another ball, speed, oil or material."""
+    from thirdbody.answers.bearing import bearing as inputs_of
+    from thirdbody.answers.bearing import derived
     from thirdbody.configuration.inputs import load_parameters
 
-    inputs = bearing(load_parameters(), **_known(given, BEARING | BODIES))
-    if given["write"] is not None:
+    found = inputs_of(
+        load_parameters(),
+        ball_radius_mm=ball_radius_mm,
+        speed_m_per_s=speed_m_per_s,
+        oil_density_kg_per_m3=oil_density_kg_per_m3,
+        dynamic_viscosity_mPa_s=dynamic_viscosity_mPa_s,
+        viscosity_cSt=viscosity_cSt,
+        pressure_viscosity_per_GPa=pressure_viscosity_per_GPa,
+        apparent_area_mm2=apparent_area_mm2,
+        ball=ball,
+        flat=flat,
+        particle=particle,
+    )
+    if write is not None:
         import yaml
 
-        _write(given["write"], yaml.safe_dump(inputs.as_dict(), sort_keys=False))
-    return derived(inputs, given["viscosity_cSt"])
+        _write(write, yaml.safe_dump(found.as_dict(), sort_keys=False))
+    return derived(found, viscosity_cSt), json
 
 
-AXIS = _other("along", Parameter.empty, "AXIS", str) | _other("count", 60)
-AXIS |= _other("first", Parameter.empty) | _other("last", Parameter.empty)
-
-
-@_question("curve", SOME | AXIS | PRODUCTS | COMMON)
-def _curve(given):
-    along = given["along"]
+@_question(
+    "--load-N 10 --particle-diameter-nm 500 --roughness-nm 300 "
+    "--particle-density-per-m2 1e11 --along viscosity --from 10 --to 150 "
+    "--csv curve.csv --plot curve.svg"
+)
+def curve(
+    *,
+    load_N: Load = None,
+    viscosity_cSt: Viscosity = None,
+    particle_diameter_nm: Size = None,
+    roughness_nm: Roughness = None,
+    particle_density_per_m2: Density = None,
+    along: _option(
+        "along", "load, viscosity, particle_diameter, roughness, particle_density", "AXIS", str
+    ),
+    count: _option("count", "points") = 60,
+    first: First,
+    last: Last,
+    csv: Csv = None,
+    plot: Plot = None,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """All variables along one axis, as CSV and as a plot."""
+    given = locals()
     if along not in ENGINEERING:
         allowed = ", ".join(ENGINEERING) + did_you_mean(along, ENGINEERING)
         raise ValueError(f"--along is {along!r}; allowed: {allowed}")
     for name, key in ENGINEERING.items():
         if name != along and given[key] is None:
             raise ValueError(f"{key} is missing; allowed: a number")
-    ends = _increasing(given, "first", "last")
-    found = _interface(given).curve(along, *ends, given["count"])
-    _write_products(given, found)
-    written = " and ".join(_known(given, PRODUCTS).values())
-    return f"{written} written" if written and not given["json"] else found
+    ends = _increasing(first, last)
+    found = _interface(given).curve(along, *ends, count)
+    _write_table(csv, found)
+    if plot is not None:
+        from thirdbody.figures.drawing import save_figure
+        from thirdbody.figures.plot import plot_curve
+
+        save_figure(plot_curve(found), plot)
+    written = " and ".join(path for path in (csv, plot) if path is not None)
+    return f"{written} written" if written and not json else found, json
 
 
-@_question("compare", EACH | OTHER | _other("other_inputs", *FILE) | COMMON)
-def _compare(given):
+@_question(
+    "--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 --roughness-nm 300 "
+    "--particle-density-per-m2 1e11 --other-viscosity-cSt 120"
+)
+def compare(
+    *,
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Size,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    other_load_N: _option("other-load-N", f"second interface: {LOAD}") = None,
+    other_viscosity_cSt: _option("other-viscosity-cSt", f"second interface: {VISCOSITY}") = None,
+    other_particle_diameter_nm: _option(
+        "other-particle-diameter-nm", f"second interface: {SIZE}"
+    ) = None,
+    other_roughness_nm: _option("other-roughness-nm", f"second interface: {ROUGHNESS}") = None,
+    other_particle_density_per_m2: _option(
+        "other-particle-density-per-m2", f"second interface: {DENSITY}"
+    ) = None,
+    other_inputs: _file("other-inputs", "inputs of the second interface") = None,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """Compare two interfaces; the second differs by --other-..."""
+    given = locals()
     one = _interface(given)
-    if not _known(given, [*OTHER, "other_inputs"]):
-        raise ValueError(
-            "--other-... is missing; allowed: one or more, e.g. --other-viscosity-cSt 120"
-        )
-    changes = {key.removeprefix("other_"): value for key, value in _known(given, OTHER).items()}
-    if given["other_inputs"] is not None:
-        changes["parameters"] = _inputs(given, "other_inputs")
+    changes = _conditions({key: given[f"other_{key}"] for key in one.conditions})
+    if other_inputs is not None:
+        changes["parameters"] = _inputs(other_inputs, "other-inputs")
+    if not changes:
+        message = "--other-... is missing; allowed: one or more, e.g. --other-viscosity-cSt 120"
+        raise ValueError(message)
     try:
-        return one.compare(one.changed(**changes))
+        return one.compare(one.changed(**changes)), json
     except ValueError as error:
         raise ValueError(f"other_{error}") from None
 
 
-DATA = typer.Argument(metavar="FILE", help="CSV with units in its headings, e.g. load [N]")
-DATA_FILE = {"file": (Annotated[str, DATA], Parameter.empty)}
-
-
-@_question("compare-data", DATA_FILE | SOME | _options(ESTIMATES) | PRODUCTS | COMMON)
-def _compare_data(given):
-    from thirdbody.measured.comparison import compare
+@_question(
+    "measured.csv --viscosity-cSt 90 --particle-diameter-nm 500 --roughness-nm 300 "
+    "--particle-density-per-m2 1e11 --plot compared.svg"
+)
+def compare_data(
+    *,
+    file: Annotated[
+        str, typer.Argument(metavar="FILE", help="CSV with units in its headings, e.g. load [N]")
+    ],
+    load_N: Load = None,
+    viscosity_cSt: Viscosity = None,
+    particle_diameter_nm: Size = None,
+    roughness_nm: Roughness = None,
+    particle_density_per_m2: Density = None,
+    speed_m_per_s: _option(
+        "speed-m-per-s",
+        "speed of the inputs [m/s], if the data have speeds; with a density, any rolling speed",
+    ) = None,
+    oil_density_kg_per_m3: _option(
+        "oil-density-kg-per-m3",
+        "density of the oil [kg m-3]: the inputs are derived for it and the speed",
+    ) = None,
+    ball_radius_mm: _option("ball-radius-mm", "radius R_x [mm]") = None,
+    boundary_friction: _option(
+        "boundary-friction", "friction of solids [1], by default 0.12"
+    ) = None,
+    film_friction: _option("film-friction", "friction of the film [1], by default 0.03") = None,
+    resistivity_ohm_m: _option(
+        "resistivity-ohm-m", "of both bodies [ohm m], by default 2.2e-7"
+    ) = None,
+    csv: Csv = None,
+    plot: Plot = None,
+    inputs: Inputs = None,
+    json: Json = False,
+) -> Asked:
+    """Compare your measurements with the model: residuals, ensemble ranges, a figure."""
+    given = locals()
+    from thirdbody.measured.comparison import compare as compare_with_model
     from thirdbody.measured.estimates import Assumed
 
-    found = compare(
-        given["file"],
-        parameters=_inputs(given, "inputs"),
-        assumed=Assumed(**_known(given, vars(Assumed()))),
-        **_known(
-            given, [*CONDITION_TEXTS, "speed_m_per_s", "oil_density_kg_per_m3", "ball_radius_mm"]
-        ),
+    assumed = {key: given[key] for key in vars(Assumed()) if given[key] is not None}
+    found = compare_with_model(
+        file,
+        parameters=_inputs(inputs),
+        assumed=Assumed(**assumed),
+        speed_m_per_s=speed_m_per_s,
+        oil_density_kg_per_m3=oil_density_kg_per_m3,
+        ball_radius_mm=ball_radius_mm,
+        **_conditions(given),
     )
-    _write_products(given, found)
-    return found.answer
+    _write_table(csv, found)
+    if plot is not None:
+        from thirdbody.figures.drawing import save_figure
+
+        save_figure(found.plot(), plot)
+    return found.answer, json
 
 
-def _known(given: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
-    """The arguments with these names that are given."""
-    return {name: given[name] for name in names if given.get(name) is not None}
-
-
-def _increasing(given: Mapping[str, Any], first: str, last: str) -> tuple[float, float]:
-    """The ends of a search; ``ValueError`` unless they are positive and increase."""
-    least, most = given[first], given[last]
-    if not 0.0 < least < most:
-        allowed = f"positive numbers less than --{NAMES[last]}, {most:g}"
-        raise ValueError(f"--{NAMES[first]} is {least:g}; allowed: {allowed}")
-    return least, most
+def _conditions(given: Mapping[str, Any]) -> dict[str, float]:
+    """The conditions among the arguments of a sub-command that are given."""
+    return {key: given[key] for key in ENGINEERING.values() if given.get(key) is not None}
 
 
 def _interface(given: Mapping[str, Any]) -> Any:
@@ -249,17 +443,31 @@ def _interface(given: Mapping[str, Any]) -> Any:
     from thirdbody.answers.interface import Interface
 
     unused = {key: SEARCHED[name][0] for name, key in ENGINEERING.items()}
-    conditions = unused | _known(given, CONDITION_TEXTS)
-    return Interface(**conditions, parameters=_inputs(given, "inputs"))
+    return Interface(**unused | _conditions(given), parameters=_inputs(given["inputs"]))
 
 
-def _inputs(given: Mapping[str, Any], key: str) -> Any:
+def _inputs(path: str | None, option: str = "inputs") -> Any:
     from thirdbody.configuration.inputs import load_parameters
 
     try:
-        return load_parameters(given[key])
+        return load_parameters(path)
     except (ValueError, OSError) as error:
-        raise ValueError(f"--{key.replace('_', '-')} is {given[key]!r}; {error}") from None
+        raise ValueError(f"--{option} is {path!r}; {error}") from None
+
+
+def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float]:
+    """The ends of a search; ``ValueError`` unless they are positive and increase."""
+    if not 0.0 < first < last:
+        allowed = f"positive numbers less than --to{unit}, {last:g}"
+        raise ValueError(f"--from{unit} is {first:g}; allowed: {allowed}")
+    return first, last
+
+
+def _changes(given: Mapping[str, Any], along: str, flags: Collection[str]) -> Any:
+    """The changes of flags along a condition, between the ends of a search."""
+    between = _increasing(given["first"], given["last"])
+    between = None if between == SEARCHED[along] else between
+    return _interface(given).transitions(along, flags, between)
 
 
 def _write(path: str, text: str) -> None:
@@ -269,25 +477,21 @@ def _write(path: str, text: str) -> None:
         part.write_text(text, encoding="utf-8")
 
 
-def _write_products(given: Mapping[str, Any], found: Any) -> None:
-    """Write the table and the figure of a ``Curve`` or ``Comparison``."""
-    if given["csv"] is not None:
-        _write(given["csv"], found.to_dataframe().to_csv(index=False, float_format="%.10g"))
-    if given["plot"] is not None:
-        from thirdbody.figures.drawing import save_figure
-        from thirdbody.figures.plot import plot_comparison, plot_curve
+def _write_table(path: str | None, found: Any) -> None:
+    """Write the table of a ``Curve`` or ``Comparison``, if a path is given."""
+    if path is not None:
+        _write(path, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
 
-        draw = plot_comparison if "file" in given else plot_curve
-        save_figure(draw(found), given["plot"])
 
+EXAMPLES = {name: each for name, each in COMMANDS.items() if name != "compare-data"}
 
 # messages of typer, and their form in the library: the option, its value, what is allowed
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
     r"Missing (?:option|argument) '(\S+)'.": r"\1 is missing",
     r"Option '(\S+)' requires an argument\.": r"\1 has no value",
-    r"Missing command.": f"QUESTION is missing; allowed: {', '.join(QUESTIONS)}",
-    r"No such command '(.*?)'\..*": rf"QUESTION is '\1'; allowed: {', '.join(QUESTIONS)}",
+    r"Missing command.": f"QUESTION is missing; allowed: {', '.join(COMMANDS)}",
+    r"No such command '(.*?)'\..*": rf"QUESTION is '\1'; allowed: {', '.join(COMMANDS)}",
     r"No such option: (\S+)": r"there is no option \1",
     r"\b(?:between|low to high|between_N) is": "--from or --to is",
 }
@@ -296,7 +500,7 @@ MESSAGES = {
 def main(arguments: Sequence[str] | None = None) -> int:
     """Answer the question of a command line, by default ``sys.argv``; returns the exit code."""
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in QUESTIONS)])
+    name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in COMMANDS)])
     printed = io.StringIO()  # of --help and --version
     refusal = None
     with warnings.catch_warnings(record=True) as caught, redirect_stdout(printed):
@@ -320,7 +524,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     answer, as_json = asked
     text = str(answer)
     if as_json:
-        text = json.dumps(answer.as_dict())
+        text = dumps(answer.as_dict())
     elif sys.stdout and sys.stdout.isatty() and hasattr(answer, "as_text"):
         text = answer.as_text(get_terminal_size().columns)  # tables fit the width
     written = _print(name, text + "\n")

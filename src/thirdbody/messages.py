@@ -18,7 +18,7 @@ def format_value(value: Any) -> str:
 
 def did_you_mean(given: Any, known: Iterable[str]) -> str:
     """The end of a message about an unknown name: the ``known`` one nearest to it, if there is one."""
-    by_letters = {name.lower(): name for name in known}
+    by_letters = {name.lower(): name for name in known if name != str(given)}
     near = get_close_matches(str(given).lower(), by_letters, 1)
     return f"; did you mean {by_letters[near[0]]}?" if near else ""
 

@@ -58,11 +58,13 @@ class Tabular:
     __hash__ = None
 
     def __str__(self) -> str:
-        """The table, with six significant digits."""
+        """The table, with six significant digits; ``none`` if it has no rows."""
         try:
             table = self.to_dataframe()
         except ModuleNotFoundError:
             return repr(self)
+        if table.empty:
+            return "none"
         digits = "{:.6g}".format
         return table.to_string(index=self._index is not None, float_format=digits)
 

@@ -90,7 +90,7 @@ def test_a_curve_is_what_solve_gives(interface, along):
         assert state.value("solid_load_fraction") == pytest.approx(got, rel=1e-8)
     header, *rows = curve.as_csv().splitlines()
     assert header.startswith(f"{key},total_contact_area,total_contact_area_low,")
-    assert len(rows) == 5
+    assert len(rows) == 5 and "separation_high [m],film_thickness [1]" in header
 
 
 def test_a_comparison_has_both_values_and_the_range_of_the_change(interface):

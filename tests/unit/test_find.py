@@ -1,6 +1,7 @@
 """``find`` and ``transitions`` against curves that are solved at many more points."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 from numpy.testing import assert_allclose
@@ -103,6 +104,20 @@ def test_what_cannot_be_searched_is_refused(parameters, change, message):
     asked |= others("roughness_nm") | change
     with pytest.raises(ValueError, match=message):
         tb.find(**{k: v for k, v in asked.items() if v is not None}, parameters=parameters)
+
+
+def test_levels_of_a_table_keep_its_index(parameters):
+    levels = pd.Series([0.9, 0.8, 0.7], index=["a", "b", "c"])
+    given = dict(parameters=parameters, **others("viscosity_cSt"))
+    found = tb.find("solid_load_fraction", levels, "viscosity_cSt", **given)
+    expected = [levels.index[query] for query in found.query]
+    assert expected and found.to_dataframe().index.tolist() == expected
+
+
+def test_nothing_found_is_printed_in_a_word(parameters):
+    given = dict(parameters=parameters, between=(1, 2), **others("viscosity_cSt"))
+    assert str(tb.transitions("viscosity_cSt", **given)) == "none"
+    assert str(tb.find("solid_load_fraction", 0.5, "viscosity_cSt", **given)).endswith("\nnone")
 
 
 def test_engineering_units_and_SI_are_the_same_place_in_a_table_too(parameters):

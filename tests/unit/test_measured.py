@@ -238,6 +238,7 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("", "a.csv is empty; allowed: headings and rows"),
         ("load [N],friction coefficient\n", "measured has no rows"),
         ("load [N]\n1\n", "measured has no column of friction coefficient"),
+        ("force [N],COF\n1,1\n", r"load is missing; .*; columns left out: force \[N\]$"),
         ("load,wear\n1,1\n", "unit of 'load' is not known; allowed: as 'load .N.'"),
         ("load [kg],separation [nm]\n1,1\n", r"unit of 'load \[kg\]' is not known"),
         ("load [N],separation [furlongs per]\n1,1\n", "not known; allowed: as 'separation .nm.'"),
@@ -369,7 +370,12 @@ def test_a_speed_that_no_oil_explains_is_refused_with_the_speed_of_the_inputs():
 def test_the_speed_of_all_measurements_gives_the_inputs():
     oil = dict(speed_m_per_s=2, oil_density_kg_per_m3=870, ball_radius_mm=10)
     found = tb.compare(data(), **oil, **REST)
-    assert found == tb.compare(data(), parameters=tb.bearing(**oil), **REST)
+    given = tb.compare(data(), parameters=tb.bearing(**oil), **REST)
+    assert found == given
+    note = "with an oil of 850 kg/m3, U/nu is for a speed of 2.05 m/s"  # 2 m/s at 870 kg/m3
+    assert note in given.notes
+    dry = REST | {"viscosity_cSt": 0}
+    assert not [each for each in tb.compare(data(), **dry).notes if "speed" in each]
     with pytest.raises(ValueError, match="speed_m_per_s is 2, without a column of speeds; allowed"):
         tb.compare(data(), speed_m_per_s=2, **REST)
     speeds = data(**{"speed [m/s]": [1, 2, 3]})

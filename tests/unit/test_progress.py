@@ -57,13 +57,15 @@ def test_what_is_over_soon_or_not_to_be_shown_says_nothing(clock, monkeypatch):
     assert terminal.getvalue() == ""
 
 
-@pytest.mark.parametrize("call", ["grid", "stream", "find"])
+@pytest.mark.parametrize("call", ["grid", "stream", "find", "transitions", "turning_point"])
 def test_long_calls_say_how_far_they_are_unless_told_not_to(stream, parameters, call, tmp_path):
     given = {name: values for name, values in AXES.items() if name != "load"}
     arguments = {
         "grid": ((), AXES),
         "stream": ((tmp_path / "grid.nc",), AXES),
         "find": (("solid_load_fraction", 0.9, "load"), dict.fromkeys(given, 1e-7)),
+        "transitions": (("load",), dict.fromkeys(given, 1e-7)),
+        "turning_point": ((), dict.fromkeys(given, 1e-7)),
     }
     place, axes = arguments[call]
     for shown in (False, True):

@@ -20,6 +20,11 @@ DIGITS = 4
 # a rule below the headings, in ASCII
 RULED = "    \n    \n -- \n    \n    \n    \n    \n    \n"
 NO_ENSEMBLE = "no ensemble: these inputs leave nothing in which the calibrated sets differ"
+HEADINGS = {
+    f"{name}{end}": f"{name}{end} [{unit}]"
+    for name, unit in (("separation", "m"), ("film_thickness", "1"))
+    for end in ("", "_low", "_high")
+}
 WIDTH = 200  # columns of text that is not printed on a terminal
 
 
@@ -152,8 +157,8 @@ class Curve(Tabular):
         return self.values[self.along].to_numpy()
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """``values``."""
-        return self.values
+        """``values``, with units in headings: ``separation [m]``, ``film_thickness [1]``."""
+        return self.values.rename(columns=HEADINGS)
 
     def as_dict(self) -> dict[str, list]:
         """Columns of the table for JSON: None where there is no solution."""
@@ -162,7 +167,7 @@ class Curve(Tabular):
 
     def as_csv(self) -> str:
         """The table as CSV, with ten significant digits."""
-        return self.values.to_csv(index=False, float_format="%.10g", lineterminator="\n")
+        return self.to_dataframe().to_csv(index=False, float_format="%.10g", lineterminator="\n")
 
     def __str__(self) -> str:
         return self.as_csv().rstrip("\n")

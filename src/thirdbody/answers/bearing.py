@@ -80,6 +80,12 @@ def implied_speed(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_D
     return parameters.speed_per_viscosity * stiffness / oil_density_kg_per_m3
 
 
+def speed_note(parameters: Parameters) -> str:
+    """The speed of the inputs in words."""
+    speed = implied_speed(parameters)
+    return f"with an oil of {USUAL_DENSITY:g} kg/m3, U/nu is for a speed of {speed:.3g} m/s"
+
+
 def _hertz_modulus(one: Material, other: Material) -> float:
     return 1.0 / (one.compliance + other.compliance)
 
@@ -200,7 +206,7 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
         speed = parameters.speed_per_viscosity * float(UNITS["viscosity_cSt"].to_si(viscosity_cSt))
         rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
     notes = (
-        f"with an oil of {USUAL_DENSITY:g} kg/m3, U/nu is for a speed of {implied_speed(parameters):.3g} m/s",
+        speed_note(parameters),
         f"A_n = {parameters.apparent_area:.4g} m2 is an input of its own and stays",
     )
     return Answer("Inputs derived from ball, speed, oil and materials", tuple(rows), notes)

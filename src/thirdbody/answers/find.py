@@ -24,6 +24,7 @@ from thirdbody.arguments import (
     common_index,
     ends_in_si,
     in_si,
+    is_column,
 )
 from thirdbody.configuration.printed import LOADS
 from thirdbody.curves.bracketing import bracketed_roots
@@ -85,8 +86,7 @@ class Crossings(Tabular):
 
     def __repr__(self) -> str:
         """The crossings as a table."""
-        table = super().__str__() if self.value.size else "none"
-        return f"Crossings along {self.along}:\n{table}"
+        return f"Crossings along {self.along}:\n{super().__str__()}"
 
     __str__ = __repr__
 
@@ -179,7 +179,7 @@ def find(
     variable : str
         A number of ``Solution``: ``solid_load_fraction``, ``total_contact_area``, ...
     level : array_like
-        Its value; ``thirdbody.model.regimes`` has the limits between regimes and modes.
+        Its value, in SI, or a column of pandas; ``thirdbody.model.regimes`` has the limits between regimes and modes.
     along : str
         The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float, optional
@@ -209,13 +209,14 @@ def find(
     (array([1, 1]), True)
     """
     parameters = checked_parameters(parameters)
+    index = common_index(conditions | {"level": level})
     level = _checked_levels(variable, level)
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition, level=level)
     limits = [(variable, others.pop("level"))]
     _, *found = crossings(limits, unit, swept, others, parameters, rtol, progress)
-    return Crossings(along, shape, *found)._with_index(common_index(conditions))
+    return Crossings(along, shape, *found)._with_index(index)
 
 
 def transitions(
@@ -225,6 +226,7 @@ def transitions(
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> Transitions:
     """Find where lubrication regime and contact mode change along one of the five axes.
@@ -240,10 +242,11 @@ def transitions(
     [('boundary', 'mixed'), ('mixed', 'full_film')]
     """
     parameters = checked_parameters(parameters)
+    check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition)
     limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
-    found = crossings(limits, unit, swept, others, parameters, rtol)
+    found = crossings(limits, unit, swept, others, parameters, rtol, progress)
     changes = []
     for limit, query, value, error, rises, status in zip(*(each.tolist() for each in found)):
         border = BORDERS[limit]
@@ -259,6 +262,7 @@ def turning_point(
     between_N: tuple[float, float] = LOADS,
     count: int = LOADS_SWEPT,
     rtol: float = DEFAULT_RTOL,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> TurningPoints:
     """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
@@ -274,7 +278,7 @@ def turning_point(
         must exceed the least values on both sides of it between them.
     count : int
         Number of loads between which maxima are sought; two within one step are missed.
-    parameters, rtol, **conditions
+    parameters, rtol, progress, **conditions
         As in ``thirdbody.solve``, without the load; the conditions broadcast.
 
     Examples
@@ -286,12 +290,13 @@ def turning_point(
     """
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
+    check_progress(progress)
     check_count("count", count)
     ends = ends_in_si("between_N", between_N, UNITS["load_N"], parameters)
     loads = np.geomspace(*ends, count)
     shape, curves = queries(conditions, parameters, "load")
     points = {"load": loads[:, None]} | curves
-    solved = solve_arrays(points, parameters, rtol, ["separation"])
+    solved = solve_arrays(points, parameters, rtol, ["separation"], progress)
     found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
     points = TurningPoints(*(column.reshape(shape) for column in vars(found).values()))
     return points._with_index(common_index(conditions))
@@ -337,6 +342,7 @@ def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
         allowed = ", ".join(QUANTITIES) + did_you_mean(variable, QUANTITIES)
         raise ValueError(f"variable is {format_value(variable)}; allowed: {allowed}")
     quantity = QUANTITIES[variable]
+    level = level.to_numpy() if is_column(level) else level
     levels = checked_array("level", level, f"numbers, in {quantity.units}")
     most, allowed = (0.01, "0 to 0.01 m") if quantity.units == "m" else (1.0, "0 to 1")
     impossible = levels[~((levels >= 0.0) & (levels <= most))]

@@ -11,7 +11,13 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
-from thirdbody.answers.bearing import USUAL_BEARING, USUAL_DENSITY, bearing, implied_speed
+from thirdbody.answers.bearing import (
+    USUAL_BEARING,
+    USUAL_DENSITY,
+    bearing,
+    implied_speed,
+    speed_note,
+)
 from thirdbody.arguments import (
     checked_numbers,
     checked_parameters,
@@ -141,13 +147,18 @@ def compare(
     parameters, speed = _of_bearing(parameters, "speed" in columns, bearing_given)
     rows = len(next(iter(columns.values())))
     index = measured.index if isinstance(measured, pd.DataFrame) else pd.RangeIndex(rows)
-    table = _conditions(columns, conditions, parameters, index)
+    try:
+        table = _conditions(columns, conditions, parameters, index)
+    except ValueError as error:  # perhaps a condition is among the columns left out
+        raise ValueError("; ".join([str(error), *notes])) from None
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
     table, curve = (
         _with_model(each, observed, (parameters, *members), speed, assumed)
         for each in (table, curve)
     )
+    if oil_density_kg_per_m3 is None and table["viscosity_cSt"].any():
+        notes.append(speed_note(parameters))
     for name, quantity in observed.items():
         table[name] = quantity.to(UNITS_OF[name]).magnitude
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]

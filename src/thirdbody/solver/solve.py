@@ -76,7 +76,8 @@ def solve(
     parameters : Parameters, optional
         Materials, geometry and interpretations of the model, by default the published ones.
     rtol : float
-        Requested relative error of every variable, from 1e-11 to 1e-2.
+        Requested relative error of every variable, from 1e-11 to 1e-2.  A larger one saves little time
+        here, much in ``grid``.
     variables : str or collection of str, optional
         Names of the fields of ``Solution`` to compute; the others are None.
     progress : bool, optional

@@ -1,5 +1,5 @@
 // Whether the paper's statements hold under the inputs of the page: the checks of
-// thirdbody.study.checks, on curves of the page's own model. config/claims.yaml explains the kinds.
+// thirdbody.study.kinds, on curves of the page's own model. config/claims.yaml explains the kinds.
 
 import { LIMITS, remembered } from "./model.js";
 import { PROMINENCE, curveOf, highestMaximum, turningWindow } from "./curves.js";
