@@ -67,7 +67,7 @@ def solve(
         Kinematic viscosity of the lubricant [m2/s] or [cSt]; 0 for dry contact.
     particle_diameter, particle_diameter_nm : array_like
         The mean diameter of the paper, x_a [m] or [nm]; 0 for two-body contact.  If the size
-        distribution is ``uncentred``, it is larger than any particle.
+        distribution is ``uncentred``, nearly all particles are smaller.
     roughness, roughness_nm : array_like
         Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m;
         ``thirdbody.equivalent_roughness`` gives it from Rq or Ra of two surfaces.
