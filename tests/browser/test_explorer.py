@@ -417,11 +417,11 @@ def test_the_cut_has_the_colours_of_figures_1_and_2(explorer):
     from matplotlib.style import context
 
     from thirdbody.figures.drawing import STYLE
-    from thirdbody.figures.schematics import CARRYING, FREE, LOOKS, LUBRICANT
+    from thirdbody.figures.schematics import LOOKS, LUBRICANT, PARTICLE
 
     explorer.open(scheme="light")
     names = {"surface 1": "--surface-1", "surface 2": "--surface-2", LUBRICANT: "--lubricant"}
-    names |= {CARRYING: "--carries", FREE: "--free"}
+    names |= {PARTICLE: "--carries", "free particle": "--free"}
     with context(STYLE):
         expected = {variable: to_hex(LOOKS[part]["facecolor"]) for part, variable in names.items()}
     script = (

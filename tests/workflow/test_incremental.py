@@ -111,7 +111,7 @@ STATEMENT = ("config/claims.yaml", "0/statement", "Particles matter.")
     [
         (CONFIG, "rtol", 1e-8, (*ALL_CURVES, *GATHERED, *PAGE)),
         (CONFIG, "windows/roughness_nm", [100, 300], SHOWN_WINDOWS),
-        (*STATEMENT, (*CLAIMS, *PRINTED, *PAGE)),
+        (*STATEMENT, (*CLAIMS, "figures/fronts.*", *PRINTED, *PAGE)),
         (CONFIG, "schematics/fig01/0/load_N", 21.0, FIRST),
         ("config/inputs.yaml", INPUT, 0.41, ALL),
         (DEFAULT, "inputs/truncation", 1.8, (*ALL, "figures/fronts.*")),

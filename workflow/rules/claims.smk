@@ -40,7 +40,7 @@ rule judge_claims:
 SUMMARIES = {
     "claims": "<results>/claims/claims.csv",
     "sensitivity": "<results>/tables/sensitivity.csv",
-    "fronts": "<results>/claims/claims.csv",  # the words; the rest is in calibrated files
+    "fronts": [],  # drawn from calibrated files
 }
 
 
@@ -59,10 +59,13 @@ rule render_summary:
         "../envs/thirdbody.yaml"
     params:
         default=Path(settings["calibrated"]).stem,
+        claims=configured("claims"),
         calibrated=CALIBRATED,
         calibrated_sum=CALIBRATED_SUM,
         sources=lambda wildcards: sources_of(
-            "render_summary.py", f"thirdbody.figures.{wildcards.summary}"
+            "render_summary.py",
+            f"thirdbody.figures.{wildcards.summary}",
+            config=["claims"] if wildcards.summary == "fronts" else [],
         ),
     message:
         "Drawing {wildcards.summary}"

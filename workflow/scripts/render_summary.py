@@ -13,13 +13,14 @@ from thirdbody.job_log import logged
 
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.summary
-    table = Path(snakemake.input.data).stem
-    drawn = [read_csv(snakemake.input.data, TABLES[table])]
     if figure == "fronts":
         calibrated = snakemake.params.calibrated
         files = sorted(calibrated, key=lambda path: Path(path).stem != snakemake.params.default)
         fronts = [content for content in map(read_yaml, files) if content["fronts"]]
-        drawn = [fronts, {row["id"]: row["statement"] for row in drawn[0]}]
+        claims = read_yaml(snakemake.params.claims, list)
+        drawn = [fronts, {claim["id"]: claim["statement"] for claim in claims}]
+    else:
+        drawn = [read_csv(snakemake.input.data, TABLES[figure])]
     plot = import_module(f"thirdbody.figures.{figure}").plot
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         save(plot(*drawn), snakemake.output.png.removesuffix(".png"), caption(figure))
