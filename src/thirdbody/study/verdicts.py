@@ -285,7 +285,9 @@ def claims_html(report: Report) -> str:
     score = score_sentence(report).replace("**", "")
     parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
-    return ENVIRONMENT.get_template("claims.html.j2").render(score=score, groups=groups)
+    reasons = {claim.id: claim.reason for claim in report.claims}
+    template = ENVIRONMENT.get_template("claims.html.j2")
+    return template.render(score=score, groups=groups, reasons=reasons)
 
 
 def claims_json(report: Report) -> str:
