@@ -11,7 +11,7 @@ from thirdbody.figures.drawing import CURVE, ONE_COLUMN, Drawing, Panel, Series,
 
 COLUMNS = 2
 CELL = ONE_COLUMN, 2.6  # of a panel with its labels [inches]
-LETTERS = 52  # in a line of a title
+LETTERS = 44  # in a line of a title
 DISTANCES = (0, 0.5, 1, 2, 5, 20)  # ticks, in tolerances
 ABOVE = 25.0  # the objective is drawn up to this much above the least
 FIRST, OTHERS = {"linewidth": 1.6, "zorder": 3}, {"linewidth": 0.9, "zorder": 2}
