@@ -7,7 +7,7 @@ import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.answers.find import sweep_values
+from thirdbody.answers.find import FULL_FILM, sweep_values
 from thirdbody.arguments import in_si
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.units import ENGINEERING
@@ -71,12 +71,26 @@ def test_both_crossings_of_a_peak_between_values_of_the_sweep_are_found(paramete
     assert not tb.find(ratio, peak + 1e-5, "load_N", parameters=parameters, **given).count
 
 
+def test_a_full_film_has_no_changes_of_the_contact_mode():
+    """Where the film carries all of the load, whatever touches does not matter."""
+    layer = dict(particle_diameter_nm=300, particle_density_per_m2=1e11, roughness_nm=300)
+    found = tb.transitions("viscosity_cSt", load_N=[1, 10], between=(20, 2000), **layer)
+    ends = {each.query: each.value for each in found if each.after == "full_film"}
+    assert set(ends) == {0, 1}
+    modes = [each for each in found if each.border.flag == "contact_mode"]
+    assert modes and all(each.value < ends[each.query] for each in modes)
+
+
 def test_transitions_along_the_load_are_those_of_every_limit(parameters):
     changes = tb.transitions("load_N", parameters=parameters, **others("load_N"))
     expected = []
     for limit in LIMITS:
         found = tb.find(*limit, "load_N", parameters=parameters, **others("load_N"))
-        expected += zip(found.query.tolist(), found.value.tolist())
+        for query, value in zip(found.query.tolist(), found.value.tolist()):
+            state = tb.solve(load_N=value, parameters=parameters, **others("load_N"))
+            is_full = np.ravel(state.lubrication_regime)[query] == FULL_FILM
+            if limit[0] == "solid_load_fraction" or not is_full:
+                expected.append((query, value))
     assert [each.query for each in changes] == [query for query, _ in sorted(expected)]
     assert_allclose([each.value for each in changes], [value for _, value in sorted(expected)])
 

@@ -102,7 +102,7 @@ def interface():
 RESULTS = {  # and how many rows each has
     "solve": (lambda: tb.solve(load_N=[5, 10], **OIL, **REST), 2),
     "find": (lambda: tb.find("solid_load_fraction", [0.5, 0.9], "load_N", **OIL, **REST), 2),
-    "transitions": (lambda: tb.transitions("viscosity_cSt", load_N=10, **REST), 5),
+    "transitions": (lambda: tb.transitions("viscosity_cSt", load_N=10, **REST), 3),
     "turning_point": (lambda: tb.turning_point(viscosity_cSt=[0, 90], **REST), 2),
     "turning_window": (
         lambda: tb.turning_window(roughness_nm=300, particle_density_per_m2=1e11),

@@ -34,7 +34,7 @@ from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import did_you_mean, format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.model.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular, indexed
@@ -113,6 +113,7 @@ class Border(NamedTuple):
         return f"{self.below}_and_{self.above}"
 
 
+FULL_FILM = LUBRICATION_REGIMES.index("full_film")
 BORDERS = (  # at each of ``LIMITS``
     Border("lubrication_regime", "mixed", "boundary"),
     Border("lubrication_regime", "full_film", "mixed"),
@@ -231,7 +232,8 @@ def transitions(
 ) -> Transitions:
     """Find where lubrication regime and contact mode change along one of the five axes.
 
-    Arguments, units, search and errors are those of ``thirdbody.find``.
+    Arguments, units, search and errors are those of ``thirdbody.find``.  Changes of the contact mode in a
+    full film, where hardly anything touches, are left out.
 
     Examples
     --------
@@ -245,6 +247,31 @@ def transitions(
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition)
+    changes = all_changes(unit, swept, shape, others, parameters, rtol, progress)
+    places = np.array([each.value for each in changes])
+    chosen = np.array([each.query for each in changes], int)
+    given = {name: column[chosen] for name, column in others.items()}
+    given[unit.condition] = unit.to_si(places, parameters.newtons_per_load)
+    regimes = solve_arrays(given, parameters, rtol, ["lubrication_regime"]).lubrication_regime
+    kept = [
+        each
+        for each, regime in zip(changes, regimes.tolist(), strict=True)
+        if regime != FULL_FILM or each.border.flag != "contact_mode"
+    ]
+    return Transitions(along, kept)._with_index(common_index(conditions))
+
+
+def all_changes(
+    unit: Unit,
+    swept: NDArray,
+    shape: tuple[int, ...],
+    others: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float = DEFAULT_RTOL,
+    progress: bool = True,
+) -> list[Transition]:
+    """The changes of ``transitions``, with those in a full film, for conditions from ``queries`` and
+    values from ``sweep_values``."""
     limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
     found = crossings(limits, unit, swept, others, parameters, rtol, progress)
     changes = []
@@ -253,7 +280,7 @@ def transitions(
         states = (border.below, border.above) if rises else (border.above, border.below)
         status = SOLUTION_STATUSES[status]
         changes.append(Transition(query, border, *states, value, error, status))
-    return Transitions(along, changes)._with_index(common_index(conditions))
+    return changes
 
 
 def turning_point(

@@ -11,10 +11,14 @@ import numpy as np
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.find import (
     BORDERS,
+    FULL_FILM,
     RATIOS,
+    SWEEP,
     Border,
     Transition,
-    transitions,
+    all_changes,
+    queries,
+    sweep_values,
     turning_point,
     turning_window,
 )
@@ -33,7 +37,7 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import FULL_FILM_LIMIT, LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.model.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
 from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, unit_of
@@ -46,7 +50,6 @@ LEFT_OUT["full_film"] = (
     f"the solids carry less than {FULL_FILM_LIMIT:g} of the load, and no contact mode is given"
 )
 FULL_FILM_BORDER = BORDERS[1]
-FULL_FILM = LUBRICATION_REGIMES.index("full_film")
 State = Mapping[str, Value]  # variables, or other quantities of an answer
 # by name, the words and the unit of the rows
 STATE = {
@@ -184,7 +187,7 @@ class Interface:
         given = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
-                self._marked(transitions(key, parameters=each, between=between, **given), key, each)
+                self._marked(self._changes(key, given, between, each), key, each)
                 for each in (self.parameters, *self.members)
             ]
         left_out = [
@@ -263,6 +266,12 @@ class Interface:
         """The ends of a range, numbers or quantities, in the unit of the condition ``key``."""
         found = ends_in_si(name, ends, UNITS[key], self.parameters)
         return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
+
+    def _changes(self, key, given, between, parameters) -> list[Transition]:
+        """All changes along ``key``, with those in a full film."""
+        unit, swept = sweep_values(key, between, SWEEP, parameters)
+        shape, others = queries(given, parameters, unit.condition)
+        return all_changes(unit, swept, shape, others, parameters)
 
     def _marked(
         self, changes: Sequence[Transition], key: str, parameters: Parameters
