@@ -113,7 +113,8 @@ class Border(NamedTuple):
         return f"{self.below}_and_{self.above}"
 
 
-FULL_FILM = LUBRICATION_REGIMES.index("full_film")
+IN_FULL_FILM = "full_film"
+FULL_FILM = LUBRICATION_REGIMES.index(IN_FULL_FILM)
 BORDERS = (  # at each of ``LIMITS``
     Border("lubrication_regime", "mixed", "boundary"),
     Border("lubrication_regime", "full_film", "mixed"),
@@ -248,16 +249,7 @@ def transitions(
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition)
     changes = all_changes(unit, swept, shape, others, parameters, rtol, progress)
-    places = np.array([each.value for each in changes])
-    chosen = np.array([each.query for each in changes], int)
-    given = {name: column[chosen] for name, column in others.items()}
-    given[unit.condition] = unit.to_si(places, parameters.newtons_per_load)
-    regimes = solve_arrays(given, parameters, rtol, ["lubrication_regime"]).lubrication_regime
-    kept = [
-        each
-        for each, regime in zip(changes, regimes.tolist(), strict=True)
-        if regime != FULL_FILM or each.border.flag != "contact_mode"
-    ]
+    kept = [each for each in changes if each.solution_status != IN_FULL_FILM]
     return Transitions(along, kept)._with_index(common_index(conditions))
 
 
@@ -270,15 +262,20 @@ def all_changes(
     rtol: float = DEFAULT_RTOL,
     progress: bool = True,
 ) -> list[Transition]:
-    """The changes of ``transitions``, with those in a full film, for conditions from ``queries`` and
-    values from ``sweep_values``."""
+    """The changes of ``transitions`` for conditions from ``queries`` and values from ``sweep_values``, and
+    those of the contact mode in a full film, with the status ``IN_FULL_FILM``."""
     limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
     found = crossings(limits, unit, swept, others, parameters, rtol, progress)
-    changes = []
-    for limit, query, value, error, rises, status in zip(*(each.tolist() for each in found)):
+    _, query, value, *_ = found
+    given = {name: column[query] for name, column in others.items()}
+    given[unit.condition] = unit.to_si(value, parameters.newtons_per_load)
+    regime = solve_arrays(given, parameters, rtol, ["lubrication_regime"]).lubrication_regime
+    changes, columns = [], (*found, regime == FULL_FILM)
+    for limit, query, value, error, rises, status, is_full in zip(*map(np.ndarray.tolist, columns)):
         border = BORDERS[limit]
         states = (border.below, border.above) if rises else (border.above, border.below)
-        status = SOLUTION_STATUSES[status]
+        is_left_out = is_full and border.flag == "contact_mode"
+        status = IN_FULL_FILM if is_left_out else SOLUTION_STATUSES[status]
         changes.append(Transition(query, border, *states, value, error, status))
     return changes
 

@@ -11,7 +11,7 @@ import numpy as np
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.find import (
     BORDERS,
-    FULL_FILM,
+    IN_FULL_FILM,
     RATIOS,
     SWEEP,
     Border,
@@ -46,7 +46,7 @@ LENGTH = UNITS["roughness_nm"]  # unit of sizes and of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
 # changes with these statuses are left out, and why; ``full_film`` are changes of the contact mode there
 LEFT_OUT = {name: STATUS_MEANINGS[name] for name in ("outside_film_formula", "area_exceeded")}
-LEFT_OUT["full_film"] = (
+LEFT_OUT[IN_FULL_FILM] = (
     f"the solids carry less than {FULL_FILM_LIMIT:g} of the load, and no contact mode is given"
 )
 FULL_FILM_BORDER = BORDERS[1]
@@ -187,7 +187,7 @@ class Interface:
         given = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
-                self._marked(self._changes(key, given, between, each), key, each)
+                self._changes(key, given, between, each)
                 for each in (self.parameters, *self.members)
             ]
         left_out = [
@@ -196,7 +196,7 @@ class Interface:
             if each.border.flag in flags and each.solution_status in LEFT_OUT
         ]
         shown = [border for border in BORDERS if border.flag in flags]
-        if any(each.solution_status == "full_film" for each in left_out):
+        if any(each.solution_status == IN_FULL_FILM for each in left_out):
             shown = list(dict.fromkeys([*shown, FULL_FILM_BORDER]))
         mine, *of_members = (_by_name(each, shown) for each in every)
         unit = UNITS[key].text
@@ -273,19 +273,6 @@ class Interface:
         shape, others = queries(given, parameters, unit.condition)
         return all_changes(unit, swept, shape, others, parameters)
 
-    def _marked(
-        self, changes: Sequence[Transition], key: str, parameters: Parameters
-    ) -> list[Transition]:
-        """The changes along ``key``, those of the contact mode in a full film with this status."""
-        given = self.conditions | {key: [each.value for each in changes], "parameters": parameters}
-        regimes = solve(**given, variables="lubrication_regime").lubrication_regime
-        return [
-            replace(each, solution_status="full_film")
-            if regime == FULL_FILM and each.border.flag == "contact_mode"
-            else each
-            for each, regime in zip(changes, regimes, strict=True)
-        ]
-
     def _solved(self, **changes) -> list[Solution]:
         """Solutions with ``changes`` of the conditions, for the inputs and for each member."""
         given = self.conditions | changes
@@ -320,7 +307,7 @@ class Interface:
         name = state["solution_status"].replace(" ", "_")
         status = [] if name == SOLUTION_STATUSES[0] else [f"{name}: {STATUS_MEANINGS[name]}"]
         if state["lubrication_regime"] == "full film":
-            status.append(f"full film: {LEFT_OUT['full_film']}")
+            status.append(f"full film: {LEFT_OUT[IN_FULL_FILM]}")
         few = few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
         return *status, *few, *self._ensemble_notes(self.particle_diameter_nm)
 

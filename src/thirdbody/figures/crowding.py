@@ -22,10 +22,8 @@ def label_curves(
         return
     places = np.array([_in_axes(axes, line) for line in lines])  # [lines, loads, 2]
     inside = (places > 0.04) & (places < 0.96)
-    free, written = (
-        set(range(len(lines))),
-        [place for mark in marks for place in _in_axes(axes, mark)],
-    )
+    free = set(range(len(lines)))
+    written = [place for mark in marks for place in _in_axes(axes, mark)]
     for _ in range(ROUNDS):
         candidates = range(places.shape[1])
         chosen = max((_that_fit(places, inside, free, written, at) for at in candidates), key=len)
