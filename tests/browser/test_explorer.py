@@ -461,12 +461,10 @@ def test_the_link_restores_everything(explorer):
     explorer.choose("#figure", "fig06")
     explorer.enter("#condition-viscosity", "55")
     explorer.enter("#input-spread_ratio", "0.4")
-    explorer.choose("#input-coverage_limits", "contacting")
+    explorer.choose("#input-film_load", "total")
     explorer.choose("#y_scale", "log")
     fragment = explorer.run("return location.hash.slice(1)")
-    expected = (
-        "figure=fig06&viscosity_cSt=55&spread_ratio=0.4&coverage_limits=contacting&y_scale=log"
-    )
+    expected = "figure=fig06&viscosity_cSt=55&spread_ratio=0.4&film_load=total&y_scale=log"
     assert parse_qs(fragment) == parse_qs(expected)
     look = """return [
         ...[...document.querySelectorAll('#charts .line, #charts .ghost')].map((line) => line.getAttribute('d')),
