@@ -6,7 +6,7 @@ configuration to them.  Only this module uses these words; all others use the ob
 
 To add an interpretation, add an object to ``INTERPRETATIONS`` and a word to ``config/inputs.yaml``,
 and implement it in the independent codes: ``verification/plain_model.py``,
-``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
+``tests/oracle/contact.c``, ``tests/oracle/in_mpmath.py`` and ``explorer/page/model.js``.
 """
 
 from collections.abc import Mapping

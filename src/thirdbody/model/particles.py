@@ -117,22 +117,21 @@ class ParticleLayer:
 
         Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d [1].
         """
-        alpha = (separation - self.mean) / self.spread
-        (plastic, touching), (plastic_slope, touching_slope) = self.moment(
-            np.array([alpha, alpha - self.depth])  # moments above d, and above d - h_e
-        )
-        elastic = self.parameters.elastic_factor
+        alpha, elastic = (separation - self.mean) / self.spread, self.parameters.elastic_factor
+
+        def bracket(above, touching):
+            return (1.0 - elastic) * above + elastic * touching  # of Eq. 5
+
+        moments, slopes = self.moment(np.array([alpha, alpha - self.depth]))  # above d and d - h_e
         area_factor = self.factor * self.parameters.hardness_surface_2
         area = WithSlope(
-            value=area_factor * ((1.0 - elastic) * plastic + elastic * touching),  # Eq. 5
-            slope=area_factor
-            / self.spread
-            * ((1.0 - elastic) * plastic_slope + elastic * touching_slope),
+            value=area_factor * bracket(*moments),
+            slope=area_factor / self.spread * bracket(*slopes),
         )
         covering_factor = self.factor * self.parameters.hardness_surface_1
         coverage = WithSlope(
-            value=covering_factor * plastic,
-            slope=covering_factor / self.spread * plastic_slope,
+            value=covering_factor * moments[0],
+            slope=covering_factor / self.spread * slopes[0],
         )
         return area, coverage
 
@@ -140,9 +139,8 @@ class ParticleLayer:
         """Relative rounding error [1] of the ``area`` that ``contact`` returns at ``separation`` d
         [m]; 0 where no particle touches."""
         terms = (8.0 + self.moment.largest**2) * self.moment.cancellation * area.value
-        rounding_of_d = (
-            2.0 * np.abs(area.slope) * (separation + self.mean + self.depth * self.spread)
-        )
+        lengths = separation + self.mean + self.depth * self.spread
+        rounding_of_d = 2.0 * np.abs(area.slope) * lengths
         touch = area.value > 0.0
         # TINY for the digits lost below it; as divisors, LEAST and 0 would be slow
         return EPSILON * ((terms + rounding_of_d + TINY) / np.where(touch, area.value, np.inf))

@@ -317,7 +317,7 @@ def _area_difference(solids, both, width):
     summits = _difference(log_summits - log_bare) + _difference(log_bare)
     # an area that is negligible alone may matter in a ratio
     smaller = np.minimum(both["particle_contact_area_ratio"], both["surface_contact_area_ratio"])
-    # elastic particles may have a maximum of area between the ends
+    # the steeper slope of both ends leaves a margin
     rise = width * np.abs(area.slope).max(axis=0) / area.value.min(axis=0)
     particles = np.maximum(_difference(np.log(area.value)), rise)
     summits = _where_resolved(summits, np.maximum(np.exp(log_summits), smaller))
