@@ -209,13 +209,14 @@ export function modelOf(inputs) {
     const depth = (inputs.elastic_depth_ratio * diameter) / spread; // h_e/S
     const covering = ((Math.PI * inputs.participation) / hardness) * density * diameter ** 2;
     const bare = Math.max(1 - covering * inputs.hardness_surface_1 * moment(-Infinity), 0); // in Eq. 4
+    const isCovered = bare <= Number.EPSILON;
     const reach = twoBody ? 0 : plane + (inputs.truncation + depth) * spread;
 
     function solids(d) {
       const t = (d - surface.offset) / surface.deviation;
       const summitLoad = t < FARTHEST ? Math.exp(summits(t, 0)) : 0;
       const summitArea = t < FARTHEST ? Math.exp(summits(t, 2)) : 0;
-      if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea, bare: 1 };
+      if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea };
       const alpha = (d - plane) / spread;
       const plastic = moment(alpha); // I(d, X_max)
       const touching = (1 - factor) * plastic + factor * moment(alpha - depth);
@@ -225,7 +226,6 @@ export function modelOf(inputs) {
         load: summitLoad * bare + pressure * particles, // Eqs. 2 and 4
         particles, // A_sa of Eq. 5
         summits: summitArea * Math.max(1 - covered, 0), // A_ss-sa of Eq. 5
-        bare,
       };
     }
 
@@ -257,12 +257,12 @@ export function modelOf(inputs) {
         regime: fractions[0] > LIMITS.boundary ? 0 : fractions[0] < LIMITS.full_film ? 2 : 1,
         mode: twoBody ? 0 : ratio > LIMITS.particle ? 3 : ratio < LIMITS.surface ? 1 : 2,
       };
-      found.status = statusOf(found, solid);
+      found.status = statusOf(found);
       return found.status === "coverage_exceeded" ? nothing(load, found.status) : found;
     }
 
-    function statusOf(found, solid) {
-      if (solid.bare <= Number.EPSILON) return "coverage_exceeded";
+    function statusOf(found) {
+      if (isCovered) return "coverage_exceeded";
       if (found.total_contact_area > 1) return "area_exceeded";
       if (film && found.fluid_load_fraction > FILM_COUNTS) {
         const lnW = Math.log(filmLoad.inW(found.load, found.fluid_load_fraction) * wRatio);
@@ -273,12 +273,11 @@ export function modelOf(inputs) {
 
     // The state under a load F_t*, searched for between `near` and `far` first, where these are given.
     function solve(load, far, near) {
+      if (isCovered) return nothing(load, "coverage_exceeded");
       let low = film ? inputs.ball_radius * film.thickness(Math.log(load * wRatio)) : 0;
+      const excess = (d) => Math.log(loadAt(d) / load);
+      if (!film && excess(0) < 0) return nothing(load, "load_exceeded");
       const held = film && inputs.film_load === "total" && solids(low).load < load;
-      const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);
-      if (!film && excess(0) < 0) {
-        return nothing(load, solids(0).bare <= Number.EPSILON ? "coverage_exceeded" : "load_exceeded");
-      }
       if (held || excess(low) <= 0) return state(low, load); // the film carries all
       let high = far > low ? far : Math.max(2 * low, surface.deviation);
       if (near > low && near < high && excess(near) > 0) low = near;
