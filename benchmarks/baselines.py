@@ -147,9 +147,8 @@ class ElementwiseRoots:
 
     def _log_solid_load(self, d, diameter, density):
         """ln F_s* (Eq. 4)."""
-        area, covered = self._particles(d, diameter, density)
-        if self.model.coverage_limits == "printed":
-            _, covered = self._particles(np.full_like(d, -np.inf), diameter, density)
+        area, _ = self._particles(d, diameter, density)
+        _, covered = self._particles(np.full_like(d, -np.inf), diameter, density)  # all sizes
         summits = self._log_summits(d, self.loads) + np.log1p(-covered)
         return np.logaddexp(summits, np.log(area * self.model.H_s1 / self.model.E_ss))
 
@@ -158,10 +157,9 @@ class ElementwiseRoots:
         model = self.model
         d = d - (model.y_s if model.particle_plane == "summit" else 0.0)
         h_e = model.h_e_ratio * diameter
-        plastic = d + h_e if model.elastic_limits == "physical" else d
         squares = (model.H_s1 / model.E_sa) ** 2 + (model.H_s2 / model.E_ss) ** 2
-        elastic = 2.25 * np.pi**2 * squares * self._moment(plastic - h_e, plastic, diameter)
-        moment = elastic + self._moment(plastic, np.inf, diameter)
+        elastic = 2.25 * np.pi**2 * squares * self._moment(d - h_e, d, diameter)
+        moment = elastic + self._moment(d, np.inf, diameter)
         number = np.pi * model.participation * density / (model.H_s1 + model.H_s2)
         covered = number * model.H_s1 * self._moment(d, np.inf, diameter)
         return number * model.H_s2 * moment, covered
@@ -171,8 +169,6 @@ class ElementwiseRoots:
         model = self.model
         mean = 0.0 if model.phi_a == "uncentred" else model.mean_ratio * diameter
         spread = model.sigma_a_ratio * diameter
-        if model.phi_a == "gap_convolved":
-            spread = np.hypot(spread, model.gap_ratio * self.sigma)
         return mean, spread, mean + model.truncation * spread
 
     def _moment(self, low, high, diameter):
@@ -180,12 +176,9 @@ class ElementwiseRoots:
         if diameter[0] == 0.0:
             return np.zeros_like(low)
         mean, spread, largest = self._sizes(diameter)
-        convolved = self.model.phi_a == "gap_convolved"
-        low = np.maximum(low, mean - 40.0 * spread if convolved else 0.0)
+        low = np.maximum(low, 0.0)
         a, b = ((np.minimum(end, largest) - mean) / spread for end in (low, high))
         fraction = 0.5 * (erfc(a / math.sqrt(2.0)) - erfc(b / math.sqrt(2.0)))
-        if convolved:
-            return diameter**2 * (1.0 + self.model.sigma_a_ratio**2) * fraction
         at_a, at_b = (
             (2.0 * mean + spread * end) * np.exp(-0.5 * end * end) / math.sqrt(2.0 * np.pi)
             for end in (a, b)

@@ -35,23 +35,15 @@ INPUTS = {
     "size_distribution": "uncentred",
     "mean_ratio": 0.0,
     "spread_ratio": 1.60,
-    "gap_ratio": 0.0,
     "truncation": 2.44,
     "participation": 0.0221,
     "elastic_depth_ratio": 0.0111,
     "particle_plane": "surface",
-    "elastic_limits": "printed",
-    "coverage_limits": "printed",
     "film_load": "fluid",
 }
 INTERPRETATIONS = {
     "uncentred": {},
     "centred": {"size_distribution": "centred", "mean_ratio": 0.48, "spread_ratio": 1.42},
-    "gap_convolved": dict(
-        size_distribution="gap_convolved", spread_ratio=0.68, gap_ratio=1.15, truncation=3.23
-    ),
-    "physical_limits": {"elastic_limits": "physical", "elastic_depth_ratio": 0.0885},
-    "contacting": {"coverage_limits": "contacting"},
     "film_of_the_total_load": {"film_load": "total"},
     "no_offset": {"summit_offset_ratio": 0.0, "summit_deviation_ratio": 1.0},
     "summit_plane": {"summit_deviation_ratio": 1.2, "particle_plane": "summit"},
@@ -101,7 +93,7 @@ def interpretation(request, parameters):
     return replace(parameters, **INTERPRETATIONS[request.param])
 
 
-@pytest.fixture(scope="session", params=["uncentred", "centred", "gap_convolved"])
+@pytest.fixture(scope="session", params=["uncentred", "centred"])
 def sizes(request, parameters):
     """The inputs of each interpretation of phi_a in turn."""
     return replace(parameters, **INTERPRETATIONS[request.param])

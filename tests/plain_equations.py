@@ -47,14 +47,9 @@ class PlainEquations:
             self._at(lambda *at, name=name: getattr(self._state(*at), name), d) for name in names
         ]
 
-    def coverage(self, d):
-        """Shares of the interface that Eq. 4 takes from the summits, and that are under particles
-        larger than ``d`` (Eq. 5); the larger of them."""
-
-        def covered(d, index):
-            return max(plain.particle_share(d, self.model, self.points[index])[1:])
-
-        return self._at(covered, d)
+    def coverage(self):
+        """Share of the interface that Eq. 4 takes from the summits, at all points."""
+        return np.array([plain.load_coverage(self.model, point) for point in self.points])
 
     def film(self, load, viscosity):
         """H_c and its roughness term where the film bears ``load`` F_f* (Eq. 7)."""
@@ -69,5 +64,4 @@ class PlainEquations:
     @property
     def largest(self):
         """X_max [m], of each point."""
-        sizes = [plain.size_distribution(self.model, point)[:2] for point in self.points]
-        return np.array(sizes) @ [1.0, self.model["truncation"]]
+        return np.array([plain.size_distribution(self.model, point)[2] for point in self.points])

@@ -33,7 +33,6 @@ NUMBERS = {
     "film_thickness": ("1", "H_c", "7"),
     "error_bound": ("1", "none", "none"),
 }
-COUNT = "separation_count"  # where a point has several separations
 # symbol, equation, and meanings of the flags by their values
 FLAGS = {
     "lubrication_regime": (
@@ -51,8 +50,8 @@ FLAGS = {
         *("none", "1-8"),
         {
             **{0: "converged", 1: "outside_film_formula", 2: "coverage_exceeded"},
-            **{3: "not_converged", 4: "several_separations", 5: "area_exceeded"},
-            **{6: "load_exceeded", NOT_SHOWN: "not_shown"},
+            **{3: "not_converged", 4: "area_exceeded", 5: "load_exceeded"},
+            NOT_SHOWN: "not_shown",
         },
     ),
 }
@@ -90,13 +89,10 @@ INPUTS = {
     "phi_a": "size_distribution",
     "mean_ratio": "mean_ratio",
     "sigma_a_ratio": "spread_ratio",
-    "gap_ratio": "gap_ratio",
     "truncation": "truncation",
     "participation": "participation",
     "h_e_ratio": "elastic_depth_ratio",
     "particle_plane": "particle_plane",
-    "elastic_limits": "elastic_limits",
-    "coverage_limits": "coverage_limits",
     "film_load": "film_load",
 }
 # keys of a scene and their units in SI
@@ -115,7 +111,7 @@ RELATIVE_DIAMETER = "particle_diameter_per_roughness"
 def form_findings(file):
     """What is wrong with the structure and the attributes of an open dataset."""
     known = [*COORDINATES, *NUMBERS, *FLAGS]
-    extra = set(file.variables) - {*known, COUNT}
+    extra = set(file.variables) - {*known}
     yield from (f"has the unknown variable {name}" for name in sorted(extra))
     yield from (f"has no variable {name}" for name in known if name not in file.variables)
     if file.groups or file.vltypes or file.cmptypes or file.enumtypes:
@@ -124,14 +120,14 @@ def form_findings(file):
         yield f"has the dimensions {', '.join(file.dimensions)}"
     given = attributes(file)
     yield from attribute_findings("", given, GLOBAL_FIXED, GLOBAL_TEXTS)
-    for name in (*known, COUNT):
+    for name in known:
         if name in file.variables:
             yield from variable_findings(name, file[name])
 
 
 def variable_findings(name, variable):
     """What is wrong with the dimensions, type and attributes of one variable."""
-    expected_type = "<i1" if name in FLAGS or name == COUNT else "<f8"
+    expected_type = "<i1" if name in FLAGS else "<f8"
     expected_dimensions = DIMENSIONS
     if name in COORDINATES:
         expected_dimensions = ("load",) if name == "normal_load" else (name,)
@@ -158,8 +154,6 @@ def expected_attributes(name):
             "coverage_content_type": "qualityInformation",
         }
     known |= {"ancillary_variables": "solution_status", "coverage_content_type": "modelResult"}
-    if name == COUNT:
-        return known | {"symbol": "none", "equation": "1-2"}
     units, symbol, equation = NUMBERS[name]
     return known | {
         "units": units,

@@ -11,8 +11,8 @@ What the paper leaves open is read so.  The separation d is that of the mean pla
 surfaces; summits see d - y_s, and particles d, or d - y_s where the `particle_plane` is "summit".
 Summits have the hardness of the softer surface.  No particle is smaller than X_min = 0, nor larger
 than X_max; only particles that take part (`participation`) bear load or cover anything.  Where they
-would cover more than everything, Eq. 4 has no meaning.  Surfaces are no closer than d = 0; where
-several separations balance the loads, the largest counts, which closing surfaces meet first.
+would cover more than everything, Eq. 4 has no meaning.  Surfaces are no closer than d = 0.  Inputs
+are of hard particles, with an elastic factor of at most 1: then F_s falls as d grows.
 """
 
 import math
@@ -22,7 +22,6 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 NEGLIGIBLE = 80.0  # exp(-80) of the greatest weight is nothing in float64
-RESOLUTION = 1e-7  # of the range searched: two separations closer than this are passed over
 NEARLY_ALL = 0.99  # L_f; beyond it, 1 - L_f has fewer digits than the load that solids bear at d
 FILM_AT_WORK = 1e-3  # L_f; what a film is like that bears less matters to nothing else
 THICKEST_FILM = 0.01  # h_c/R_x; Eq. 7 is for films that are thin against the bodies,
@@ -65,8 +64,7 @@ class Solution(NamedTuple):
     """A solved point; ``status`` as in the datasets, and values unless no separation is found."""
 
     status: str
-    count: int = 0  # of separations at which Eq. 1 holds
-    separation: float = math.nan  # d [m], the largest of them
+    separation: float = math.nan  # d [m]
     solid_fraction: float = math.nan  # L_s [1]
     fluid_fraction: float = math.nan  # L_f [1]
     state: State | None = None
@@ -186,54 +184,27 @@ def log_summit_area(separation, model, point):
 
 
 def size_distribution(model, point):
-    """Mean m and spread S of the sizes [m] in the interpretation ``phi_a``."""
-    mean = model["mean_ratio"] * point.diameter
+    """Mean m and spread S of the sizes [m] in the interpretation ``phi_a``, and the largest, X_max."""
+    mean = 0.0 if model["phi_a"] == "uncentred" else model["mean_ratio"] * point.diameter
     spread = model["sigma_a_ratio"] * point.diameter
-    if model["phi_a"] == "uncentred":
-        return 0.0, spread
-    if model["phi_a"] == "centred":
-        return mean, spread
-    return mean, math.hypot(spread, model["gap_ratio"] * point.roughness)
-
-
-def sizes(model, point):
-    """x^2 phi_a (Eq. 6) as a function of x [m], and between which sizes it holds: X_min = 0, X_max.
-
-    In the interpretation `gap_convolved` x is a size less the deviation of the gap at its place, which has
-    no least value, and a particle of any size may be there: x^2 is the mean square of all,
-    x_a^2 (1 + c^2).
-    """
-    mean, spread = size_distribution(model, point)
-    mean_square = point.diameter**2 * (1.0 + model["sigma_a_ratio"] ** 2)
-    gap_convolved = model["phi_a"] == "gap_convolved"
-
-    def weight(x):
-        square = mean_square if gap_convolved else x * x
-        density = math.exp(-0.5 * ((x - mean) / spread) ** 2) / (math.sqrt(2.0 * math.pi) * spread)
-        return square * density
-
-    return weight, -math.inf if gap_convolved else 0.0, mean + model["truncation"] * spread
+    return mean, spread, mean + model["truncation"] * spread
 
 
 def second_moment(low, high, model, point):
-    """I(low, high): integral of x^2 phi_a from ``low`` to ``high`` [m], in m2."""
-    weight, x_min, x_max = sizes(model, point)
-    mean, spread = size_distribution(model, point)
-    first = max(low, x_min, mean - math.sqrt(2.0 * NEGLIGIBLE) * spread)
+    """I(low, high): integral of x^2 phi_a (Eq. 6) from ``low`` to ``high`` [m], in m2.
+
+    No size is smaller than X_min = 0, or larger than X_max.
+    """
+    mean, spread, x_max = size_distribution(model, point)
+
+    def weight(x):
+        density = math.exp(-0.5 * ((x - mean) / spread) ** 2) / (math.sqrt(2.0 * math.pi) * spread)
+        return x * x * density
+
+    first = max(low, 0.0, mean - math.sqrt(2.0 * NEGLIGIBLE) * spread)
     last = min(high, x_max)
     inner = (mean,) if first < mean < last else ()
     return integral(weight, [first, *inner, last])
-
-
-def weight_range(low, high, model, point):
-    """Bounds of x^2 phi_a [m] from ``low`` to ``high`` [m]; it rises up to its peak, then falls."""
-    weight, x_min, x_max = sizes(model, point)
-    mean, spread = size_distribution(model, point)
-    moved = model["phi_a"] != "gap_convolved"  # by x^2: the peak is where x^2 = m x + 2 S^2
-    peak = 0.5 * (mean + math.hypot(mean, math.sqrt(8.0) * spread)) if moved else mean
-    most = min(max(low, min(peak, x_max)), high)
-    values = [weight(x) if x_min <= x <= x_max else 0.0 for x in (low, high, most)]
-    return min(values), max(values)
 
 
 def coverage(moment, model, point):
@@ -254,16 +225,6 @@ def gap_of_particles(separation, model, point):
     return separation - point.summit_offset if at_summits else separation
 
 
-def elastic_sizes(gap, model, point):
-    """From which to which size [m] particles are elastic at a ``gap`` [m]; larger ones are plastic.
-
-    They touch from d on and are elastic while they are squeezed by less than h_e; the print has
-    them between d - h_e and d.
-    """
-    depth = model["h_e_ratio"] * point.diameter
-    return (gap - depth, gap) if model["elastic_limits"] == "printed" else (gap, gap + depth)
-
-
 def plastic_area(moment, model, point):
     """Contact area of plastic particles of a second ``moment`` [m2] (Eq. 5)."""
     hardness = model["H_s2"] / (model["H_s1"] + model["H_s2"])
@@ -271,18 +232,17 @@ def plastic_area(moment, model, point):
 
 
 def particle_area(gap, model, point):
-    """A_sa* (Eq. 5) at a ``gap`` [m]."""
-    low, high = elastic_sizes(gap, model, point)
-    elastic = elastic_factor(model) * second_moment(low, high, model, point)
-    return plastic_area(elastic + second_moment(high, math.inf, model, point), model, point)
+    """A_sa* (Eq. 5) at a ``gap`` [m]: elastic sizes lie between d - h_e and d, as printed."""
+    depth = model["h_e_ratio"] * point.diameter
+    elastic = elastic_factor(model) * second_moment(gap - depth, gap, model, point)
+    return plastic_area(elastic + second_moment(gap, math.inf, model, point), model, point)
 
 
-def load_coverage(gap, model, point):
-    """Coverage in Eq. 4: from X_min to X_max, or of the particles in contact alone."""
+def load_coverage(model, point):
+    """Coverage in Eq. 4: from X_min to X_max."""
     if point.two_body:
         return 0.0
-    least = gap if model["coverage_limits"] == "contacting" else -math.inf
-    return coverage(second_moment(least, math.inf, model, point), model, point)
+    return coverage(second_moment(0.0, math.inf, model, point), model, point)
 
 
 def particle_share(separation, model, point):
@@ -290,8 +250,8 @@ def particle_share(separation, model, point):
     if point.two_body:
         return 0.0, 0.0, 0.0
     gap = gap_of_particles(separation, model, point)
-    contacting = coverage(second_moment(gap, math.inf, model, point), model, point)
-    return particle_area(gap, model, point), load_coverage(gap, model, point), contacting
+    larger = coverage(second_moment(gap, math.inf, model, point), model, point)
+    return particle_area(gap, model, point), load_coverage(model, point), larger
 
 
 # --- load and area of the solids (Eqs. 2 to 5) ---
@@ -307,69 +267,6 @@ def log_solid_load(separation, model, point):
     area, covered, _ = particle_share(separation, model, point)
     summits = log_summit_load(separation, model, point) + logarithm(1.0 - covered)
     return log_of_sum(summits, log_particle_load(area, model))
-
-
-def particle_slope_range(near, far, model, point):
-    """Bounds of dA_sa*/dd [1/m] at the gaps from ``near`` to ``far`` [m].
-
-    As d grows, particles of the largest elastic size stop being plastic, and those of the least
-    lose touch: the derivative of the integrals in Eq. 5 by their limits.
-    """
-    near_low, near_high = elastic_sizes(near, model, point)
-    far_low, far_high = elastic_sizes(far, model, point)
-    factor = elastic_factor(model)
-    gains = [(factor - 1.0) * w for w in weight_range(near_high, far_high, model, point)]
-    losses = [factor * w for w in weight_range(near_low, far_low, model, point)]
-    return (
-        plastic_area(min(gains) - max(losses), model, point),
-        plastic_area(max(gains) - min(losses), model, point),
-    )
-
-
-def particle_area_range(near, far, model, point):
-    """Bounds of A_sa* at the gaps from ``near`` to ``far`` [m]."""
-    ends = [particle_area(gap, model, point) for gap in (near, far)]
-    least, greatest = particle_slope_range(near, far, model, point)
-    if greatest <= 0.0 or least >= 0.0:
-        return min(ends), max(ends)
-    return max(ends[0] + least * (far - near), 0.0), ends[0] + greatest * (far - near)
-
-
-def log_solid_load_range(near, far, model, point):
-    """Bounds of ln F_s* at all separations from ``near`` to ``far`` [m].
-
-    F_ss never rises with d, nor does the coverage.
-    """
-    summits = [log_summit_load(d, model, point) for d in (far, near)]
-    if point.two_body:
-        return summits
-    near, far = (gap_of_particles(d, model, point) for d in (near, far))
-    uncovered = [logarithm(1.0 - load_coverage(gap, model, point)) for gap in (near, far)]
-    areas = particle_area_range(near, far, model, point)
-    return [
-        log_of_sum(load + share, log_particle_load(area, model))
-        for load, share, area in zip(summits, uncovered, areas)
-    ]
-
-
-def solid_load_falls(near, far, model, point):
-    """Whether F_s is known to fall with d from ``near`` to ``far`` [m].
-
-    It may rise where particles stop being plastic and bear more then, or cover summits no longer.
-    ln F_ss falls by at least t/sigma_s per length, with t > 0 the separation from the summit plane
-    over sigma_s: the weight of each summit in contact does (Eq. 6).
-    """
-    if point.two_body:
-        return True
-    t = (near - point.summit_offset) / point.summit_deviation
-    near, far = (gap_of_particles(d, model, point) for d in (near, far))
-    if particle_slope_range(near, far, model, point)[1] > 0.0:
-        return False
-    if model["coverage_limits"] == "printed":
-        return True
-    uncovers = coverage(weight_range(near, far, model, point)[1], model, point)
-    bare = 1.0 - load_coverage(near, model, point)
-    return uncovers <= max(t, 0.0) / point.summit_deviation * bare
 
 
 def state(separation, model, point, log_solid=None):
@@ -475,71 +372,15 @@ def log_borne(separation, model, point):
     return log_of_sum(solid, fluid) - math.log(point.load)
 
 
-def log_borne_range(near, far, model, point):
-    """Bounds of the same at all separations from ``near`` to ``far`` [m]."""
-    fluid = -math.inf, -math.inf
-    if bears_fluid_share(model, point):
-        fluid = [log_film_load(d, model, point) for d in (far, near)]
-    solid = log_solid_load_range(near, far, model, point)
-    return [log_of_sum(*loads) - math.log(point.load) for loads in zip(solid, fluid)]
-
-
-def balances(near, far, resolution, model, point):
-    """Separations [m] from ``near`` to ``far`` at which Eq. 1 holds, the largest first.
-
-    Where nothing excludes several, both halves are searched, down to ``resolution`` [m].
-    """
-    least, greatest = log_borne_range(near, far, model, point)
-    if least > 0.0 or greatest < 0.0:
-        return []
-    if far - near > resolution and not solid_load_falls(near, far, model, point):
-        middle = 0.5 * (near + far)
-        parts = (middle, far), (near, middle)
-        return [d for part in parts for d in balances(*part, resolution, model, point)]
-
-    def excess(d):
-        return log_borne(d, model, point)
-
-    changes = (excess(near) >= 0.0) != (excess(far) >= 0.0)
-    return [root(excess, near, far)] if changes else []
-
-
-def least_uncovered(near, far, model, point):
-    """Least separation [m] from ``near`` on at which particles do not cover more than everything.
-
-    Beyond ``far`` [m] they touch nothing.  None where they always cover more.
-    """
-
-    def excess(d):
-        return load_coverage(gap_of_particles(d, model, point), model, point) - 1.0
-
-    if excess(near) <= 0.0:
-        return near
-    return None if excess(far) > 0.0 else root(excess, near, far)
-
-
-def separations(model, point):
-    """All separations d >= 0 [m] at which Eq. 1 holds, the largest first.
-
-    None, if particles cover more than everything where Eq. 1 might hold.
-    """
+def separation_of(model, point):
+    """The separation d >= 0 [m] at which Eq. 1 holds; None if there is none."""
     film = 0.0 if point.dry else film_separation(math.log(point.load), model, point)
     far = max(film, point.roughness)
-    if not point.two_body:
-        reach = sizes(model, point)[2] + model["h_e_ratio"] * point.diameter
-        far = max(far, reach + point.summit_offset)
-    near = least_uncovered(film, far, model, point)
-    if near is None:
-        return None
     while log_borne(far, model, point) >= 0.0:
         far *= 2.0
-    found = balances(near, far, RESOLUTION * (far - near), model, point)
-    if near > film:
-        return found or None
-    holds = not point.dry and not bears_fluid_share(model, point)
-    if holds and log_borne(film, model, point) < 0.0:  # a film that takes what the solids leave
-        found.append(film)
-    return found
+    if log_borne(film, model, point) >= 0.0:
+        return root(lambda d: log_borne(d, model, point), film, far)
+    return None if point.dry else film  # the film takes what the solids leave
 
 
 def shares(separation, model, point):
@@ -557,26 +398,28 @@ def shares(separation, model, point):
 
 def solve(model, point):
     """The ``Solution`` at ``point``."""
-    found = separations(model, point)
-    if not found:
-        return Solution("coverage_exceeded" if found is None else "load_exceeded")
-    solid, fluid = shares(found[0], model, point)
+    if load_coverage(model, point) > 1.0:
+        return Solution("coverage_exceeded")
+    separation = separation_of(model, point)
+    if separation is None:
+        return Solution("load_exceeded")
+    solid, fluid = shares(separation, model, point)
     log_solid = math.log(point.load) + logarithm(solid)
-    there = state(found[0], model, point, log_solid)
-    status = named_status(there.total_area, fluid, len(found), model, point)
-    return Solution(status, len(found), found[0], solid, fluid, there)
+    there = state(separation, model, point, log_solid)
+    status = named_status(there.total_area, fluid, model, point)
+    return Solution(status, separation, solid, fluid, there)
 
 
 # --- names of the states (sections 3.1 and 3.2) ---
 
 
-def named_status(total_area, fluid_fraction, count, model, point):
-    """What is to be said of a point with ``count`` separations; the gravest, if several."""
+def named_status(total_area, fluid_fraction, model, point):
+    """What is to be said of a point with a separation; the gravest, if several apply."""
     if total_area > 1.0:
         return "area_exceeded"
     if outside_film_formula(fluid_fraction, model, point):
         return "outside_film_formula"
-    return "several_separations" if count > 1 else "converged"
+    return "converged"
 
 
 def lubrication_regime(solid_fraction):

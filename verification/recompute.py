@@ -13,11 +13,10 @@ from contract import DIMENSIONS
 
 BOUND = "error_bound"  # of the numbers of a point
 QUANTITIES = tuple(name for name in contract.NUMBERS if name != BOUND)
-COUNT = contract.COUNT
 NOT_SHOWN = "not_shown"  # what a flag says of a combination that a figure does not show
 SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
 UNSOLVED = ("coverage_exceeded", "load_exceeded")  # Eq. 1 holds nowhere
-UNSEEN = (*UNSOLVED, "several_separations", "not_converged")  # values do not show these
+UNSEEN = (*UNSOLVED, "not_converged")  # values do not show these
 ROUNDING = 1e-14  # of sums and products of stored numbers
 EVALUATION = 1e-9  # of what follows from the stored separation by evaluating Eqs. 4, 5 and 7
 SOLUTION = 1e-8  # of what the solver found, beyond its own error_bound
@@ -52,9 +51,6 @@ def read(file):
     shown = {name: values[name] != contract.FILL_VALUE for name in values}
     values |= {name: flag_names(name, file[name][:]) for name in contract.FLAGS}
     shown |= {name: values[name] != NOT_SHOWN for name in contract.FLAGS}
-    if COUNT in file.variables:
-        values[COUNT] = file[COUNT][:]
-        shown[COUNT] = values[COUNT] != contract.NOT_SHOWN
     first = shown["separation"]
     if any((other != first).any() for other in shown.values()):
         raise ValueError("some variables leave out points that others show")
@@ -133,15 +129,13 @@ def misnamed(row, point, data):
     regime = plain_model.lubrication_regime(row["solid_load_fraction"])
     mode = plain_model.contact_mode(row["particle_contact_area_ratio"], point.two_body)
     status = plain_model.named_status(
-        row["total_contact_area"], row["fluid_load_fraction"], 1, data.model, point
+        row["total_contact_area"], row["fluid_load_fraction"], data.model, point
     )
     expected = {
         "lubrication_regime": {regime},
         "contact_mode": {mode},
         "solution_status": {status} if row[BOUND] <= data.rtol else {"not_converged"},
     }
-    if "converged" in expected["solution_status"]:
-        expected["solution_status"].add("several_separations")
     return [name for name, meanings in expected.items() if row[name] not in meanings]
 
 
@@ -158,8 +152,6 @@ def solved(row, point, data):
     if not agrees and (row["solution_status"] != "not_converged" or solution.state is None):
         yield f"solution_status (here {solution.status})", math.inf, 0.0
         return
-    if row[COUNT] not in (None, solution.count):
-        yield f"{COUNT} (here {solution.count})", math.inf, 0.0
     if without_values(row):
         return
     for name, expected in (
@@ -199,7 +191,7 @@ def check(path, config, inputs, count, rng):
 
 def point_findings(data, index, is_sampled):
     """What is wrong at one point, and the largest deviation from the plain solution."""
-    row = {COUNT: None} | {name: data.values[name].item(index) for name in data.values}
+    row = {name: data.values[name].item(index) for name in data.values}
     point = point_at(data, index)
     where = f"at {','.join(map(str, map(int, index)))}"
     anew = is_sampled or row["solution_status"] in UNSEEN

@@ -122,6 +122,22 @@ def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
     assert (explorer.one("#point").text == before) == (shown is None)
 
 
+def test_particles_too_soft_are_refused(explorer):
+    """In the field, where the reason is told, and in a link, where their inputs are left out."""
+    explorer.open("figure=fig04&hardness_surface_1=1.6e10")
+    explorer.run("for (const each of document.querySelectorAll('details')) each.open = true")
+    explorer.enter("#input-elastic_modulus_particle", "50")
+    assert "50 is out of range" in explorer.one("#input-elastic_modulus_particle-note").text
+    assert (
+        "elastic factor of at most 1" in explorer.one("#input-elastic_modulus_particle-note").text
+    )
+    assert "elastic_modulus_particle" not in explorer.run("return location.hash")
+    explorer.enter("#input-elastic_modulus_particle", "80")
+    assert "elastic_modulus_particle" in explorer.run("return location.hash")
+    explorer.open("figure=fig04&hardness_surface_1=1.6e10&elastic_modulus_particle=5e10")
+    assert "hardness" not in explorer.run("return location.hash")
+
+
 def test_what_no_interface_has_is_said(explorer):
     explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
     notes = explorer.one("#notes").text
@@ -461,12 +477,10 @@ def test_the_link_restores_everything(explorer):
     explorer.choose("#figure", "fig06")
     explorer.enter("#condition-viscosity", "55")
     explorer.enter("#input-spread_ratio", "0.4")
-    explorer.choose("#input-coverage_limits", "contacting")
+    explorer.choose("#input-film_load", "total")
     explorer.choose("#y_scale", "log")
     fragment = explorer.run("return location.hash.slice(1)")
-    expected = (
-        "figure=fig06&viscosity_cSt=55&spread_ratio=0.4&coverage_limits=contacting&y_scale=log"
-    )
+    expected = "figure=fig06&viscosity_cSt=55&spread_ratio=0.4&film_load=total&y_scale=log"
     assert parse_qs(fragment) == parse_qs(expected)
     look = """return [
         ...[...document.querySelectorAll('#charts .line, #charts .ghost')].map((line) => line.getAttribute('d')),

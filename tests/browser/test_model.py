@@ -118,12 +118,10 @@ def test_every_variable_status_regime_and_mode_is_the_librarys(points, explorer,
 
 # inputs, conditions and loads at which each status is met beside others
 SOFT = {"hardness_surface_1": 1e6, "hardness_surface_2": 1e6}
-STRONG_WHILE_ELASTIC = {"elastic_modulus_particle": 5e9, "elastic_depth_ratio": 0.5}
 DRY = {"viscosity": 0.0}
 CROWDED = DRY | {"particle_density": 1e14, "particle_diameter": 1e-6}
 EXTREMES = {
     "load_exceeded": ({}, DRY | {"particle_diameter": 0.0}, (1e-5, 1.0)),
-    "several_separations": (STRONG_WHILE_ELASTIC, DRY | {"roughness": 1e-7}, (1e-7, 1e-3)),
     "outside_film_formula": ({}, {"viscosity": 1e-7}, (1e-8, 1e-4)),
     "outside_film_formula by load": ({}, {}, (1e-3, 1e10)),
     "outside_film_formula by total load": ({"film_load": "total"}, {}, (1e-3, 1e10)),

@@ -1,7 +1,6 @@
 """The model in extended precision: compiles ``contact.c`` and hands arrays to it.
 
-``Oracle(folder).solve(model, **conditions)`` finds every separation that balances the forces, in
-x86's long double (64 bits, numpy.longdouble).  It needs a C compiler and an x86 processor;
+``Oracle(folder).solve(model, **conditions)`` finds the separation that balances the forces, in x86's long double (64 bits, numpy.longdouble).  It needs a C compiler and an x86 processor;
 ``why_not()`` says in a line why it cannot run here, or gives None.
 """
 
@@ -25,32 +24,27 @@ NUMBERS = (  # in the order of ``Numbers`` in contact.c
     *SURFACE,
     *("E_ss", "E_sa", "H_s1", "H_s2", "k", "omega_ratio"),
     *("R_x", "G", "V", "kappa", "U_per_viscosity", "A_n"),
-    *("mean_ratio", "sigma_a_ratio", "gap_ratio", "truncation", "participation", "h_e_ratio"),
+    *("mean_ratio", "sigma_a_ratio", "truncation", "participation", "h_e_ratio"),
 )
 INTERPRETATIONS = {  # in the order of ``Interpretations`` in contact.c, the first name is 0
-    "phi_a": ("uncentred", "centred", "gap_convolved"),
+    "phi_a": ("uncentred", "centred"),
     "particle_plane": ("surface", "summit"),
-    "elastic_limits": ("printed", "physical"),
-    "coverage_limits": ("printed", "contacting"),
     "film_load": ("fluid", "total"),
 }
 QUANTITIES = (  # in the order of ``Root`` in contact.c
     *("separation", "solid_load_fraction", "fluid_load_fraction", "total_contact_area"),
     *("particle_contact_area_ratio", "surface_contact_area_ratio", "film_thickness"),
 )
-MOST_ROOTS = 8
 CHUNK = 256  # points a thread takes at a time: some cost a hundred times as much as others
 
 
 class Solved(NamedTuple):
     """What the oracle found at n points."""
 
-    roots: dict  # by quantity, longdoubles (n, MOST_ROOTS), the largest separation first, then nan
-    count: np.ndarray  # of separations; -1 where particles would cover more than all of the surface
-
-    def first(self, name):
-        """The quantity ``name`` at the largest separation, nan where there is none."""
-        return self.roots[name][:, 0]
+    values: dict  # by quantity, longdoubles (n,), nan where no separation balances the forces
+    exists: (
+        np.ndarray
+    )  # whether one does; not where particles would cover more than all of the surface
 
 
 def why_not():
@@ -77,29 +71,29 @@ class Oracle:
         self._threads = threads
 
     def solve(self, model, **conditions):
-        """Every separation that balances the forces, at each of n points.
+        """The separation that balances the forces, at each of n points.
 
         ``model`` has the keys of the attribute ``model_parameters``, ``conditions`` are F_t* and the
         rest in SI units; all may be arrays, and broadcast.
         """
         numbers, interpretations = arrays_of({**model, **conditions})
         n = len(numbers)
-        roots = np.full((n, MOST_ROOTS, len(QUANTITIES)), np.nan, np.longdouble)
-        count = np.zeros(n, np.int32)
+        roots = np.full((n, len(QUANTITIES)), np.nan, np.longdouble)
+        found = np.zeros(n, np.int32)
 
         def solve_some(start):
             here = slice(start, start + CHUNK)
             self._library.solve(
-                ctypes.c_long(len(count[here])),
+                ctypes.c_long(len(found[here])),
                 address(numbers[here]),
                 address(interpretations[here]),
                 address(roots[here]),
-                address(count[here]),
+                address(found[here]),
             )
 
         with ThreadPoolExecutor(self._threads) as pool:
             list(pool.map(solve_some, range(0, n, CHUNK)))
-        return Solved({name: roots[..., i] for i, name in enumerate(QUANTITIES)}, count)
+        return Solved(dict(zip(QUANTITIES, roots.T, strict=True)), found > 0)
 
     def evaluate(self, model, separation, **conditions):
         """F_s*, A_ss* (were there no particles), A_sa* and F_f* at given separations h [m]."""
@@ -116,7 +110,7 @@ class Oracle:
 
 
 def arrays_of(given, at_least=1):
-    """Numbers (n, 27) and interpretations (n, 5) in the order that ``contact.c`` wants."""
+    """Numbers (n, 26) and interpretations (n, 3) in the order that ``contact.c`` wants."""
     given = {"particle_plane": "surface", **given}
     columns = np.broadcast_arrays(
         *(np.ravel(np.asarray(given[name], np.float64)) for name in NUMBERS),

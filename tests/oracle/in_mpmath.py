@@ -17,8 +17,6 @@ class Interface:
         x_a = self.particle_diameter
         self.spread = self.sigma_a_ratio * x_a
         self.mean = mpf(0) if given["phi_a"] == "uncentred" else self.mean_ratio * x_a
-        if given["phi_a"] == "gap_convolved":
-            self.spread = sqrt(self.spread**2 + (self.gap_ratio * self.roughness) ** 2)
         self.x_max = self.mean + self.truncation * self.spread
         self.h_e = self.h_e_ratio * x_a
 
@@ -62,30 +60,23 @@ class Interface:
 
     def moment(self, low, high):
         """I(low, high)."""
-        high = min(high, self.x_max)
-        gap = self.given["phi_a"] == "gap_convolved"
-        low = low if gap else max(low, mpf(0))
+        low, high = max(low, mpf(0)), min(high, self.x_max)
         if low >= high:
             return mpf(0)
         m, s = self.mean, self.spread
         a, b = (low - m) / s, (high - m) / s
         with mp.extradps(40 + int(min(b * b, 2000) / 4)):  # what the differences cancel
             share = (erfc(a / sqrt(2)) - erfc(b / sqrt(2))) / 2
-            if gap:
-                return (1 + self.sigma_a_ratio**2) * self.particle_diameter**2 * share
-            tails = (2 * m + s * a) * gaussian(a) if a > -inf else 0
-            return (m * m + s * s) * share + s * (tails - (2 * m + s * b) * gaussian(b))
+            tails = (2 * m + s * a) * gaussian(a) - (2 * m + s * b) * gaussian(b)
+            return (m * m + s * s) * share + s * tails
 
     def particles(self, h):
         """A_sa*."""
         if self.two_body:
             return mpf(0)
         d = h - self.plane
-        first, second = (d - self.h_e, d)
-        if self.given["elastic_limits"] == "physical":
-            first, second = (d, d + self.h_e)
         weight = 9 * pi**2 / 4 * ((self.H_s1 / self.E_sa) ** 2 + (self.H_s2 / self.E_ss) ** 2)
-        moment = weight * self.moment(first, second) + self.moment(second, inf)
+        moment = weight * self.moment(d - self.h_e, d) + self.moment(d, inf)
         return pi * self.H_s2 / (self.H_s1 + self.H_s2) * self.loaded() * moment
 
     def loaded(self):
@@ -98,10 +89,8 @@ class Interface:
 
     def solid_load(self, h):
         """F_s*."""
-        contacting = self.given["coverage_limits"] == "contacting"
-        covered = self.coverage(h - self.plane if contacting else -inf)
         particles = self.H_s1 / self.E_ss * self.particles(h)
-        return self.summits(h, of_area=False) * (1 - covered) + particles
+        return self.summits(h, of_area=False) * (1 - self.coverage(0)) + particles
 
     # --- film ---
 
@@ -121,7 +110,7 @@ class Interface:
 
     def near_kink(self, h):
         """Whether the largest particles begin to touch or to yield within a millionth of ``h``."""
-        kinks = [self.plane + self.x_max + i * self.h_e for i in (-1, 0, 1)]
+        kinks = [self.plane + self.x_max + i * self.h_e for i in (0, 1)]
         return any(abs(h - kink) < h * mpf("1e-6") for kink in kinks)
 
     def at(self, h, fluid):

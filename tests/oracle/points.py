@@ -12,7 +12,7 @@ from tests.oracle.extended import INTERPRETATIONS, SURFACE
 PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
     **{"E_ss": 112e9, "E_sa": 112e9, "H_s1": 5e9, "H_s2": 5e9, "k": 0.4, "omega_ratio": 54.0},
     **{"R_x": 6.35e-3, "G": 2038.0, "V": 0.04, "kappa": 1.0, "U_per_viscosity": 7.3e-10 / 150e-6},
-    **{"A_n": 2e-6, "mean_ratio": 0.9, "sigma_a_ratio": 1.0, "gap_ratio": 1.0, "truncation": 3.0},
+    **{"A_n": 2e-6, "mean_ratio": 0.9, "sigma_a_ratio": 1.0, "truncation": 3.0},
     **{"participation": 0.02, "h_e_ratio": 0.33},
     **{"eta_s": 0.04 / (2e-5 * 3e-7), "R": 2e-5, "sigma_s": 3e-7, "y_s": 0.0},
     **{name: names[0] for name, names in INTERPRETATIONS.items()},
@@ -22,8 +22,8 @@ PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not prin
 def draw(n, seed):
     """A model whose numbers and interpretations are arrays of n, and conditions to go with them.
 
-    A quarter of the materials is soft, where several separations are possible; a part of the
-    surfaces and sizes is extreme; coverage by all particles stays below 2.
+    In a quarter of the materials E/H is low, with an elastic factor up to 1; a part of the surfaces
+    and sizes is extreme; coverage by all particles stays below 2.
     """
     rng = np.random.default_rng(seed)
 
@@ -38,12 +38,16 @@ def draw(n, seed):
     model["E_sa"] = mostly(0.5, model["E_ss"], logarithmic(1e9, 1e12))
     model["H_s1"] = mostly(0.5, 5e9, logarithmic(1e8, 2e10))
     model["H_s2"] = mostly(0.5, model["H_s1"], logarithmic(1e8, 2e10))
+    # softer bodies where the elastic factor would be too large: it is then up to 1
+    excess = np.sqrt(elastic_factor(model))
+    hardness = np.where(excess > 1.0, rng.uniform(0.1, 1.0, n) / excess, 1.0)
+    model |= {name: np.maximum(model[name] * hardness, 1e6) for name in ("H_s1", "H_s2")}
     model["k"] = rng.uniform(0.1, 1.0, n)
     model["omega_ratio"] = mostly(0.5, 54.0, logarithmic(1.0, 1e4))
     model |= {"R_x": logarithmic(1e-4, 1e-1), "G": logarithmic(100.0, 1e4)}
     model |= {"V": logarithmic(1e-3, 1.0), "kappa": logarithmic(0.1, 10.0)}
     model |= {"U_per_viscosity": logarithmic(1e-7, 1e-4), "A_n": logarithmic(1e-8, 1e-4)}
-    model |= {"mean_ratio": rng.uniform(0.0, 2.0, n), "gap_ratio": rng.uniform(0.0, 3.0, n)}
+    model["mean_ratio"] = rng.uniform(0.0, 2.0, n)
     model["sigma_a_ratio"] = mostly(0.8, rng.uniform(0.1, 2.0, n), logarithmic(1e-5, 3.0))
     model["truncation"] = rng.uniform(0.5, 10.0, n)
     model["participation"] = logarithmic(1e-4, 1.0)
@@ -66,6 +70,12 @@ def draw(n, seed):
     }
 
 
+def elastic_factor(model):
+    """Of the elastic particles' area in Eq. 5."""
+    strains = (model["H_s1"] / model["E_sa"]) ** 2 + (model["H_s2"] / model["E_ss"]) ** 2
+    return 2.25 * np.pi**2 * strains
+
+
 def covered_by_one(diameter, model):
     """About the area [m2] that a particle covers, times the share of particles that take part."""
     widest = np.maximum(diameter * np.maximum(model["mean_ratio"], 1.0), 1e-9)
@@ -74,7 +84,7 @@ def covered_by_one(diameter, model):
 
 def draw_for_library(surfaces, points, seed):
     """What ``draw`` gives, with ``points`` points in turn on each of so many surfaces that the
-    library knows, of which any 48 in turn have all interpretations; and the surfaces' ``Parameters``.
+    library knows, of which any 8 in turn have all interpretations; and the surfaces' ``Parameters``.
     """
     drawn, conditions = draw(surfaces * points, seed)
     shared = np.repeat(np.arange(surfaces) * points, points)
@@ -128,11 +138,8 @@ def move_to_kinks(model, conditions, oracle, seed):
     conditions = conditions | {"particle_diameter": diameter}
     mean = np.where(model["phi_a"] == "uncentred", 0.0, model["mean_ratio"] * diameter)
     spread = model["sigma_a_ratio"] * diameter
-    convolved = np.hypot(spread, model["gap_ratio"] * sigma)
-    spread = np.where(model["phi_a"] == "gap_convolved", convolved, spread)
     largest, depth = mean + model["truncation"] * spread, model["h_e_ratio"] * diameter
-    elastic = largest + np.where(model["elastic_limits"] == "physical", -depth, depth)
-    kink = np.where(rng.random(n) < 0.5, largest, elastic)
+    kink = np.where(rng.random(n) < 0.5, largest, largest + depth)
     kink = np.where((rng.random(n) < 0.2) & (depth > 0.0), depth, kink)
     apart = 10.0 ** rng.uniform(-14.0, np.log10(3e-2), n) * rng.choice([-1.0, 1.0], n)
     kink = kink + np.where(model["particle_plane"] == "summit", model["y_s"], 0.0)

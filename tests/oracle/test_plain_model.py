@@ -18,7 +18,6 @@ pytestmark = [
 
 COMBINATIONS = list(itertools.product(*INTERPRETATIONS.values()))
 RTOL = 1e-8
-BALANCE = 1e-12  # of the loads: where F_s is about to turn, they tell separations less well apart
 TINIEST = 1e-290  # what is smaller has fewer digits in float64
 ROUNDING = 1e-15  # of a separation: what next to X_max a few particles bear depends on it
 plain = load_plain_model(Path(__file__).parents[2] / "verification" / "plain_model.py")
@@ -52,21 +51,21 @@ def errors(found, expected):
 
 
 def test_it_agrees_with_the_oracle_in_every_quantity(oracle, tell):
-    model, conditions = drawn(of_each=7, seed=17)
+    model, conditions = drawn(of_each=40, seed=17)
     expected = oracle.solve(model, **conditions)
-    sound = (expected.roots["separation"] >= 0.0).sum(axis=1)  # closer than d = 0 none are
+    sound = expected.values["separation"] >= 0.0  # closer than d = 0 none are
     worst = 0.0
     for index, (given, point) in enumerate(each_of(model, conditions)):
         solution = plain.solve(given, point)
-        assert solution.count == sound[index], index
-        if not solution.count:
-            crowded = expected.count[index] < 0
+        assert (solution.state is not None) == sound[index], index
+        if solution.state is None:
+            crowded = not expected.exists[index]
             assert solution.status in ("load_exceeded", crowded and "coverage_exceeded"), index
             continue
         fractions = solution.solid_fraction, solution.fluid_fraction
         ball = given["R_x"]
         found = quantities(solution.separation, fractions, solution.state, ball)
-        right = np.array([expected.first(name)[index] for name in QUANTITIES], float)
+        right = np.array([expected.values[name][index] for name in QUANTITIES], float)
         error = errors(found, right)
         if error.max() > RTOL:
             nearby = solution.separation * (1.0 + ROUNDING)
@@ -78,46 +77,8 @@ def test_it_agrees_with_the_oracle_in_every_quantity(oracle, tell):
     tell(f"plain model: within {worst:.0e} of the oracle at {len(sound)} points")
 
 
-def test_it_finds_all_separations_that_the_oracle_finds(oracle, tell):
-    """Soft particles, under loads that the solids bear where F_s rises with the separation."""
-    random = np.random.default_rng(19)
-    model, conditions = drawn(of_each=3, seed=19)
-    n = len(conditions["load"])
-    roughness = conditions["roughness"]
-    diameter = roughness * random.uniform(1.0, 5.0, n)
-    soft = 10.0 ** random.uniform(9.0, 10.5, n)
-    model |= {"E_ss": soft, "E_sa": soft, "H_s1": np.full(n, 5e9), "H_s2": np.full(n, 5e9)}
-    model |= {"mean_ratio": np.ones(n), "participation": np.ones(n)}
-    model["sigma_a_ratio"] = 10.0 ** random.uniform(-2.0, 0.0, n)
-    model["h_e_ratio"] = random.uniform(0.1, 2.0, n)
-    rises = 1.0 - np.where(model["elastic_limits"] == "physical", model["h_e_ratio"], 0.0)
-    rises += model["sigma_a_ratio"] * random.uniform(-1.0, 1.0, n)
-    conditions |= {"particle_diameter": diameter}
-    conditions["particle_density"] = 10.0 ** random.uniform(-2.0, 0.5, n) / diameter**2
-    conditions["viscosity"] = np.where(
-        random.random(n) < 0.5, 0.0, 10.0 ** random.uniform(-9.0, -5.0, n)
-    )
-    del conditions["load"]
-    loads = oracle.evaluate(model, np.abs(rises) * diameter, **conditions)[0]
-    conditions["load"] = np.maximum(loads.astype(float), 1e-250)
-    expected = oracle.solve(model, **conditions).roots["separation"].astype(float)
-    count = 0
-    for index, (given, point) in enumerate(each_of(model, conditions)):
-        right = expected[index, expected[index] >= 0.0]
-        found = plain.separations(given, point) or []
-        assert len(found) == len(right), index
-        for d, known in zip(found, right):
-            same = abs(d - known) < RTOL * known
-            assert same or abs(plain.log_borne(known, given, point)) < BALANCE, index
-        count += len(found) > 1
-    assert count > n / 4
-    tell(f"plain model: all separations of the oracle, several at {count} of {n} points")
-
-
 FEW = {"load": 1e-5, "viscosity": 0.0, "particle_diameter": 3e-7, "roughness": 3e-7}
 FEW |= {"particle_density": 1e11}
-SOFT = {"phi_a": "centred", "mean_ratio": 1.0, "sigma_a_ratio": 0.05, "h_e_ratio": 0.5}
-SOFT |= {"E_ss": 3e9, "E_sa": 3e9, "particle_diameter": 1e-6, "load": 0.01}
 CROWDED = {"participation": 1.0, "particle_density": 1e14}
 
 
@@ -125,7 +86,6 @@ CROWDED = {"participation": 1.0, "particle_density": 1e14}
     ("status", "changes"),
     [
         ("converged", {}),
-        ("several_separations", SOFT),
         ("outside_film_formula", {"viscosity": 1e-6, "load": 1e-10}),  # thinner under more oil
         ("outside_film_formula", {"viscosity": 1e-1}),  # thicker than a hundredth of the ball
         ("outside_film_formula", {"viscosity": 90e-6, "load": 0.05}),  # more than the surfaces bear
@@ -135,8 +95,6 @@ CROWDED = {"participation": 1.0, "particle_density": 1e14}
         ("area_exceeded", {"eta_s": 1e12, "load": 0.05}),
         ("area_exceeded", {"eta_s": 1e12, "load": 0.05, "viscosity": 1e-6}),
         ("coverage_exceeded", CROWDED),
-        ("coverage_exceeded", CROWDED | {"coverage_limits": "contacting", "load": 1.0}),
-        ("converged", CROWDED | {"coverage_limits": "contacting"}),
         ("load_exceeded", {"load": 1.0}),
     ],
 )

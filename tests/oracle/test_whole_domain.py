@@ -5,6 +5,7 @@ THIRDBODY_POINTS sets the number of points, THIRDBODY_SEED which are drawn: as m
 6,000 of each take a minute of a core.  For a million, run seeds one after the other.
 """
 
+import itertools
 import os
 
 import numpy as np
@@ -12,6 +13,9 @@ import pytest
 
 from tests.oracle.comparison import PLACES, ROUND, compare, draw_points
 from tests.oracle.extended import why_not
+from tests.oracle.points import PUBLISHED
+from thirdbody.model.asperity import SummitPopulation
+from thirdbody.solver.summits import QUADRATURE_ERROR
 
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),
@@ -21,6 +25,7 @@ pytestmark = [
 
 POINTS = 25  # on each surface
 SURFACES = ROUND * max(1, int(os.environ.get("THIRDBODY_POINTS", 6000)) // (ROUND * POINTS))
+HARDNESS = PUBLISHED["H_s1"] / PUBLISHED["E_ss"]
 SEED = int(os.environ.get("THIRDBODY_SEED", 5))
 
 
@@ -36,3 +41,24 @@ def test_no_number_is_wrong_and_no_bound_exceeded(drawn, oracle):
     bound, known = compared.found["error_bound"], compared.known
     assert np.isinf(bound[bound > 1.0]).all()
     assert (bound[known] <= drawn.per_point(drawn.rtols)[known]).mean() > 0.8
+
+
+def test_summits_keep_their_digits_however_deep_they_are_pressed(oracle):
+    """Also where d is far below the summits' plane: wide integrals need more nodes than others."""
+    t = np.linspace(-14.0, 8.0, 221)
+    for ratio, first in itertools.product((1.0, 54.0, 1e4), (1e-3, 1.0, 6.0, 15.0, 300.0)):
+        summits = SummitPopulation(
+            summit_parameter=0.05,
+            sharpness=(0.3 * np.pi * HARDNESS) ** 2 / first,
+            hardness_ratio=HARDNESS,
+            yield_ratio=PUBLISHED["k"],
+            plastic_ratio=ratio,
+        )
+        radius = 3e-7 / summits.sharpness
+        surface = {"R": radius, "eta_s": 0.05 / (3e-7 * radius), "sigma_s": 3e-7, "y_s": 1e-5}
+        model = PUBLISHED | surface | {"omega_ratio": ratio}
+        d = 1e-5 + 3e-7 * t
+        bare = dict(viscosity=0.0, particle_diameter=0.0, roughness=3e-7, particle_density=0.0)
+        load, area, _, _ = oracle.evaluate(model, d, **bare)
+        found = summits.log_load_and_area((d - 1e-5) / 3e-7)[:, 0]
+        assert np.abs(found - np.log([load, area])).max() < QUADRATURE_ERROR, (ratio, first)

@@ -14,7 +14,7 @@ from methods import ENGINEERING, POINT
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.solver.solution import QUANTITIES, VARIABLES, WHOLE
+from thirdbody.solver.solution import FLAGS, QUANTITIES, VARIABLES
 
 UNIT = pint.UnitRegistry()
 LOADS = xr.DataArray([1e-6, 1e-5], dims="load", coords={"load": [1e-6, 1e-5]})
@@ -42,7 +42,7 @@ def refusal(function, **given):
 
 
 def assert_same(found, expected):
-    for name in (*QUANTITIES, *WHOLE):
+    for name in (*QUANTITIES, *FLAGS):
         assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-12, err_msg=name)
 
 

@@ -32,7 +32,7 @@ CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
 SETTINGS = read_yaml(CONFIG / "calibration.yaml")
 DEFAULT = "fluid_natural"
-LINEAR = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), False)
+LINEAR = Unknown("mean_ratio", (0.0, 4.0), (1.0, 2.0), False)
 RADIUS = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 TWO = Interpretation("two", {}, (LINEAR, RADIUS))
 BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5, "walkers": 16, "steps": 300}
@@ -43,7 +43,7 @@ def valley(interpretation, positions):
     """Least where two inputs are 1.5 and 1e-4, of which the second is hardly seen."""
     values = interpretation.values(positions)
     second = np.log10(values["summit_radius"]) + 4.0
-    return float((4.0 * (values["gap_ratio"] - 1.5)) ** 2 + (0.02 * second) ** 2)
+    return float((4.0 * (values["mean_ratio"] - 1.5)) ** 2 + (0.02 * second) ** 2)
 
 
 def searched(seed=1):
@@ -61,7 +61,7 @@ def test_unusual_values_are_penalised():
     assert LINEAR.penalty(1.0) == LINEAR.penalty(2.0) == 0.0
     assert LINEAR.penalty(4.0) == pytest.approx(4.0)  # two widths beyond
     assert RADIUS.penalty(1e-6) == pytest.approx(1.0)  # a decade below
-    assert TWO.penalty({"gap_ratio": 4.0, "summit_radius": 1e-6}) == pytest.approx(5.0)
+    assert TWO.penalty({"mean_ratio": 4.0, "summit_radius": 1e-6}) == pytest.approx(5.0)
 
 
 def test_the_loss_grows_with_the_score_and_no_miss_outweighs_the_others():
@@ -104,7 +104,7 @@ def test_an_interpretation_searches_what_it_does_not_fix():
 
 
 def test_an_exponent_may_follow_from_another_input():
-    two = replace(TWO, opposites={"summit_offset_exponent": "gap_ratio"})
+    two = replace(TWO, opposites={"summit_offset_exponent": "mean_ratio"})
     assert two.values([0.25, 0.5])["summit_offset_exponent"] == -1.0
     assert two.positions(two.values([0.25, 0.5])) == pytest.approx([0.25, 0.5])
 
@@ -136,7 +136,7 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
 def test_a_search_finds_what_minimises_the_objective():
     rows = searched()
     best = TWO.values(rows[np.argmin(rows[:, -1]), :-1])
-    assert best["gap_ratio"] == pytest.approx(1.5, abs=0.03)
+    assert best["mean_ratio"] == pytest.approx(1.5, abs=0.03)
     assert len(rows) < (2 * BUDGET["evaluations"] + 20)  # the last generation may exceed it
     assert np.array_equal(rows, searched())  # the seed fixes every evaluation
     assert not np.array_equal(rows[:9], searched(2)[:9])
@@ -149,7 +149,7 @@ class Valley:
 
     def scores(self, interpretation, inputs):
         second = np.log10(inputs["summit_radius"]) + 4.0
-        return np.abs([8.0 * (inputs["gap_ratio"] - 1.5), 3.0 * second, 10.0])
+        return np.abs([8.0 * (inputs["mean_ratio"] - 1.5), 3.0 * second, 10.0])
 
     def value(self, penalty, scores):
         return float(penalty + self.weights @ loss(scores))
@@ -163,7 +163,7 @@ def test_descents_and_evolutions_find_the_deepest_valley():
     starts = np.array([[0.05, 0.9], [0.9, 0.1], [0.5, 0.95]])
     found = find_inputs(TWO, Valley(), starts, BUDGET, 1, seed=1)
     best = TWO.values(best_of(found)[:-1])
-    assert best["gap_ratio"] == pytest.approx(1.5, abs=0.01)
+    assert best["mean_ratio"] == pytest.approx(1.5, abs=0.01)
     assert np.log10(best["summit_radius"]) == pytest.approx(-4.0, abs=0.02)
     assert np.array_equal(found, find_inputs(TWO, Valley(), starts, BUDGET, 1, seed=1))
 
@@ -202,11 +202,11 @@ def test_every_seed_has_starts_of_its_own_and_a_fold_those_of_all(parameters):
 
 
 def test_a_search_starts_where_what_it_is_near_to_is_best():
-    wide = Unknown("gap_ratio", (0.0, 8.0), (1.0, 2.0), False)
+    wide = Unknown("mean_ratio", (0.0, 8.0), (1.0, 2.0), False)
     other = Interpretation("other", {"summit_radius": 1e-4}, (wide,))
     rows = np.array([[0.1, 5.0], [0.25, 1.0], [0.9, 3.0]])
     (start,) = nearby_starts(TWO, other, rows)
-    assert TWO.values(start) == pytest.approx({"gap_ratio": 2.0, "summit_radius": 1e-4})
+    assert TWO.values(start) == pytest.approx({"mean_ratio": 2.0, "summit_radius": 1e-4})
 
 
 @pytest.mark.parametrize("loss_of", [_loss, _wide_loss])
@@ -231,7 +231,7 @@ def test_samples_have_the_density_that_the_objective_gives():
     again = posterior_sample(TWO, valley, rows, BUDGET, 1)
     assert np.array_equal(drawn, again)
     assert drawn.shape == (225 * 16, 3)
-    ratio = np.array([TWO.values(row)["gap_ratio"] for row in drawn[:, :-1]])
+    ratio = np.array([TWO.values(row)["mean_ratio"] for row in drawn[:, :-1]])
     assert ratio.mean() == pytest.approx(1.5, abs=0.05)
     assert (4.0 * ratio).std() == pytest.approx(np.sqrt(0.5), rel=0.1)
 
@@ -248,8 +248,8 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
     judge = Judge([], parameters.as_dict(), SETTINGS["newtons"])
     found = summary(TWO, judge, searches, samples, folds, settings)
-    assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.1)
-    assert found["identification"]["gap_ratio"]["identified"]
+    assert found["inputs"]["mean_ratio"] == pytest.approx(1.5, abs=0.1)
+    assert found["identification"]["mean_ratio"]["identified"]
     assert not found["identification"]["summit_radius"]["identified"]
     assert [fold["figures"] for fold in found["folds"]] == SETTINGS["folds"]
     assert len(found["ensemble"]) == len(found["ensemble_interpretations"]) == 4

@@ -12,7 +12,6 @@ from numpy.testing import assert_allclose
 from small_release import KEYS
 
 import thirdbody as tb
-from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed, scene_dataset, scene_groups
 from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, FLAGS, NUMBERS
@@ -69,27 +68,6 @@ def test_files_have_the_names_types_units_and_attributes_of_the_contract(
     for path in (on_disk, tmp_path / "grid.nc"):
         with netCDF4.Dataset(path) as stored:
             assert list(contract["form_findings"](stored)) == []
-
-
-# elastic particles that press more than plastic ones
-SOFT = {"elastic_modulus_particle": 5e9, "elastic_depth_ratio": 0.5}
-
-
-def test_a_dataset_with_several_separations_holds_their_number(parameters, shown, tmp_path):
-    inputs = replace(parameters, **SOFT)
-    given = {"load": np.geomspace(1e-7, 1e-3, 40), "particle_diameter": [0.0, 5e-7]}
-    several = grid(inputs, **given)
-    count, status = several["separation_count"], several["solution_status"]
-    assert (count.dtype, count.dims) == (np.int8, DIMENSIONS)
-    assert np.array_equal(count > 1, status == SOLUTION_STATUSES.index("several_separations"))
-    write_dataset(several, tmp_path / "several.nc")
-    assert read_plain(tmp_path / "several.nc").to_xarray()["separation_count"].equals(count)
-    tb.stream(tmp_path / "streamed.nc", **AXES | given, parameters=inputs, variables=list(several))
-    assert read_plain(tmp_path / "streamed.nc").to_xarray()["separation_count"].equals(count)
-    count = scene_dataset(SCENE, inputs).to_xarray()["separation_count"]
-    assert np.array_equal(count == FILL_FLAG, hidden(shown["solution_status"]))
-    assert (count > 1).any() and f"{FILL_FLAG}: not shown" in count.attrs["comment"]
-    assert "separation_count" not in shown
 
 
 def test_values_are_those_of_the_solver(dataset, parameters):

@@ -12,8 +12,10 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from benchmarks.points import parameters_on_one_surface
+from thirdbody.command import BAD_INPUT, main
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
+from thirdbody.configuration.settings import workflow_settings
 from thirdbody.data.attributes import model_attribute
 from thirdbody.messages import format_value
 from thirdbody.model.bounds import BOUNDS
@@ -32,22 +34,66 @@ def test_the_elastic_factor_to_the_printed_digits(parameters):
     assert float(f"{parameters.elastic_factor:.3g}") == 0.0885
 
 
-def test_sizes_too_narrow_to_resolve_are_refused_unless_the_gap_spreads_them(parameters):
-    sizes = {"size_distribution": "gap_convolved", "spread_ratio": 0.0}
-    assert replace(parameters, **sizes, gap_ratio=1.0).spread_ratio == 0.0
-    for given in ({"spread_ratio": 9e-7}, {"spread_ratio": 0.0}, sizes | {"gap_ratio": 0.0}):
-        with pytest.raises(ValueError, match=r"^spread_ratio is .*; allowed: a number from 1e-06"):
-            replace(parameters, **given)
+# particles that would carry more while elastic than plastic
+SOFT = {"elastic_modulus_particle": 5e9}
+TOO_SOFT = (
+    "hardness_surface_1/elastic_modulus_particle is 1 and hardness_surface_2/elastic_modulus_surfaces "
+    "0.0446, with an elastic factor of 22.3 (Eq. 4); allowed: at most 1"
+)
+
+
+def test_soft_particles_are_refused(parameters, tmp_path):
+    with pytest.raises(ValueError) as refused:
+        replace(parameters, **SOFT)
+    assert str(refused.value) == TOO_SOFT
+    modulus = 5e9 / math.sqrt(1.0 / (2.25 * math.pi**2) - (5.0 / 112.0) ** 2)
+    limit = replace(parameters, elastic_modulus_particle=modulus * (1.0 + 1e-12))
+    assert limit.elastic_factor == pytest.approx(1.0)
+    with pytest.raises(ValueError, match=r"with an elastic factor of 1 \(Eq. 4\)"):
+        replace(parameters, elastic_modulus_particle=modulus * (1.0 - 1e-12))
+
+
+CONDITIONS = "--viscosity-cSt=90", "--particle-diameter-nm=300", "--roughness-nm=300"
+CONDITIONS += ("--particle-density-per-m2=1e11",)
+
+
+def test_each_door_refuses_soft_particles_in_one_line(tmp_path, capsys):
+    changed = tmp_path / "soft.yaml"
+    changed.write_text("elastic_modulus_particle: 5.0e+9\n", encoding="utf-8")
+    rubber = tb.Material(modulus_GPa=3.0, poisson_ratio=0.4, hardness_GPa=5.0)
+    settings = read_yaml(config_directory() / "config.yaml")
+    settings |= read_yaml(config_directory() / "scenes.yaml")
+    doors = {
+        "load_parameters: ": lambda: tb.load_parameters(**SOFT),
+        f"{changed}: ": lambda: tb.load_parameters(changed),
+        "inputs: ": lambda: workflow_settings(settings | {"inputs": SOFT}, config_directory()),
+        "derived from ball, flat, particle: ": lambda: tb.bearing(
+            ball="steel", flat="steel", particle=rubber
+        ),
+    }
+    for place, door in doors.items():
+        with pytest.raises(ValueError) as refused:
+            door()
+        assert str(refused.value).startswith(f"{place}hardness_surface_1/elastic_modulus_particle")
+    assert main(["turning-point", *CONDITIONS, f"--inputs={changed}"]) == BAD_INPUT
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.endswith(TOO_SOFT)
+
+
+# with which each modulus and hardness may have any value within its bounds
+HARD = dict.fromkeys(["elastic_modulus_surfaces", "elastic_modulus_particle"], 1e13)
+HARD |= dict.fromkeys(["hardness_surface_1", "hardness_surface_2"], 1e6)
 
 
 @pytest.mark.parametrize("name", BOUNDS)
 def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name):
+    hard = replace(parameters, **HARD)
     for bad in (math.nan, math.inf, -1e99, 10**400, True, "1.0", None, [1.0]):
         with pytest.raises(ValueError) as refused:
-            replace(parameters, **{name: bad})
+            replace(hard, **{name: bad})
         assert str(refused.value) == f"{name} is {format_value(bad)}; allowed: {BOUNDS[name]} (SI)"
     for end in BOUNDS[name]:
-        assert getattr(replace(parameters, **{name: end}), name) == end
+        assert getattr(replace(hard, **{name: end}), name) == end
 
 
 def test_each_number_of_the_attribute_is_its_own_input(parameters):

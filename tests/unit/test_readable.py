@@ -138,7 +138,7 @@ def test_there_are_no_columns_of_what_nothing_is_to_be_said(table):
     assert next(iter(sheet.rows[0])) == "ν [cSt]"
     assert not any("paper" in name or name == "status" for name in sheet.rows[0])
     assert cells(sheet)[0][:4] == ["90", "300", "300", "1e11"]
-    several = row | OTHER | {"solution_status": "several_separations"}
-    (sheet,) = readable(table, [row, several], (), NEWTONS)
+    other = row | OTHER | {"solution_status": "area_exceeded"}
+    (sheet,) = readable(table, [row, other], (), NEWTONS)
     assert [*sheet.rows[0]][-1] == "status"
-    assert {line[0]: line[-1] for line in cells(sheet)} == {"0": "several separations", "90": ""}
+    assert {line[0]: line[-1] for line in cells(sheet)} == {"0": "area exceeded", "90": ""}

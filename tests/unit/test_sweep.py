@@ -57,21 +57,6 @@ def test_a_sweep_keeps_the_error_asked_for(interpretation, axes, film_load):
     assert (found.error_bound[both & ~np.isnan(found.separation)] <= rtol).all()
 
 
-def test_soft_particles_with_several_separations_are_solved_one_by_one(parameters):
-    soft = replace(parameters, elastic_modulus_particle=5e9, elastic_depth_ratio=0.5)
-    few = {
-        "load": np.geomspace(1e-7, 1e-3, 20),
-        "viscosity": np.array([0.0, 1e-6]),
-        "particle_diameter": np.array([5e-7]),
-        "roughness": np.array([1e-7]),
-        "particle_density": np.array([1e11]),
-    }
-    found, points, both = compared(few, soft, 1e-3)
-    assert np.array_equal(found.separation_count[both], points.separation_count[both])
-    several = SOLUTION_STATUSES.index("several_separations")
-    assert (found.solution_status == several).any()
-
-
 def test_a_grid_is_the_sweep_where_digits_are_few(parameters):
     swept, exact = (
         tb.grid(**ORDINARY, parameters=parameters, rtol=rtol, progress=False)

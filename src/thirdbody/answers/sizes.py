@@ -11,12 +11,11 @@ from thirdbody.model.particles import ParticleLayer
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
     """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]: the mean and
     largest of sizes that are normal from 0 to X_max (Eq. 6), and d below which they carry load."""
-    mean, spread = parameters.interpretation.size_distribution.sizes(diameter)
+    mean, spread = parameters.sizes(diameter)
     largest = mean + parameters.truncation * spread
-    if spread:
-        normal = NormalDist(mean, spread)
-        part = normal.cdf(largest) - normal.cdf(0.0)
-        mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
+    normal = NormalDist(mean, spread)
+    part = normal.cdf(largest) - normal.cdf(0.0)
+    mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
     given, mean, largest, reach = (
         f"{1e9 * each:.4g}" for each in (diameter, mean, largest, layer.reach[0])

@@ -22,18 +22,15 @@ from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Conditio
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import PlainDataset, declare
 from thirdbody.data.quantities import (
-    CONTRACT,
     FILL_FLAG,
     FILL_FLOAT,
     FLAGS,
     NUMBERS,
-    SEPARATION_COUNT,
     STATUS,
     VARIABLES,
 )
 from thirdbody.messages import format_path, format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
@@ -46,7 +43,6 @@ if TYPE_CHECKING:
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
-SEVERAL = SOLUTION_STATUSES.index("several_separations")
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
 
@@ -68,8 +64,7 @@ def grid(
         Requested relative error of every variable [1].  From 1e-3 on, large grids are interpolated
         over the separation, in a fifth of the time; below, every point is solved individually.
     variables : str or collection of str, optional
-        Variables of ``Solution`` to compute, by default all but ``separation_count``; ``solution_status`` is always included, and
-        ``separation_count`` if a point has the status ``several_separations``.
+        Variables of ``Solution`` to compute; ``solution_status`` is always included.
     progress : bool, optional
         Whether a long call reports its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
@@ -106,14 +101,11 @@ def grid(
     array([1., 1.])
     """
     parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
-    wanted = dict.fromkeys([*names, SEPARATION_COUNT.name])
     if is_worthwhile(axes, rtol):
-        solution = sweep(axes, parameters, rtol, wanted, progress)
+        solution = sweep(axes, parameters, rtol, names, progress)
     else:
-        solution = solve_arrays(crossed(axes), parameters, rtol, wanted, progress)
-    values = {name: getattr(solution, name) for name in wanted}
-    if SEPARATION_COUNT.name not in names:
-        _keep_counts_of_several(values)
+        solution = solve_arrays(crossed(axes), parameters, rtol, names, progress)
+    values = {name: getattr(solution, name) for name in names}
     return described_grid(axes, values, parameters, rtol).to_xarray()
 
 
@@ -135,10 +127,8 @@ def stream(
     ----------
     path : path
         NetCDF-4 file to write; it is written atomically.
-    parameters, rtol, progress, **conditions
+    parameters, rtol, variables, progress, **conditions
         As in ``grid``.
-    variables : str or collection of str, optional
-        As in ``grid``; ``separation_count`` is only included on request.
     compression : int, optional
         Level of zlib, from 0 to 9.  At the default 0 nothing is compressed, because that would take
         longer than solving.
@@ -204,7 +194,7 @@ def _checked_grid(parameters, rtol, variables, progress, conditions):
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
-    variables = CONTRACT if variables is None else checked_names("variables", variables, VARIABLES)
+    variables = VARIABLES if variables is None else checked_names("variables", variables, VARIABLES)
     names = [name for name in VARIABLES if name in variables or name == STATUS]
     axes = in_si(conditions, parameters)
     for key in conditions:
@@ -252,9 +242,8 @@ def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
 def scene_dataset(
     scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
 ) -> PlainDataset:
-    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT``
-    over the five axes, and ``separation_count`` if a point has several separations.  Combinations
-    not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
+    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables
+    over the five axes.  Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {
@@ -262,21 +251,14 @@ def scene_dataset(
     }
     shape = tuple(axis.size for axis in axes.values())
     values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
-    values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
+    values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
     for group in groups:
         place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
         solution = solve(**crossed(group), parameters=parameters, rtol=rtol)
         for name in values:
             values[name][place] = getattr(solution, name)
-    _keep_counts_of_several(values)
     request = {
         "load": axes["load"].tolist(),
         "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
     }
     return described_grid(axes, values, parameters, rtol, scene["title"], request)
-
-
-def _keep_counts_of_several(values):
-    """Drop the counts of separations from ``values`` if no point has several."""
-    if not (values[STATUS] == SEVERAL).any():
-        del values[SEPARATION_COUNT.name]

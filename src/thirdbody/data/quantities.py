@@ -46,11 +46,10 @@ QUANTITIES, FLAGS, OTHERS = (
 )
 STATUS_COMMENT = "; ".join(f"{status}: {text}" for status, text in STATUS_MEANINGS.items())
 FLAGS[STATUS] = FLAGS[STATUS]._replace(comment=STATUS_COMMENT)
-NORMAL_LOAD, ERROR_BOUND, SEPARATION_COUNT = OTHERS.values()
-# numbers and flags in every dataset of a figure, and all possible variables of a dataset
+NORMAL_LOAD, ERROR_BOUND = OTHERS.values()
+# variables of a dataset
 NUMBERS = QUANTITIES | {ERROR_BOUND.name: ERROR_BOUND}
-CONTRACT = (*NUMBERS, *FLAGS)
-VARIABLES = NUMBERS | FLAGS | {SEPARATION_COUNT.name: SEPARATION_COUNT}
+VARIABLES = NUMBERS | FLAGS
 
 
 def curves_of(dataset: "PlainDataset") -> tuple[NDArray[np.float64], NDArray[np.bool_]]:

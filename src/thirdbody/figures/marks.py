@@ -29,7 +29,7 @@ VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
 PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
 LIMIT_OF_ALL = "printed limit of all surfaces"
 # markers of points that have not converged; the curve ends where there are no values
-STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
+STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x134", strict=True))
 LOOKS = toml_beside(__file__)
 LOOKS |= {
     status: LOOKS["status"] | {"marker": marker, "label": status.replace("_", " ")}

@@ -172,7 +172,7 @@ def size_quantiles(
     fraction: ArrayLike, smallest: ArrayLike, diameter: float, parameters: Parameters
 ) -> NDArray:
     """Quantiles [m] of the sizes from ``smallest`` [m] to X_max, for x_a = ``diameter`` [m]."""
-    mean, spread = parameters.interpretation.size_distribution.sizes(diameter)
+    mean, spread = parameters.sizes(diameter)
     above = ndtr(parameters.truncation)
     below = np.minimum(ndtr((smallest - mean) / spread), above)
     return mean + spread * ndtri(below + (above - below) * fraction)

@@ -8,7 +8,7 @@ area, and sums of loads, are kept as logarithms, so that the tail of the summits
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,16 +52,30 @@ class SolidState(NamedTuple):
     errors: ErrorTerms
 
 
+class Summits(Protocol):
+    """Summits at many points: y_s and sigma_s [m], and load and area over t = (d - y_s)/sigma_s [1]."""
+
+    offset: NDArray
+    deviation: NDArray
+
+    def take(self, chosen) -> Summits:
+        """The summits at the points selected by an index or mask ``chosen``."""
+
+    def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
+        """ln F_ss* and its slope d/dt."""
+
+    def log_load_and_area(self, t: NDArray) -> tuple[tuple, tuple]:
+        """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt."""
+
+
 @dataclass(frozen=True)
 class Contact:
     """Two rough surfaces and the particles between them, at many points.
 
     Parameters
     ----------
-    summits : RoughSurfaces
-        Their ``log_load`` maps summit separations t = (d - y_s)/sigma_s [1] to ln F_ss* and its slope
-        d/dt, ``log_load_and_area`` to ln(A_ss/A_n) and its slope as well; ``offset`` is y_s and
-        ``deviation`` sigma_s [m].
+    summits : Summits
+        The summits of both surfaces.
     particles : ParticleLayer or None
         The third bodies; None for two-body contact.
     parameters : Parameters
@@ -72,7 +86,7 @@ class Contact:
     In all methods ``separation`` is the mean separation d [m]; results have its shape.
     """
 
-    summits: Any
+    summits: Summits
     particles: ParticleLayer | None
     parameters: Parameters
 
@@ -107,14 +121,14 @@ class Contact:
         """The state with particles, which take load and area from the summits they keep apart."""
         area, coverage = self.particles.contact(separation)
         bare_area = log_bare_fraction(coverage)
-        bare_load = self.particles.log_bare_load(bare_area)
-        log_summits = log_product(log_load, bare_load)  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
+        # Eq. 4: F_ss-sa is what particles of all sizes leave of F_ss
+        log_summits = log_load._replace(value=log_load.value + self.particles.log_bare)
         log_particles = WithSlope(  # Eqs. 4 and 5: F_sa is the hardness times A_sa
             value=np.log(area.value) + np.log(self.parameters.particle_pressure),
             slope=np.where(area.value > TINY, area.slope / area.value, 0.0),
         )
         log_solids, fraction = log_sum(log_summits, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
-        rounding = rounding + 8.0 * EPSILON * np.exp(-np.minimum(bare_area.value, bare_load.value))
+        rounding = rounding + 8.0 * EPSILON * np.exp(-self.particles.log_bare)
         area_rounding = self.particles.rounding(separation, area)
         noise = fraction * rounding + (1.0 - fraction) * area_rounding
         has_load = log_summits.value > NOTHING
@@ -151,20 +165,3 @@ def _without_particles(log_load, log_area, rounding):
         coverage=nothing,
         errors=errors,
     )
-
-
-def greatest_single_load(parameters: Parameters) -> float:
-    """F_t* [1] up to which the force balance has at most one root, with particles.
-
-    F_s decreases with d, with two exceptions.  If the elastic factor is above 1, elastic particles
-    carry more than plastic ones, and F_s may increase anywhere.  If only contacting particles
-    reduce the summit load, F_ss (1 - coverage) may increase with d.  Particles of coverage c carry
-    at least u (H_s2/E_ss) c, where u is the weight of sizes above d.  F_s can then increase only
-    where F_ss* > u H_s2/E_ss, and F_s* exceeds this value there.
-    """
-    weight, _ = parameters.elastic_weights
-    if not 0.0 <= weight <= 1.0:
-        return 0.0
-    if not parameters.interpretation.coverage_limits.contacting:
-        return np.inf
-    return weight * parameters.hardness_surface_2 / parameters.elastic_modulus_surfaces

@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.messages import format_value
 from thirdbody.model.bounds import BOUNDS
@@ -14,6 +14,9 @@ from thirdbody.model.interpretations import INTERPRETATIONS, chosen_interpretati
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
 HIGHEST_PLANE = 1000.0  # y_s/sigma_s; farther below it, summits lose digits
+MOST_ELASTIC_FACTOR = (
+    1.0  # elastic factor up to which F_s decreases with d; above, Eq. 1 may have several roots
+)
 
 
 @dataclass(frozen=True)
@@ -50,8 +53,9 @@ class Parameters:
     ------
     ValueError
         For a number out of bounds, a value that is not a number, and an unknown word: one line with
-        the field, its value and what is allowed.  A ``spread_ratio`` of 0 (particles of equal size)
-        is allowed only if ``gap_ratio`` makes the gaps vary.
+        the field, its value and what is allowed.  Also for materials so soft for their hardness that
+        an elastic particle would carry more than a plastic one, an ``elastic_factor`` above 1: the
+        loads could then balance at several separations.
 
     Examples
     --------
@@ -63,7 +67,7 @@ class Parameters:
     >>> replace(parameters, hardness_surface_1=-1e9)
     Traceback (most recent call last):
     ...
-    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+14 (SI)
+    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+12 (SI)
     >>> replace(parameters, film_load="solid")
     Traceback (most recent call last):
     ...
@@ -98,43 +102,47 @@ class Parameters:
     size_distribution: str  # interpretation of Eq. 6
     mean_ratio: float  # mean of the sizes
     spread_ratio: float  # standard deviation of the sizes
-    gap_ratio: float  # standard deviation of the local gap over the roughness, if sizes meet it
     truncation: float  # largest size above the mean, in standard deviations
     participation: float  # fraction of the particles that carry load
     elastic_depth_ratio: float  # depth of the elastic zone
     particle_plane: str  # from which particles meet the separation
-    elastic_limits: str  # of the elastic integral in Eqs. 4 and 5
-    coverage_limits: str  # of the coverage in Eq. 4
     # force balance
     film_load: str  # the load in W of Eq. 8
 
     def __post_init__(self):
-        interpretation = chosen_interpretations(  # the objects that the words select
-            {name: getattr(self, name) for name in INTERPRETATIONS},
-            mean_ratio=self.mean_ratio,
-            spread_ratio=self.spread_ratio,
-            gap_ratio=self.gap_ratio,
+        words = {name: getattr(self, name) for name in INTERPRETATIONS}
+        object.__setattr__(self, "interpretation", chosen_interpretations(words))
+        for name, bounds in BOUNDS.items():
+            if not bounds.hold(getattr(self, name)):
+                value = format_value(getattr(self, name))
+                raise ValueError(f"{name} is {value}; allowed: {bounds} (SI)")
+        if self.elastic_factor > MOST_ELASTIC_FACTOR:
+            particle, surface = self._strains
+            raise ValueError(
+                f"hardness_surface_1/elastic_modulus_particle is {particle:.3g} and "
+                f"hardness_surface_2/elastic_modulus_surfaces {surface:.3g}, with an elastic factor of "
+                f"{self.elastic_factor:.3g} (Eq. 4); allowed: at most {MOST_ELASTIC_FACTOR:g}"
+            )
+
+    @property
+    def _strains(self):
+        """H_s1/E_sa and H_s2/E_ss [1]."""
+        return (
+            self.hardness_surface_1 / self.elastic_modulus_particle,
+            self.hardness_surface_2 / self.elastic_modulus_surfaces,
         )
-        object.__setattr__(self, "interpretation", interpretation)
-        outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
-        can_be_equal = interpretation.size_distribution.can_be_equal
-        if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and can_be_equal:
-            return
-        for name in outside:
-            message = f"{name} is {format_value(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
-            raise ValueError(message)
 
     @cached_property
     def elastic_factor(self) -> float:
-        """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1], the weight of elastic particles."""
-        particle = self.hardness_surface_1 / self.elastic_modulus_particle
-        surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
-        return 2.25 * math.pi**2 * (particle**2 + surface**2)  # of Eqs. 4 and 5
+        """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1] of Eqs. 4 and 5: what an elastic particle
+        carries, over what a plastic one does."""
+        particle, surface = self._strains
+        return 2.25 * math.pi**2 * (particle**2 + surface**2)
 
-    @cached_property
-    def elastic_weights(self) -> tuple[float, float]:
-        """Weights [1] of both limits of the elastic integral; see ``ElasticLimits.weights``."""
-        return self.interpretation.elastic_limits.weights(self.elastic_factor)
+    def sizes(self, diameter: ArrayLike) -> tuple[ArrayLike, ArrayLike]:
+        """Mean m and standard deviation S [m] of the normal size distribution, for x_a [m]."""
+        mean = self.interpretation.size_distribution.mean(self.mean_ratio * diameter)
+        return mean, self.spread_ratio * diameter
 
     @cached_property
     def particle_pressure(self) -> float:

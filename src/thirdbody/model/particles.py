@@ -1,22 +1,14 @@
 """Third-body particles: load, area and coverage in closed form (Eqs. 4-6).
 
-Every interpretation of the size distribution phi_a gives the second moment above a size a as
+Sizes are normally distributed, with mean m and standard deviation S, from X_min = 0 to
+X_max = m + truncation * S.  Their second moment above a size a is
 
-    T(alpha) = c_1 M(alpha),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
+    c_1 (M(alpha) - M(truncation)),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
+    c_1 = m^2 + S^2,   c_2 = 2 m S/c_1,   c_3 = S^2/c_1,
 
-with phi and Q the density and upper tail of the standard normal distribution, and I(a, b) =
-T(alpha) - T(beta).  Interpretations differ only in m, S, c_1, c_2 and c_3, the fields of
-``SizeLaw``; c_2 and c_3 are the same for all particles of one interpretation.  Sizes range from
-X_min to X_max = m + truncation * S, so M is never needed deep in the tail.  The *moment* is M minus
-its value at X_max: constant below X_min and zero above X_max.
-
-Plastic particles have the weight 1, elastic ones the elastic factor e of Eqs. 4 and 5.  With d' the
-other limit of the elastic integral, the area A_sa is proportional to
-
-    printed,  d' = d - h_e:   e (moment(d') - moment(d)) + moment(d)
-    physical, d' = d + h_e:   e (moment(d) - moment(d')) + moment(d')
-
-In both cases the weights of the two moments are e and 1 - e.
+with phi and Q the density and upper tail of the standard normal distribution.  The *moment* is that
+over c_1: constant below X_min and zero above X_max.  With the elastic factor e, the area A_sa is
+proportional to e (moment(d - h_e) - moment(d)) + moment(d).
 """
 
 from __future__ import annotations
@@ -37,7 +29,6 @@ from thirdbody.model.parameters import Parameters
 LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overflow
 FULL = -700.0  # ln of a bare fraction that counts as zero
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
-DENSITY_ENDS = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
 NEXT_TO_LARGEST = 0.25  # width in alpha; less where phi decays by more than e over it
 NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that width
@@ -52,7 +43,7 @@ class ParticleLayer:
     meet the separation of the summit planes, so that it compares with d.  ``depth`` is h_e/S [1].
     ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], times the hardness of a surface and the
     ``moment`` is the fraction of the interface covered by particles (Eqs. 4 and 5).  ``log_bare``
-    is ln of the bare fraction in Eq. 4 if it does not depend on the separation; else 0.
+    is ln of the fraction that all particles leave bare, the bracket of Eq. 4.
     """
 
     mean: NDArray
@@ -84,25 +75,18 @@ class ParticleLayer:
         True
         """
         diameter = np.minimum(diameter, LARGEST_DIAMETER)
-        sizes = parameters.interpretation.size_distribution.law(diameter, roughness)
-        smallest = max(sizes.smallest, DENSITY_ENDS)
-        moment = _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
+        mean, spread = parameters.sizes(diameter)
+        moment = _moment(*parameters.sizes(1.0), parameters.truncation)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
-        factor = np.pi * parameters.participation / hardness * density * sizes.square
-        depth = parameters.elastic_depth_ratio * diameter / sizes.spread
-        if parameters.interpretation.coverage_limits.contacting:
-            log_bare = np.zeros(factor.shape)
-        else:
-            every = moment.of_all * factor  # I(X_min, X_max)
-            log_bare = np.log(_bare_fraction(parameters.hardness_surface_1 * every))
+        factor = np.pi * parameters.participation / hardness * density * (mean**2 + spread**2)
+        every = factor * moment.of_all  # I(X_min, X_max)
         summit_offset = parameters.surface(roughness).summit_offset
-        height = parameters.interpretation.particle_plane.height(summit_offset)
         return cls(
-            mean=sizes.mean + height,
-            spread=sizes.spread,
-            depth=depth,
+            mean=mean + parameters.interpretation.particle_plane.height(summit_offset),
+            spread=spread,
+            depth=parameters.elastic_depth_ratio * diameter / spread,
             factor=factor,
-            log_bare=log_bare,
+            log_bare=np.log(_bare_fraction(parameters.hardness_surface_1 * every)),
             moment=moment,
             parameters=parameters,
         )
@@ -120,72 +104,61 @@ class ParticleLayer:
 
     @property
     def reach(self) -> NDArray:
-        """Separation [m] beyond which no particle touches: X_max, or X_max + h_e as printed."""
-        beyond = self.parameters.interpretation.elastic_limits.beyond
-        return self.mean + (self.parameters.truncation + beyond * self.depth) * self.spread
+        """Separation [m] beyond which no particle touches: X_max + h_e, as printed."""
+        return self.mean + (self.parameters.truncation + self.depth) * self.spread
+
+    @property
+    def covers_all(self) -> NDArray:
+        """Whether particles cover the whole interface in Eq. 4."""
+        return self.log_bare < FULL
 
     def contact(self, separation: NDArray) -> tuple[WithSlope, WithSlope]:
         """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
 
         Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d [1].
         """
-        limits = self.parameters.interpretation.elastic_limits
-        alpha = (separation - self.mean) / self.spread
-        both = np.array([alpha, alpha + limits.side * self.depth])
-        (here, there), (here_slope, there_slope) = self.moment(both)  # here: I(d, X_max) over c_1
-        own, other = self.parameters.elastic_weights
+        alpha, elastic = (separation - self.mean) / self.spread, self.parameters.elastic_factor
+
+        def bracket(above, touching):
+            return (1.0 - elastic) * above + elastic * touching  # of Eq. 5
+
+        moments, slopes = self.moment(np.array([alpha, alpha - self.depth]))  # above d and d - h_e
         area_factor = self.factor * self.parameters.hardness_surface_2
         area = WithSlope(
-            value=area_factor * np.maximum(own * here + other * there, 0.0),  # Eq. 5
-            slope=area_factor / self.spread * (own * here_slope + other * there_slope),
+            value=area_factor * bracket(*moments),
+            slope=area_factor / self.spread * bracket(*slopes),
         )
         covering_factor = self.factor * self.parameters.hardness_surface_1
         coverage = WithSlope(
-            value=covering_factor * here,
-            slope=covering_factor / self.spread * here_slope,
+            value=covering_factor * moments[0],
+            slope=covering_factor / self.spread * slopes[0],
         )
         return area, coverage
 
     def rounding(self, separation: NDArray, area: WithSlope) -> NDArray:
         """Relative rounding error [1] of the ``area`` that ``contact`` returns at ``separation`` d
         [m]; 0 where no particle touches."""
-        weights = sum(map(abs, self.parameters.elastic_weights))
-        terms = (8.0 + self.moment.largest**2) * weights
-        terms = terms * self.moment.cancellation * area.value
-        rounding_of_d = (
-            2.0 * np.abs(area.slope) * (separation + self.mean + self.depth * self.spread)
-        )
+        terms = (8.0 + self.moment.largest**2) * self.moment.cancellation * area.value
+        lengths = separation + self.mean + self.depth * self.spread
+        rounding_of_d = 2.0 * np.abs(area.slope) * lengths
         touch = area.value > 0.0
         # TINY for the digits lost below it; as divisors, LEAST and 0 would be slow
         return EPSILON * ((terms + rounding_of_d + TINY) / np.where(touch, area.value, np.inf))
 
-    def log_bare_load(self, bare_area: WithSlope) -> WithSlope:
-        """ln of the bare fraction in the summit load [1], the bracket of Eq. 4; ``bare_area`` is that
-        in the summit area (Eq. 5)."""
-        if self.parameters.interpretation.coverage_limits.contacting:
-            return bare_area
-        return WithSlope(value=self.log_bare, slope=0.0)
-
-    def cover_all(self, coverage: NDArray) -> NDArray:
-        """Whether particles cover the whole interface in Eq. 4 or 5, for the ``coverage`` [1] of
-        those larger than d, which Eq. 4 always includes."""
-        if self.parameters.interpretation.coverage_limits.contacting:
-            return 1.0 - coverage <= EPSILON
-        return self.log_bare < FULL
-
 
 class Moment:
-    """M(alpha) minus its value at X_max, for all particles of an interpretation.
+    """M(alpha) minus its value at X_max, for a ``mean`` and a ``spread`` of sizes in any unit.
 
-    ``constant`` and ``linear`` are c_2 and c_3; ``smallest`` and ``largest`` alpha of X_min and of X_max.
+    ``smallest`` and ``largest`` are alpha of X_min and of X_max.
     """
 
-    def __init__(self, constant: float, linear: float, smallest: float, largest: float):
-        self.constant, self.linear = constant, linear
-        self.smallest, self.largest = smallest, largest
+    def __init__(self, mean: float, spread: float, largest: float):
+        square = mean**2 + spread**2
+        self.constant, self.linear = 2.0 * mean * spread / square, spread**2 / square  # c_2 and c_3
+        self.smallest, self.largest = -mean / spread, largest
         self.near_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
         self.of_largest = float(self._untruncated(np.array([largest]))[0][0])
-        nearest = max(self.near_largest, smallest)
+        nearest = max(self.near_largest, self.smallest)
         # largest magnification of the rounding of M in the moment
         of_nearest, of_all = self(np.array([nearest, -np.inf]))[0].tolist()
         self.cancellation, self.of_all = 1.0 + 2.0 * self.of_largest / of_nearest, of_all
@@ -250,13 +223,12 @@ def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
 def separation_carrying(log_area: ArrayLike, layer: ParticleLayer) -> NDArray:
     """Approximate separation d [m] at which particles alone have the area ``log_area``, ln(A_sa/A_n) [1].
 
-    It is the larger of the separations at which the sizes above d, or above the other limit of the
-    elastic integral, alone have this area; minus infinity if all particles together have less.
+    It is the larger of the separations at which the sizes above d, or above d - h_e, alone have this
+    area; minus infinity if all particles together have less.
     """
-    parameters = layer.parameters
-    wanted = log_area - np.log(layer.factor * parameters.hardness_surface_2)
-    of_all, limits = np.log(layer.moment.of_all), parameters.interpretation.elastic_limits
-    logs = (wanted - np.log(weight) for weight in parameters.elastic_weights)  # nan if negative
+    elastic = layer.parameters.elastic_factor
+    wanted = log_area - np.log(layer.factor * layer.parameters.hardness_surface_2)
+    of_all = np.log(layer.moment.of_all)
+    logs = (wanted - np.log(weight) for weight in (1.0 - elastic, elastic))
     alpha, shifted = (np.where(x <= of_all, layer.moment.inverse(x), -np.inf) for x in logs)
-    shifted = shifted - limits.side * layer.depth
-    return layer.mean + layer.spread * np.maximum(alpha, shifted)
+    return layer.mean + layer.spread * np.maximum(alpha, shifted + layer.depth)

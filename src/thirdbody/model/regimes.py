@@ -16,7 +16,6 @@ SOLUTION_STATUSES = (
     "outside_film_formula",
     "coverage_exceeded",
     "not_converged",
-    "several_separations",
     "area_exceeded",
     "load_exceeded",
 )
@@ -29,7 +28,6 @@ WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")  # nan, and NO_FLAG for 
 NO_FLAG = np.int8(-1)
 # Where several apply, the last of these is the status.
 MILDEST_FIRST = (
-    "several_separations",
     "outside_film_formula",
     "area_exceeded",
     "not_converged",

@@ -10,6 +10,6 @@ function.  A number goes this way:
    of the solids, ``model.contact.Contact.at`` (Eqs. 2, 4 and 5).
 5. ``solution.describe`` derives the variables (Eqs. 3, 9 and 10) and the bound of their errors.
 
-``summits`` integrates the summits or reads them from tables, and ``several`` finds the largest of
-several roots.  ``sweep`` solves grids to three digits, with the solids from ``solid_tables``.
+``summits`` integrates the summits or reads them from tables.  ``sweep`` solves grids to three digits,
+with the solids from ``solid_tables``.
 """

@@ -26,13 +26,12 @@ GROWTH = 4.0  # growth of an interval whose signs rounding hides
 class Balance(NamedTuple):
     """Solved ``points``, their ``places`` among all, and the ``forces`` at two separations around the
     root of each, of shape (2, points).  ``certain`` is whether their sum changes its sign despite
-    rounding, and ``count`` the number of roots."""
+    rounding."""
 
     points: Points
     places: NDArray
     forces: Forces
     certain: NDArray
-    count: NDArray
 
 
 def enclose(
@@ -66,8 +65,7 @@ def _fixed(points, brackets, places):
         points=chosen,
         places=places,
         forces=_held_by_film(forces),
-        certain=brackets.certain[places],
-        count=brackets.count[places],
+        certain=np.ones(places.shape, bool),
     )
 
 
@@ -108,8 +106,6 @@ class Search:
     high: NDArray
     last: NDArray
     widening: NDArray
-    certain: NDArray
-    count: NDArray
 
     @classmethod
     def of(cls, points: Points, brackets: Brackets, places: NDArray) -> Search:
@@ -122,8 +118,6 @@ class Search:
             high=brackets.high[places],
             last=np.full(places.shape, np.inf),
             widening=np.ones(places.shape),
-            certain=brackets.certain[places],
-            count=brackets.count[places],
         )
 
     def keep(self, kept: NDArray) -> None:
@@ -184,8 +178,7 @@ class Search:
             points=self.points.take(which[done]),
             places=self.places[which[done]],
             forces=forces.take(done),
-            certain=self.certain[which[done]] & changes[done],
-            count=self.count[which[done]],
+            certain=changes[done],
         )
         if done.size < which.size:
             self._look_beyond(interval, closer=below[0] & ~is_done, farther=above[1] & ~is_done)

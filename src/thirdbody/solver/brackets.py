@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from thirdbody.model.particles import separation_carrying
 from thirdbody.solver.points import Points
-from thirdbody.solver.several import bracket_largest
 
 FILM_MARGIN = 1e-3  # a film thinner by this fraction certainly carries more than the load
 # added to ln F_t*, so that the first separation lies below the root at nearly all points
@@ -24,16 +23,13 @@ class Brackets(NamedTuple):
 
     The root is between ``low`` and ``high``, near ``guess``; ``low`` is nan if there is none.
     Where a film whose thickness F_t sets (Eq. 8 as printed) is ``held``, every separation in the
-    bracket is a solution.  ``count`` is the number of roots, of which the largest is bracketed, and
-    ``certain`` whether this holds despite rounding.
+    bracket is a solution.
     """
 
     guess: NDArray
     low: NDArray
     high: NDArray
     held: NDArray
-    count: NDArray
-    certain: NDArray
 
 
 class FilmAlone(NamedTuple):
@@ -45,20 +41,21 @@ class FilmAlone(NamedTuple):
 
 
 def bracket(points: Points) -> Brackets:
-    """Bracket the largest separation d >= 0 at which solids and film carry the load.
+    """Bracket the separation d >= 0 at which solids and film carry the load.
 
     If the film depends on F_f, it carries the load alone at d = R_x H_c(F_t), so the root is there
     or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one.
     """
     film = _film_alone(points)
     guess = np.maximum(first_separation(points), film.separation)
-    if points.shares_load:
-        start = film.separation * (1.0 - FILM_MARGIN)
-        found = _beyond_film(points, start, guess)
-    else:
-        start = film.high
-        found = _beyond_film_or_held(points, film, guess)
-    return _with_largest(points, film, start, found) if points.several else found
+    if not points.shares_load:
+        return _beyond_film_or_held(points, film, guess)
+    return Brackets(
+        guess=guess,
+        low=film.separation * (1.0 - FILM_MARGIN),
+        high=_upper_bounds(points, guess),
+        held=np.zeros(guess.shape, bool),
+    )
 
 
 def _film_alone(points):
@@ -97,19 +94,6 @@ def _upper_bounds(points, guess):
     return 2.0 * far + 10.0 * points.contact.summits.deviation
 
 
-def _beyond_film(points, start, guess):
-    """Brackets where a film shares the load with the solids: from ``start`` [m] on."""
-    every = np.ones(guess.shape, bool)
-    return Brackets(
-        guess=guess,
-        low=start,
-        high=_upper_bounds(points, guess),
-        held=~every,
-        count=every.astype(int),
-        certain=every,
-    )
-
-
 def _beyond_film_or_held(points, film, guess):
     """Brackets where the film keeps its separation, which is 0 when dry, unless the solids need a
     larger one.  The forces at the guess show this at most points, those at the film at all."""
@@ -121,7 +105,7 @@ def _beyond_film_or_held(points, film, guess):
     newton = guess - forces.excess.value / forces.excess.slope
     guess = np.where(beyond & (newton < high), newton, guess)
     held = np.zeros(guess.shape, bool)
-    unclear = np.flatnonzero(~beyond | points.several)
+    unclear = np.flatnonzero(~beyond)
     if unclear.size:
         forces = points.take(unclear).forces(film.high[unclear])
         held[unclear] = (forces.excess.value < 0.0) & (points.film is not None)
@@ -132,28 +116,4 @@ def _beyond_film_or_held(points, film, guess):
         low=np.where(held, film.low, np.where(beyond, low, np.nan)),
         high=np.where(held, film.high, np.where(beyond, high, np.nan)),
         held=held,
-        count=(beyond | held).astype(int),
-        certain=np.ones(guess.shape, bool),
-    )
-
-
-def _with_largest(points, film, start, found):
-    """The brackets ``found``, but of the largest of several roots from ``start`` [m] on."""
-    largest = bracket_largest(points, start, found.guess)
-    beyond = largest.count > 0
-    # no root where particles cover everything at the film thickness
-    particles = points.contact.particles
-    _, coverage = particles.contact(start)
-    held, count = found.held, (found.held & ~particles.cover_all(coverage.value)) + largest.count
-    if points.film is not None and not points.shares_load:
-        # on a plateau at the load, no root may be found beyond the film
-        held = ~beyond & (held | largest.undecided)
-        count = np.maximum(count, largest.undecided)
-    return Brackets(
-        guess=np.where(beyond, 0.5 * (largest.low + largest.high), found.guess),
-        low=np.where(held, film.low, largest.low),
-        high=np.where(held, film.high, largest.high),
-        held=held,
-        count=count,
-        certain=~largest.undecided,
     )

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import Contact, ErrorTerms, SolidState, greatest_single_load
+from thirdbody.model.contact import Contact, ErrorTerms, SolidState
 from thirdbody.model.film import INVERSE_ERROR, Film, has_film, log_load_parameter
 from thirdbody.model.floats import EPSILON
 from thirdbody.model.logarithms import WithSlope, log_sum
@@ -75,31 +75,27 @@ def _taken(record, chosen):
 
 @dataclass(frozen=True)
 class Points:
-    """Points to solve: all with or all without particles, a film, and possibly ``several`` roots.
+    """Points to solve: all with or all without particles, and a film.
 
-    ``film`` is None for dry contact; ``log_load`` is ln F_t* [1], 1-D.  Points with several roots must
-    not use tables, whose errors may hide a root.
+    ``film`` is None for dry contact; ``log_load`` is ln F_t* [1], 1-D.
     """
 
     contact: Contact
     film: Film | None
     log_load: NDArray
-    several: bool
 
     @classmethod
     def of(
         cls, conditions: Mapping[str, NDArray], parameters: Parameters, table_rtol: float | None
     ) -> Points:
         """The points at five ``conditions`` by name, 1-D and SI, of which the first shows whether all
-        have particles, a film, or several roots; ``table_rtol`` is as in ``make_contact``."""
+        have particles, and a film; ``table_rtol`` is as in ``make_contact``."""
         solids = {name: conditions[name] for name in SOLIDS}
         contact = make_contact(**solids, parameters=parameters, table_rtol=table_rtol)
         film, viscosity = None, conditions["viscosity"]
         if has_film(viscosity[0]):
             film = Film.of(viscosity, conditions["roughness"], parameters)
-        load = conditions["load"]
-        several = contact.particles is not None and load[0] > greatest_single_load(parameters)
-        return cls(contact=contact, film=film, log_load=np.log(load), several=several)
+        return cls(contact=contact, film=film, log_load=np.log(conditions["load"]))
 
     @property
     def parameters(self) -> Parameters:

@@ -96,7 +96,7 @@ def _separations(low, high, roughness, particles, solid):
         one = particles.take(solid)
         mean, spread, depth = one.mean, one.spread, one.depth
         smallest, largest = particles.moment.smallest, particles.moment.largest
-        for shift in (0.0, particles.parameters.interpretation.elastic_limits.side * depth):
+        for shift in (0.0, -depth):
             first = max(smallest, SMALLEST)
             places.append(mean + spread * (first + SIZES * (largest - first) - shift))
             for kink in (smallest, largest):
@@ -112,7 +112,7 @@ def _parts(contact: Contact, d):
     parts = state.log_summit_load, state.particle_area, state.log_summit_area
     value, slope = (np.stack(each, axis=1) for each in zip(*parts, strict=True))
     if contact.particles is not None:
-        covered = contact.particles.cover_all(state.coverage)
+        covered = contact.particles.covers_all
         value[covered] = slope[covered] = np.nan
     return WithSlope(value=value, slope=slope)
 

@@ -52,9 +52,6 @@ class Solution(Tabular):
         H_c = d/R_x [1] (Eq. 7).
     lubrication_regime, contact_mode, solution_status : array of int8
         Indices into the tuples of ``thirdbody.model.regimes``.
-    separation_count : array of int8
-        Number of separations at which the forces balance; the largest is given, which approaching
-        surfaces reach first.
     error_bound : array
         Bound on the relative error of every quantity [1], if the quantity is above 2.2e-308: the change of
         loads and areas between two separations at which the forces are too large and too small, plus
@@ -77,7 +74,6 @@ class Solution(Tabular):
     lubrication_regime: NDArray | None = None
     contact_mode: NDArray | None = None
     solution_status: NDArray | None = None
-    separation_count: NDArray | None = None
     error_bound: NDArray | None = None
     conditions: Mapping[str, Any] = field(default_factory=dict)
     units: Mapping[str, Unit] = field(default_factory=lambda: SI)
@@ -172,8 +168,7 @@ class Solution(Tabular):
 OTHERS = "conditions", "units", "newtons_per_load"
 VARIABLES = tuple(each.name for each in fields(Solution) if each.name not in OTHERS)
 FLAGS = tuple(FLAG_MEANINGS)
-WHOLE = (*FLAGS, "separation_count")
-QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bound"))
+QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
 
 
 def _in_words(name, values) -> str:
@@ -196,7 +191,7 @@ def _in_words(name, values) -> str:
 
 def type_of(variable: str) -> type:
     """Data type of a ``variable`` of ``Solution``."""
-    return np.int8 if variable in WHOLE else float
+    return np.int8 if variable in FLAGS else float
 
 
 def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
@@ -214,15 +209,14 @@ def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
     found = {name: 0.5 * each.sum(axis=0) for name, each in both.items()}
     error = _error_bound(ends, both)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
-    found |= {"error_bound": error, "separation_count": balance.count}
+    found["error_bound"] = error
     particles = points.contact.particles
-    covered = particles is not None and particles.cover_all(ends.solids.coverage[1])
+    covered = particles is not None and particles.covers_all
     unsolved = np.isnan(found["separation"])
     statuses = {
-        "several_separations": balance.count > 1,
         "not_converged": ~(error <= rtol),
         "coverage_exceeded": covered,
-        "load_exceeded": unsolved & (balance.count == 0),
+        "load_exceeded": unsolved,
     }
     with_particles = particles is not None
     add_flags(found, points.film, points.log_load, points.parameters, with_particles, **statuses)
@@ -276,9 +270,7 @@ def _remove_values(found, unsolved):
     if not unsolved.any():
         return
     for name, values in found.items():
-        if name == "separation_count":
-            values[unsolved] = 0
-        elif name != "solution_status":
+        if name != "solution_status":
             values[unsolved] = np.nan if type_of(name) is float else NO_FLAG
 
 
@@ -325,7 +317,7 @@ def _area_difference(solids, both, width):
     summits = _difference(log_summits - log_bare) + _difference(log_bare)
     # an area that is negligible alone may matter in a ratio
     smaller = np.minimum(both["particle_contact_area_ratio"], both["surface_contact_area_ratio"])
-    # elastic particles may have a maximum of area between the ends
+    # the steeper slope of both ends leaves a margin
     rise = width * np.abs(area.slope).max(axis=0) / area.value.min(axis=0)
     particles = np.maximum(_difference(np.log(area.value)), rise)
     summits = _where_resolved(summits, np.maximum(np.exp(log_summits), smaller))

@@ -20,7 +20,6 @@ from thirdbody.arguments import (
     common_index,
     in_si,
 )
-from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import has_film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
@@ -38,7 +37,6 @@ ROUNDING_LIMIT = 1e-12  # tolerance of points limited only by rounding
 TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
 CHUNK = 65536  # points solved together
 QUADRATURE_CHUNK = 2048  # by quadrature, where each point has about a hundred nodes
-SEVERAL_CHUNK = 64  # where each has hundreds of separations, too
 FEW_ITERATIONS, MOST_ITERATIONS = 5, 200  # the few points that need more are solved together
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
@@ -153,8 +151,8 @@ def solve_arrays(
 ) -> Solution:
     """What ``solve`` returns, for ``arrays`` of checked conditions by name.
 
-    If enough points have the same roughness, its summits are tabulated.  The other points, those that
-    magnify the table error beyond ``rtol``, and those that may have several roots are solved by quadrature.
+    If enough points have the same roughness, its summits are tabulated.  The other points, and those
+    that magnify the table error beyond ``rtol``, are solved by quadrature.
     """
     check_points(arrays)
     shape = np.broadcast(*(arrays[name] for name in CONDITIONS)).shape
@@ -163,8 +161,8 @@ def solve_arrays(
     result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
     # points that cannot be computed get a status
     with np.errstate(all="ignore"), Progress(roughness.size, "points", progress) as bar:
-        kinds = _kinds(columns, parameters)
-        by_table = _worth_a_table(roughness, kinds & Kind.SEVERAL == 0, rtol)
+        kinds = _kinds(columns)
+        by_table = _worth_a_table(roughness, rtol)
         left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
@@ -184,19 +182,16 @@ def solve_arrays(
 
 
 class Kind(IntFlag):
-    """What points have that are solved together; ``SEVERAL`` is possibly several roots."""
+    """What points have that are solved together."""
 
     PARTICLES = 1
     FILM = 2
-    SEVERAL = 4
 
 
-def _kinds(columns, parameters):
+def _kinds(columns):
     """The kind of each point."""
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
-    several = three_body & (columns["load"] > greatest_single_load(parameters))
-    wet = has_film(columns["viscosity"])
-    return Kind.PARTICLES * three_body + Kind.FILM * wet + Kind.SEVERAL * several
+    return Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
 
 
 class Attempt(NamedTuple):
@@ -226,10 +221,10 @@ def _attempts(rtol):
     return tables, tables._replace(iterations=MOST_ITERATIONS), quadrature
 
 
-def _worth_a_table(roughness, counted, rtol):
-    """Which of the ``counted`` points share their roughness with enough others to tabulate its summits."""
+def _worth_a_table(roughness, rtol):
+    """Which points share their roughness with enough others to tabulate its summits."""
     which = np.searchsorted(np.unique(roughness), roughness)
-    return counted & (np.bincount(which, counted)[which] >= TABLE_WORTH * pieces_for(rtol))
+    return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
 def _pieces(chosen, kinds, roughness, chunk):
@@ -237,5 +232,4 @@ def _pieces(chosen, kinds, roughness, chunk):
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
         places = np.flatnonzero(chosen & (kinds == kind))
         places = places[np.argsort(roughness[places], kind="stable")]
-        most = SEVERAL_CHUNK if kind & Kind.SEVERAL else chunk
-        yield from (places[start : start + most] for start in range(0, places.size, most))
+        yield from (places[start : start + chunk] for start in range(0, places.size, chunk))

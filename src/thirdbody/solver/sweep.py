@@ -12,7 +12,6 @@ import numpy as np
 import scipy  # scipy.interpolate is loaded on first use: many jobs do not need it
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters
@@ -156,7 +155,6 @@ class _Surface:
             add_flags(found, self.film, self.log_load, self.parameters, with_particles)
             unsure = ~(found["error_bound"] <= rtol)
             unsure |= found["total_contact_area"] < TINY  # where float64 loses digits
-            unsure |= (self.load > greatest_single_load(self.parameters)) & with_particles
             alone = {name: dry[name][1:, number] for name in variables}
             carried = found["fluid_load_fraction"] <= 0.0  # by the solids, at their dry separation
             if carried.any():
@@ -264,8 +262,7 @@ class _Surface:
 
     def _variables(self, *, error, **state):
         """Variables by name, for the arguments of ``quantities``."""
-        found = quantities(**state, parameters=self.parameters)
-        return found | {"separation_count": np.ones(error.shape, np.int8), "error_bound": error}
+        return quantities(**state, parameters=self.parameters) | {"error_bound": error}
 
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], accurate enough to start Newton's method."""

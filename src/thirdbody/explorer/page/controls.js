@@ -1,7 +1,7 @@
 // Sliders, fields and choices of all conditions and inputs.
 
 import { axes, change, content, currentInputs, currentPoint, defaultInputs, state } from "./state.js";
-import { conditionFrom, inputNamed, setCondition, setInputs, toUnit } from "./state.js";
+import { areHard, conditionFrom, inputNamed, setCondition, setInputs, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
 import { VARIABLES, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, readable, significant, typeset } from "./text.js";
@@ -13,6 +13,7 @@ const SHOWN_IN = {
   ...{ Pa: [["GPa", 1e9]], m2: [["mm²", 1e-6]], "s m-2": [["s m⁻²", 1]], 1: [["", 1]] },
   m: [["mm", 1e-3], ["µm", 1e-6], ["nm", 1e-9]],
 };
+const SOFTENS = /^(elastic_modulus|hardness_surface)_/;
 const PRINTED = ["published", "deduced", "assumed"];
 
 const updates = [];
@@ -131,12 +132,15 @@ function numberControl(name) {
     words: inputWords(name),
     symbol,
     unit: text,
-    hint: `${rangeText([least, most], factor)} ${text} (${source})`,
+    hint: `${rangeText([least, most], factor)} ${text} (${source})${SOFTENS.test(name) ? ", with an elastic factor of at most 1" : ""}`,
     note: bounds ? `searched ${rangeText(bounds, factor)}; ${ensembleText(name, factor)}` : source,
     scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain((bounds ?? near).map((end) => end / factor)),
     digits: 4,
     value: () => currentInputs()[name] / factor,
-    read: (value) => inputNamed(name, (value * factor).toPrecision(12)),
+    read(value) {
+      const found = inputNamed(name, (value * factor).toPrecision(12));
+      return found !== undefined && areHard({ ...state.inputs, [name]: found }) ? found : undefined;
+    },
   });
 }
 

@@ -6,7 +6,7 @@
 // areas over A_n. `inputs` has the names of config/inputs.yaml, `condition` has viscosity,
 // particle_diameter, roughness, particle_density.
 
-import { content } from "./state.js";
+import { content, elasticFactor } from "./state.js";
 
 const NODES = content.quadrature; // nodes and weights on the interval from 0 to 1
 const NEGLIGIBLE = 40; // exp(-40) of the largest weight is nothing in float64
@@ -19,9 +19,6 @@ const ROOT_TOLERANCE = 1e-13; // of d
 const ROUNDED = 1e-8; // of a load, between that of a film and that in the film's formula
 const THICKEST = 0.01; // H_c of what is still a film between two bodies
 const FILM_COUNTS = 1e-3; // L_f below which the film does not matter
-
-// parts of the way between two places, closest together near both
-const PARTS = d3.range(1, 97).map((n) => d3.easeSinInOut(d3.easeSinInOut(n / 96)));
 
 export const LIMITS = { boundary: 0.9, full_film: 0.03, particle: 0.95, surface: 0.05 };
 
@@ -115,29 +112,18 @@ const summitTable = remembered(({ hardness, radius, k, w1, w2, density }) => {
   return tabulated(exact, { step: SUMMIT_STEP, first: NEAREST, last: FARTHEST });
 }, 200);
 
-// phi_a of Eq. 6: m and S [m], and x^2/x_a^2 of particles of alpha = (x - m)/S, from the least alpha on.
-const SIZES = {
-  uncentred: (inputs) => sizesAbout(0, inputs),
-  centred: (inputs) => sizesAbout(inputs.mean_ratio, inputs),
-  gap_convolved: ({ mean_ratio: mean, spread_ratio: spread, gap_ratio: gap }) => ({
-    place: (x, sigma) => [mean * x, Math.hypot(spread * x, gap * sigma)],
-    square: () => 1 + spread ** 2,
-    least: LOWEST,
-  }),
-};
-
-const sizesAbout = (mean, { spread_ratio: spread }) => ({
-  place: (x) => [mean * x, spread * x],
-  square: (alpha) => (mean + spread * alpha) ** 2,
-  least: Math.max(-mean / spread, LOWEST),
-});
+// phi_a of Eq. 6, over x_a: m and S, and the least alpha = (x - m)/S.
+function sizesOf({ size_distribution: word, mean_ratio: centre, spread_ratio: spread }) {
+  const mean = word === "centred" ? centre : 0;
+  return { mean, spread, least: Math.max(-mean / spread, LOWEST) };
+}
 
 const normal = (alpha) => Math.exp(-0.5 * alpha ** 2) / Math.sqrt(2 * Math.PI);
 const integral = (f, low, high) => (high - low) * d3.sum(NODES, ([node, weight]) => weight * f(low + (high - low) * node));
 
 // I(x, X_max)/x_a^2 over alpha: the integral of x^2 phi_a in Eqs. 4 and 5.
-function momentTable({ truncation: most }, { square, least }) {
-  const density = (alpha) => square(alpha) * normal(alpha);
+function momentTable({ truncation: most }, { mean, spread, least }) {
+  const density = (alpha) => (mean + spread * alpha) ** 2 * normal(alpha);
   const moment = (alpha) => integral(density, alpha, most);
   // counted from the largest size, where it vanishes and needs its digits
   const exact = (below) => [moment(most - below), density(most - below)];
@@ -148,13 +134,6 @@ function momentTable({ truncation: most }, { square, least }) {
 
 // Mean of alpha over all particles, whose sizes are m + alpha x_a spread_ratio.
 const meanOf = ({ truncation: most }, { least }) => (normal(least) - normal(most)) / integral(normal, least, most);
-
-// of Eqs. 4 and 5
-function elasticFactor(inputs) {
-  const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
-  const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
-  return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
-}
 
 // Eq. 7: H_c = smooth film and what roughness adds, each as logarithm over ln W (Eq. 8).
 function filmOf(inputs, viscosity, roughness) {
@@ -210,20 +189,13 @@ const FILM_LOADS = {
 
 // The model under some inputs; what conditions have in common is computed once.
 export function modelOf(inputs) {
-  const sizes = SIZES[inputs.size_distribution](inputs);
+  const sizes = sizesOf(inputs);
   const moment = momentTable(inputs, sizes);
   const meanSize = meanOf(inputs, sizes);
   const factor = elasticFactor(inputs);
-  // how much sizes above d and above d + side h_e count in the brackets of Eqs. 4 and 5
-  const side = inputs.elastic_limits === "printed" ? -1 : 1;
-  const [above, beyond] = side < 0 ? [1 - factor, factor] : [factor, 1 - factor];
-  const contacting = inputs.coverage_limits === "contacting";
   const wRatio = inputs.apparent_area / inputs.ball_radius ** 2; // W/F*
   const hardness = inputs.hardness_surface_1 + inputs.hardness_surface_2;
   const pressure = inputs.hardness_surface_1 / inputs.elastic_modulus_surfaces; // F_sa/A_sa
-  // F_t* up to which no more than one separation balances it
-  const carried = contacting ? (above * inputs.hardness_surface_2) / inputs.elastic_modulus_surfaces : Infinity;
-  const onlyOne = above >= 0 && above <= 1 ? carried : 0;
   const filmLoad = FILM_LOADS[inputs.film_load];
 
   // The interface of a condition: `at` gives the state at a separation d, `solve` finds d for a load.
@@ -232,30 +204,28 @@ export function modelOf(inputs) {
     const summits = summitsOf(inputs, surface);
     const twoBody = !(diameter ** 2 * density > 0);
     const film = viscosity > 0 ? filmOf(inputs, viscosity, roughness) : null;
-    const [mean, spread] = sizes.place(diameter, roughness);
+    const [mean, spread] = [sizes.mean * diameter, sizes.spread * diameter];
     const plane = mean + (inputs.particle_plane === "summit" ? surface.offset : 0);
-    const scatter = inputs.spread_ratio * diameter;
     const depth = (inputs.elastic_depth_ratio * diameter) / spread; // h_e/S
     const covering = ((Math.PI * inputs.participation) / hardness) * density * diameter ** 2;
-    const all = covering * inputs.hardness_surface_1 * moment(-Infinity);
-    const reach = twoBody ? 0 : plane + (inputs.truncation + Math.max(-side, 0) * depth) * spread;
+    const bare = Math.max(1 - covering * inputs.hardness_surface_1 * moment(-Infinity), 0); // in Eq. 4
+    const isCovered = bare <= Number.EPSILON;
+    const reach = twoBody ? 0 : plane + (inputs.truncation + depth) * spread;
 
     function solids(d) {
       const t = (d - surface.offset) / surface.deviation;
       const summitLoad = t < FARTHEST ? Math.exp(summits(t, 0)) : 0;
       const summitArea = t < FARTHEST ? Math.exp(summits(t, 2)) : 0;
-      if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea, bare: 1 };
+      if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea };
       const alpha = (d - plane) / spread;
-      const here = moment(alpha); // I(d, X_max)
-      const there = moment(alpha + side * depth);
-      const particles = covering * inputs.hardness_surface_2 * Math.max(above * here + beyond * there, 0);
-      const covered = covering * inputs.hardness_surface_1 * here;
-      const bare = Math.max(1 - (contacting ? covered : all), 0);
+      const plastic = moment(alpha); // I(d, X_max)
+      const touching = (1 - factor) * plastic + factor * moment(alpha - depth);
+      const particles = covering * inputs.hardness_surface_2 * touching;
+      const covered = covering * inputs.hardness_surface_1 * plastic;
       return {
         load: summitLoad * bare + pressure * particles, // Eqs. 2 and 4
         particles, // A_sa of Eq. 5
         summits: summitArea * Math.max(1 - covered, 0), // A_ss-sa of Eq. 5
-        bare,
       };
     }
 
@@ -269,7 +239,7 @@ export function modelOf(inputs) {
     }
 
     // All variables at a separation d that balances the load F_t*.
-    function state(d, load, count = 1) {
+    function state(d, load) {
       const solid = solids(d);
       const total = solid.particles + solid.summits; // Eq. 3
       const fractions = film ? filmLoad.fractions(solid.load, filmLoadAt(d), load) : [1, 0];
@@ -287,30 +257,27 @@ export function modelOf(inputs) {
         regime: fractions[0] > LIMITS.boundary ? 0 : fractions[0] < LIMITS.full_film ? 2 : 1,
         mode: twoBody ? 0 : ratio > LIMITS.particle ? 3 : ratio < LIMITS.surface ? 1 : 2,
       };
-      found.status = statusOf(found, solid, count);
+      found.status = statusOf(found);
       return found.status === "coverage_exceeded" ? nothing(load, found.status) : found;
     }
 
-    function statusOf(found, solid, count) {
-      if (solid.bare <= Number.EPSILON) return "coverage_exceeded";
+    function statusOf(found) {
+      if (isCovered) return "coverage_exceeded";
       if (found.total_contact_area > 1) return "area_exceeded";
       if (film && found.fluid_load_fraction > FILM_COUNTS) {
         const lnW = Math.log(filmLoad.inW(found.load, found.fluid_load_fraction) * wRatio);
         if (found.film_thickness > THICKEST || !film.isMeaningful(lnW)) return "outside_film_formula";
       }
-      return count > 1 ? "several_separations" : "converged";
+      return "converged";
     }
 
-    // The state under a load F_t*: of several separations the largest, which closing surfaces meet first.
-    // It is searched for between `near` and `far` first, where these are given.
+    // The state under a load F_t*, searched for between `near` and `far` first, where these are given.
     function solve(load, far, near) {
+      if (isCovered) return nothing(load, "coverage_exceeded");
       let low = film ? inputs.ball_radius * film.thickness(Math.log(load * wRatio)) : 0;
+      const excess = (d) => Math.log(loadAt(d) / load);
+      if (!film && excess(0) < 0) return nothing(load, "load_exceeded");
       const held = film && inputs.film_load === "total" && solids(low).load < load;
-      const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);
-      if (!film && excess(0) < 0) {
-        return nothing(load, solids(0).bare <= Number.EPSILON ? "coverage_exceeded" : "load_exceeded");
-      }
-      if (!twoBody && load > onlyOne) return solveSeveral(load, excess, low, held);
       if (held || excess(low) <= 0) return state(low, load); // the film carries all
       let high = far > low ? far : Math.max(2 * low, surface.deviation);
       if (near > low && near < high && excess(near) > 0) low = near;
@@ -321,26 +288,7 @@ export function modelOf(inputs) {
       return state(rootOf(excess, low, high), load);
     }
 
-    // Where F_s may rise with d: all separations are searched for, from a dense row of them.
-    function solveSeveral(load, excess, low, held) {
-      let far = Math.max(low, reach, surface.offset) + 8 * surface.deviation;
-      while (excess(far) > 0) far *= 1.25;
-      const alphas = [inputs.truncation, sizes.least, -3, -1.5, 0, 1.5].flatMap((alpha) => [alpha, alpha - side * depth]);
-      const edges = [
-        ...alphas.map((alpha) => plane + alpha * spread),
-        ...[-4, -2, 0, 2, 4, 8].map((t) => surface.offset + t * surface.deviation),
-      ].filter((d) => d > low && d < far);
-      const spans = d3.pairs(d3.sort([low, ...edges, far]));
-      const places = spans.flatMap(([start, end]) => PARTS.map((part) => start + (end - start) * part));
-      const signs = places.map((d) => excess(d) > 0);
-      const ends = d3.pairs(d3.range(places.length)).filter(([i, next]) => signs[i] !== signs[next]);
-      const roots = ends.map(([i, next]) => rootOf(excess, places[i], places[next]));
-      const found = held ? [low, ...roots] : roots;
-      if (!found.length) return nothing(load, "load_exceeded");
-      return state(found.at(-1), load, found.length);
-    }
-
-    const ownSizes = { mean: mean + meanSize * scatter, largest: mean + inputs.truncation * scatter }; // [m]
+    const ownSizes = { mean: mean + meanSize * spread, largest: mean + inputs.truncation * spread }; // [m]
     return { at: state, loadAt, solids, solve, twoBody, surface, reach, sizes: ownSizes };
   }
 

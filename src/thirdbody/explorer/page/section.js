@@ -64,7 +64,7 @@ function sectionOf() {
   const normal = d3.randomNormal.source(random)(0, 1);
   const count = twoBody ? 0 : Math.min(Math.round(LENGTH * Math.sqrt(point.particle_density)), MOST);
   const plane = inputs.particle_plane === "summit" ? surface.offset : 0;
-  const depth = inputs.elastic_limits === "printed" ? inputs.elastic_depth_ratio * point.particle_diameter : 0;
+  const depth = inputs.elastic_depth_ratio * point.particle_diameter;
   let [lower, upper, touches] = [];
   for (let attempt = 0; attempt < ATTEMPTS; attempt++) {
     ({ lower, upper } = surfacesOf(point.roughness, length, found.separation, touching, normal));

@@ -88,7 +88,8 @@ export function fromFragment(text) {
     if (axis) found.conditions[axis.name] = conditionFrom(axis.name, numberIn(word));
     if (Object.hasOwn(content.inputs, name)) found.inputs[name] = inputNamed(name, word);
   }
-  change({ ...found, conditions: chosen(found.conditions), inputs: chosen(found.inputs) });
+  const inputs = chosen(found.inputs);
+  change({ ...found, conditions: chosen(found.conditions), inputs: areHard(inputs) ? inputs : {} });
 }
 
 // A condition in SI, the load in newtons, from a value in its unit; undefined if it is not allowed.
@@ -104,3 +105,13 @@ export function inputNamed(name, word) {
   const value = numberIn(word);
   return value >= least && value <= most ? value : undefined;
 }
+
+// The factor of elastic particles in Eqs. 4 and 5.
+export function elasticFactor(inputs) {
+  const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
+  const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
+  return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
+}
+
+// Whether elastic particles carry no more than plastic ones, so that one separation balances a load.
+export const areHard = (inputs) => elasticFactor({ ...defaultInputs, ...inputs }) <= 1;
