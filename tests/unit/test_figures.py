@@ -14,11 +14,12 @@ from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
-from thirdbody.figures.captions import WORDS, caption
+from thirdbody.figures.captions import WORDS, caption, read_caption
 from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
-from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
+from thirdbody.figures.drawing import SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
+from thirdbody.figures.panels import CURVE
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import STRETCH, sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
@@ -121,7 +122,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
     assert "ensemble range" in key_of(drawing)
-    assert "Shaded in colour: ensemble range of some curves." in caption(name, drawing.panels)
+    assert "Shaded in colour: ensemble range of some curves." in caption(name, drawing.panels).text
     drawing.draw_without_rendering()
     width, height = drawing.bbox.size
     box = drawing.get_tightbbox().extents * drawing.dpi  # [inches]
@@ -236,7 +237,7 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values[name][places])
     assert meaning in key_of(drawing)
-    assert meaning in caption("fig11", drawing.panels)
+    assert meaning in caption("fig11", drawing.panels).text
     assert meaning not in key_of(plotted("fig11", datasets))
 
 
@@ -359,7 +360,9 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
         ("viscosity", {"viscosity_cSt": [50, 90], "roughness_nm": [100, 300]}, 8, 2),
     ],
 )
-def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, curves, parameters):
+def test_a_scene_of_the_user_is_drawn_by_what_varies(
+    parameter, varied, panels, curves, parameters, tmp_path
+):
     usual = {"viscosity_cSt": [0, 90], "particle_diameter_nm": [300], "roughness_nm": [300]}
     group = usual | {"particle_density_per_m2": [1e11]} | varied
     scene = {"title": "Mine", "load_axis": LOAD_AXIS, "curves": [group]}
@@ -369,7 +372,11 @@ def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, 
     drawing = chosen.plot(data)
     assert [len(panel.of_kind(CURVE)) for panel in drawing.panels] == [curves] * panels
     written = caption("mine", drawing.panels, "a *b* <script>\n# c")
-    assert written.startswith(r"**a \*b\* \<script\> # c.** (A) ")  # a title is no markup
+    assert written.markdown().startswith(
+        r"**a \*b\* \<script\> # c.** (A) "
+    )  # a title is no markup
+    (tmp_path / "mine.md").write_text(written.markdown(), encoding="utf-8")
+    assert read_caption(tmp_path / "mine.md") == written
 
 
 @pytest.mark.parametrize("name", ["fig03", "fig06", "fig09", "fig12"])
@@ -378,7 +385,7 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
 
     drawing = plotted(name, datasets, printed=printed[name])
     title = datasets[name].attrs["title"]
-    text = caption(name, drawing.panels, title)
+    text = caption(name, drawing.panels, title).markdown()
     assert text.startswith(f"**Figure {int(name[3:])}. {title}.** (A) ")
     assert text.count(f"{WORDS[name]['text']}") == 1
     for panel in drawing.panels:

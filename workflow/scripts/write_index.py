@@ -7,7 +7,7 @@ import jinja2
 from markupsafe import Markup
 
 from thirdbody.data.files import atomic_write
-from thirdbody.figures.captions import WORDS
+from thirdbody.figures.captions import WORDS, read_caption
 from thirdbody.job_log import logged
 from thirdbody.places import part_of_paper
 from thirdbody.typeset import html
@@ -25,18 +25,16 @@ TABLES = {
 
 def figure_entry(caption, statements, scenes):
     """Content of the page for one figure: its title, what it shows, its caption, and its statements."""
-    stem = Path(caption).stem
-    first, _, last = Path(caption).read_text(encoding="utf-8").partition("\n\n")
-    title, _, text = first.removeprefix("**").partition(".**")
+    stem, written = Path(caption).stem, read_caption(caption)
     number = int(stem.removeprefix("fig")) if stem.startswith("fig") else None
     here = [each for each in statements if part_of_paper(each["place"]) == f"Figure {number}"]
     failed = [each for each in here if each["verdict"] == "fails"]
     return {
         "stem": stem,
-        "title": title,
+        "title": written.title,
         "shows": " ".join(WORDS[stem]["text"].split()),
-        "text": text.strip(),
-        "alternative": last.removeprefix("**Alternative text.**").strip(),
+        "text": written.text,
+        "alternative": written.alternative,
         "held": sum(each["verdict"] == "holds" for each in here),
         "wide": stem in scenes,
         "failed": [f"{each['place']}: {each['statement']}" for each in failed],

@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series
+from thirdbody.figures.drawing import TWO_COLUMNS, Drawing
+from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.places import part_of_paper
 
 LINE_INCHES = 0.22  # height of a line, of which each has up to two of text

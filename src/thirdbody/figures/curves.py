@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import matplotlib
@@ -14,20 +14,19 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
+from thirdbody.figures.axes import set_scales
 from thirdbody.figures.crowding import keep_apart, label_curves
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Panel, Series, empty_panels
+from thirdbody.figures.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
+from thirdbody.figures.panels import CURVE, Curve, Panel, Series
 from thirdbody.figures.scales import (
-    label,
     panel_title,
     parameter_title,
-    set_scales,
     shared_notes,
     value_text,
 )
@@ -49,30 +48,6 @@ MARKERS_PER_CURVE = 5
 DRY = {"linestyle": "-", "linewidth": 2.8, "alpha": 0.45, "zorder": 1.8}
 DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 2.4, "zorder": 1.7, "color": GREY}
 TINT = 0.13  # of the colour in a range, the rest is white
-
-
-@dataclass(frozen=True, eq=False)
-class Curve:
-    """One curve of a dataset: its condition; the values of each quantity over the load, shape (loads,);
-    ``load`` and ``peak_ratio`` of its turning point, if it has one; and its line properties."""
-
-    condition: Condition
-    values: dict[str, NDArray]
-    turning_point: Mapping[str, float]
-    look: Mapping[str, Any] = field(default_factory=dict)
-
-    @property
-    def label(self) -> str:
-        """Name in the file of the data drawn."""
-        return label(self.condition)
-
-    def has(self, name: str) -> bool:
-        """Whether there are values of the quantity ``name`` along the curve."""
-        return bool(np.isfinite(self.values.get(name, np.nan)).any())
-
-    def at(self, name: str, load: float) -> float:
-        """The quantity ``name`` at a ``load``, interpolated over ln load."""
-        return float(np.interp(np.log(load), np.log(self.values["load"]), self.values[name]))
 
 
 def curves_in(

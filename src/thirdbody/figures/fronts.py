@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from thirdbody.figures.claims import score_of
-from thirdbody.figures.drawing import CURVE, ONE_COLUMN, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import ONE_COLUMN, Drawing, empty_panels
+from thirdbody.figures.panels import CURVE, Panel, Series
 
 COLUMNS = 2
 CELL = ONE_COLUMN, 2.6  # of a panel with its labels [inches]

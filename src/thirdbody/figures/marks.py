@@ -1,10 +1,7 @@
 """Marks in panels: turning points (TPCA), statuses of points, and printed numbers with their tolerances."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +9,10 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.drawing import Series
+from thirdbody.figures.panels import Curve, Series
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
 from thirdbody.toml_tables import toml_beside
-
-if TYPE_CHECKING:
-    from thirdbody.figures.curves import Curve
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"

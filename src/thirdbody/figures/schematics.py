@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from thirdbody.data.netcdf import PlainDataset
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import TWO_COLUMNS, Drawing, empty_panels
+from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.figures.scales import label, shared_notes
 from thirdbody.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.model.regimes import CONTACT_MODES

@@ -7,7 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import TWO_COLUMNS, Drawing, empty_panels
+from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.readable import MEASURES, result_name
 
 ROW = 0.17  # height of a row [inches]
