@@ -15,7 +15,8 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption, read_caption
-from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
+from thirdbody.figures.crowding import GREY_TEXT
+from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in, level_styles
 from thirdbody.figures.drawing import SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
@@ -152,6 +153,37 @@ def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
     assert len({look(line) for line in lines}) >= PANELS[name][0]
 
 
+@pytest.mark.parametrize("count", [1, 2, 5, 11])
+def test_every_colour_is_seen_on_white_paper(count):
+    for each in level_styles(count):
+        red, green, blue = (  # WCAG 2.2, relative luminance
+            one / 12.92 if one <= 0.04045 else ((one + 0.055) / 1.055) ** 2.4
+            for one in to_rgb(each["color"])
+        )
+        assert 1.05 / (0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05) >= 3.0
+
+
+def test_dry_contact_is_grey_below_lubricated_contact_and_names_its_levels(datasets):
+    figure = plotted("fig06", datasets)
+    axes = figure.axes[3]
+    lines = [line for line in axes.lines if len(line.get_xdata()) > 2]
+    dry = [line for line in lines if isinstance(line.get_color(), str) and line.get_linewidth() > 2]
+    assert len(dry) == 11
+    assert all(len(set(to_rgb(line.get_color()))) == 1 for line in dry)
+    assert max(line.get_zorder() for line in dry) < min(
+        line.get_zorder() for line in lines if line not in dry
+    )
+    assert not [text for text in key_of(figure) if text.startswith("_")]
+    greys = [text.get_text() for text in axes.texts if text.get_color() == GREY_TEXT]
+    assert len(greys) > 1 and {*greys} <= {"300", "400", "500", "600", "700", "800", "900", "1000"}
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_the_title_of_each_panel_says_what_differs(name, datasets):
+    titles = [axes.get_title(loc="left")[12:] for axes in plotted(name, datasets).axes]
+    assert len(set(titles)) == len(titles) and all(titles)
+
+
 def look(line):
     grey = round(float(np.dot(to_rgb(line.get_color()), GREY)), 3)
     is_hollow = line.get_markerfacecolor() == "white"
@@ -274,6 +306,26 @@ def test_a_printed_turning_point_is_one_mark(datasets, printed):
     panel = plotted("fig11", datasets, printed=printed["fig11"]).panels[0]
     places = {(series.x[0], series.y[0]) for series in panel.of_kind(PRINTED)}
     assert {(3.27e-6, 0.2), (1.49e-5, 0.2)} <= places and len(places) <= 4
+
+
+def test_marks_that_coincide_are_one_with_one_bar_in_each_direction(datasets, printed):
+    axes = plotted("fig11", datasets, printed=printed["fig11"]).axes[0]
+    diamonds = [line for line in axes.lines if line.get_marker() == "D"]
+    shown = [line for line in diamonds if line.get_markevery() == [True]]
+    assert len(diamonds) > len(shown) == 2
+    bars = [line for line in axes.lines if line.get_marker() in ("|", "_") and line.get_visible()]
+    assert len(bars) == 4
+    for bar in bars:
+        middle = np.sqrt(bar.get_xdata().prod()), bar.get_ydata().mean()
+        assert any(np.allclose(middle, line.get_xydata()[0], rtol=0.1) for line in shown)
+
+
+def test_a_number_printed_up_to_a_load_is_drawn_up_to_it(datasets, printed):
+    (panel,) = (
+        p for p in plotted("fig08", datasets, printed=printed["fig08"]).panels if p.y == SOLID
+    )
+    lines = panel.of_kind(EVERY_LOAD)
+    assert lines and all(5e-7 < line.x[-1] <= 1e-6 for line in lines)
 
 
 @pytest.mark.parametrize("name", ["fig03", "fig08"])

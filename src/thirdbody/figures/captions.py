@@ -16,7 +16,6 @@ from thirdbody.figures.scales import (
     axis_text,
     label,
     note,
-    panel_title,
     quantity,
     unit_text,
     value_text,
@@ -80,14 +79,14 @@ def _notes(panels) -> list[str]:
     kinds = {series.kind for panel in panels for series in panel.series}
     contents = []
     for panel in panels:
-        own = f" at {panel.title}" if panel.title != panel_title(panel.x, panel.y) else ""
+        own = f" at {panel.conditions}" if panel.conditions else ""
         over = "" if panel.x == "load" else f" over the {quantity(panel.x)}"
         contents.append(f"({panel.letter}) {quantity(panel.y)}{own}{over}")
     sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in kinds]
     if len({condition.is_dry for condition in conditions}) > 1:
-        sentences.append("Broad curves: dry contact.")
+        sentences.append("Broad grey curves: dry contact.")
     sentences += [
         ZONES[zones] for zones in dict.fromkeys(SCALES[panel.y].zones for panel in panels) if zones
     ]

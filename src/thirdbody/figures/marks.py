@@ -110,6 +110,8 @@ def printed_series(
     drawn = set()
     for curve in curves:
         key, colour = condition_key(curve.condition), {"color": curve.look["color"]}
+        if isinstance(curve.look["color"], str):  # grey or black
+            colour = {"color": "black"}
         own = [row for row in printed if row_key(row) == key]
         numbers = {row["quantity"]: row["value"] for row in own}
         for row in own:
@@ -119,13 +121,15 @@ def printed_series(
                 drawn.add(place)
                 points, look = np.array(points), LOOKS[PRINTED] | colour
                 if _is_at_every_load(row, x, y):
-                    load, value = curve.values[x][[0, -1]], np.full(2, row["value"])
-                    points[0] = np.sqrt(load.prod())  # the tolerance in the middle of the axis
+                    load = curve.values[x][_within(curve, row)][[0, -1]]
+                    value = np.full(2, row["value"])
+                    points[0] = np.sqrt(load.prod())  # the tolerance in their middle
                     look = LOOKS[EVERY_LOAD] | colour
                     yield Series(EVERY_LOAD, row["id"], load, value, curve.condition, look)
                 else:
                     yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
-                look = LOOKS[TOLERANCE] | colour
+                end = "|" if points[0, 0] < points[0, 2] else "_"
+                look = LOOKS[TOLERANCE] | colour | {"marker": end}
                 yield Series(TOLERANCE, row["id"], *points[:, ::2], curve.condition, look)
 
 
@@ -170,12 +174,16 @@ def _load_of(curve, row) -> float:
         return row["at_level"]
     if row["at_quantity"]:
         return _falls_to(curve, row["at_quantity"], row["at_level"])
-    load = curve.values["load"]
-    within = load <= (row["load_max"] or np.inf)
-    within &= curve.values["normal_load"] <= (row["load_max_N"] or np.inf)
+    load, within = curve.values["load"], _within(curve, row)
     values = curve.values[RATIO if row["quantity"] in AT_TURNING_POINT else row["quantity"]]
     find = np.argmin if row["extreme"] == "minimum" else np.argmax
     return float(load[find(values[within])])
+
+
+def _within(curve, row) -> NDArray:
+    """Whether each load is one of those of which the number in ``row`` is told."""
+    within = curve.values["load"] <= (row["load_max"] or np.inf)
+    return within & (curve.values["normal_load"] <= (row["load_max_N"] or np.inf))
 
 
 def _falls_to(curve, name, level) -> float:

@@ -52,8 +52,8 @@ class Series:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A panel: title, names of the quantities on its axes, series, its letter once drawn, and where a
-    logarithmic axis of a fraction begins, 0 for a linear one."""
+    """A panel: title, names of the quantities on its axes, series, its letter once drawn, where a
+    logarithmic axis of a fraction begins, 0 for a linear one, and the conditions that no other has."""
 
     title: str
     x: str
@@ -61,6 +61,7 @@ class Panel:
     series: Sequence[Series]
     letter: str = ""
     least: float = 0.0
+    conditions: str = ""
 
     def of_kind(self, kind: str) -> list[Series]:
         """The series of one kind."""

@@ -108,7 +108,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
         f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
     ]
     if section["viscosity"] > 0.0:
-        facts.append(f"$L_s$ = {section['solid_load_fraction']:.0%}")
+        facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
     axes.set_xlabel(", ".join(facts), fontsize="medium")
 
 
@@ -122,12 +122,12 @@ def _name_parts(axes, section):
     middle = 0.5 * (section["upper"] + section["lower"])
     if section["surfaces_touch"].any():
         place = np.argmax(section["surfaces_touch"])
-        beside = 0.3 * length, 0.4 * bottom
+        beside = 0.3 * length, 0.7 * top
         _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
     x, y, _, carries = (section[name] for name in PARTICLES)
     if carries.any():
         last = np.flatnonzero(carries)[-1]
-        _point_at(axes, PARTICLE, (x[last], y[last]), (0.67 * length, 0.55 * bottom))
+        _point_at(axes, PARTICLE, (x[last], y[last]), (0.67 * length, 0.5 * bottom))
     if section["viscosity"] > 0.0:
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
