@@ -4,19 +4,23 @@
 import re
 from html import escape
 
-GREEK = {"sigma": "σ", "eta": "η", "nu": "ν"}
-LETTER = re.compile(r"(?<![A-Za-z])(sigma|eta|nu)(?![A-Za-z])")
-SYMBOL = re.compile(r"(?<!\w)([A-Za-zσηνφ])_(sa,t|ss,t|TPCA|max|min|[a-z]{1,2}|[0-9])(?![A-Za-z_])")
+GREEK = {"sigma": "σ", "eta": "η", "mu": "μ", "nu": "ν"}
+LETTER = re.compile(r"(?<![A-Za-z])(sigma|eta|mu|nu)(?![A-Za-z])")
+SYMBOL = re.compile(
+    r"(?<!\w)([A-Za-zσημνφ])_(sa,t|ss,t|TPCA|max|min|steel|[a-z]{1,2}|[a-z]?[0-9])(?![A-Za-z_])"
+)
+ALONE = re.compile(r"(?<!\w)([σημνφ])(?!\w)")
 POWER = re.compile(r"\b(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b")
-RAISED = re.compile(r"\b10\^(-?\d+)")
+RAISED = re.compile(r"\^(-?\d+)")
 PER = re.compile(r"(?<=\bm)-2\b")
 
 
 def html(text: str) -> str:
     """A text as HTML: escaped, with subscripts and powers of ten."""
-    text = SYMBOL.sub(r"<i>\1</i><sub>\2</sub>", escape(_with_letters(text)))
+    text = ALONE.sub(r"<i>\1</i>", escape(_with_letters(text)))
+    text = SYMBOL.sub(r"<i>\1</i><sub>\2</sub>", text)
     text = POWER.sub(lambda found: "{}10<sup>{}</sup>".format(*_power(found)), text)
-    text = RAISED.sub(lambda found: f"10<sup>{found[1].replace('-', '−')}</sup>", text)
+    text = RAISED.sub(lambda found: f"<sup>{found[1].replace('-', '−')}</sup>", text)
     return PER.sub("<sup>−2</sup>", text)
 
 

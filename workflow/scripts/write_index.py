@@ -1,6 +1,7 @@
 """The index page of all products, and the captions with the failing statements of each figure."""
 
 import json
+import struct
 from pathlib import Path
 
 import jinja2
@@ -23,7 +24,7 @@ TABLES = {
 }
 
 
-def figure_entry(caption, statements, scenes):
+def figure_entry(caption, picture, statements, scenes):
     """Content of the page for one figure: its title, what it shows, its caption, and its statements."""
     stem, written = Path(caption).stem, read_caption(caption)
     number = int(stem.removeprefix("fig")) if stem.startswith("fig") else None
@@ -31,6 +32,7 @@ def figure_entry(caption, statements, scenes):
     failed = [each for each in here if each["verdict"] == "fails"]
     return {
         "stem": stem,
+        "size": struct.unpack(">2I", Path(picture).read_bytes()[16:24]),  # of a PNG, in dots
         "title": written.title,
         "shows": " ".join(WORDS[stem]["text"].split()),
         "text": written.text,
@@ -54,7 +56,10 @@ with logged(snakemake.log[0]):
     environment.filters["typeset"] = lambda text: Markup(html(text))
     statements, titles = judged["statements"], snakemake.params.titles
     content = {
-        "figures": [figure_entry(each, statements, titles) for each in snakemake.input.captions],
+        "figures": [
+            figure_entry(*files, statements, titles)
+            for files in zip(snakemake.input.captions, snakemake.input.thumbnails, strict=True)
+        ],
         "tables": {
             name: TABLES.get(name, name)
             for name in (Path(table).stem for table in snakemake.input.tables)
