@@ -123,7 +123,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
     assert "ensemble range" in key_of(drawing)
-    assert "Shaded in colour: ensemble range of some curves." in caption(name, drawing.panels).text
+    assert "Shaded in colour: from the lowest to the highest" in caption(name, drawing.panels).text
     drawing.draw_without_rendering()
     width, height = drawing.bbox.size
     box = drawing.get_tightbbox().extents * drawing.dpi  # [inches]
@@ -448,7 +448,12 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
         assert f"{1e9 * roughness:.10g}" in text
     kinds = {series.kind for panel in drawing.panels for series in panel.series}
     assert ("Stars: " in text) == (STARS in kinds)
-    assert ("Diamonds" in text) == (PRINTED in kinds)
+    assert ("that the paper prints" in text) == bool(kinds & {PRINTED, EVERY_LOAD})
+    assert ("Diamonds" in text) == ("printed, with tolerance" in key_of(drawing))
+    if name == "fig09":
+        assert "Dashed vertical lines" in text and "Dotted vertical lines" in text
+    if name == "fig12":
+        assert "xₐ/σ = 1;" in text
     assert "Shaded in colour" not in text
     if name == "fig03":
         last = drawing.panels[1].of_kind(CURVE)[-1]

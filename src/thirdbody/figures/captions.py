@@ -76,7 +76,8 @@ def caption(
 def _notes(panels) -> list[str]:
     """Sentences on the panels, the load axis, the conditions, and the meaning of marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
-    kinds = {series.kind for panel in panels for series in panel.series}
+    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    named = {kind for kind, look in marks.LOOKS.items() if look.get("label", "") in labels}
     contents = []
     for panel in panels:
         own = f" at {panel.conditions}" if panel.conditions else ""
@@ -84,7 +85,7 @@ def _notes(panels) -> list[str]:
         contents.append(f"({panel.letter}) {quantity(panel.y)}{own}{over}")
     sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
-    sentences += [sentence for kind, sentence in MEANINGS.items() if kind in kinds]
+    sentences += [sentence for kind, sentence in MEANINGS.items() if kind in named]
     if len({condition.is_dry for condition in conditions}) > 1:
         sentences.append("Broad grey curves: dry contact.")
     sentences += [
@@ -94,9 +95,13 @@ def _notes(panels) -> list[str]:
 
 
 def _conditions(conditions) -> str:
-    """The values of the four conditions of the curves."""
+    """The values of the four conditions of the curves, of sizes over the roughness where these are fewer."""
     parts = []
+    ratios = {f"{condition.diameter_ratio:.4g}" for condition in conditions}
     for name, taken in zip(Condition._fields, zip(*conditions), strict=True):
+        if name == "particle_diameter" and len(ratios) < len({*taken}):
+            parts.append(f"xₐ/σ = {', '.join(sorted(ratios, key=float))}")
+            continue
         values = sorted(set(taken))
         if len(values) == 1:
             parts.append(note(name, values[0]))

@@ -29,7 +29,10 @@ def label_curves(axes: Axes, texts: Mapping[Line2D, str], marks: Sequence[Line2D
     for line, own, there in zip(lines, places, inside, strict=True):
         if (every := line.get_markevery()) is not None:
             markers = own[every[0] :: every[1]]
-            there &= np.abs(own[:, None] - markers).max(axis=2).min(axis=1) > FROM_MARKER
+            distances = np.abs(own[:, None] - markers).max(axis=2)
+            there &= (
+                np.fmin.reduce(distances, axis=1) > FROM_MARKER
+            )  # where a curve has no value: nan
     free = set(range(len(lines)))
     written = [place for mark in marks for place in _in_axes(axes, mark)]
     for _ in range(ROUNDS):
@@ -51,7 +54,7 @@ def _that_fit(places, inside, free, written, at) -> list[tuple[int, int]]:
     for line in sorted(free, key=lambda line: places[line, at, 1]):
         place = places[line, at]
         others = np.delete(places[:, at, 1], line)
-        clear = np.abs(others - place[1]).min() > 0.5 * BELOW
+        clear = np.fmin.reduce(np.abs(others - place[1])) > 0.5 * BELOW
         if inside[line, at] and clear and _is_apart(place, taken, BESIDE, BELOW):
             chosen.append((line, at))
             taken.append(place)
