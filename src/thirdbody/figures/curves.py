@@ -130,32 +130,16 @@ class CurveFigure:
         looks = curve_styles(conditions, self.parameter, data.sizes["load"])
         curves = [replace(curve, look=looks[curve.condition]) for curve in curves]
         common = shared_notes(conditions)
-        roughness = data["roughness"].values
         panels = []
-        several = len({(content.x, content.y) for content in self.contents}) > 1
-        for content in self.contents:
-            for surface in range(roughness.size) if self.each_surface else [content.surface]:
-                chosen = curves
-                if surface is not None:
-                    chosen = [c for c in curves if c.condition.roughness == roughness[surface]]
-                if content.x == "diameter_ratio":
-                    series = tuple(_window_series(content, chosen, windows, printed))
-                else:
-                    series = tuple(_curve_series(content, chosen, printed))
-                shared = shared_notes([curve.condition for curve in chosen])
-                own = ", ".join(text for text in shared if text not in common)
-                shown = panel_title(content.x, content.y) if several or not own else ""
-                panels.append(
-                    Panel(
-                        title="\n".join(filter(None, (shown, own))),
-                        x=content.x,
-                        y=content.y,
-                        series=series,
-                        least=content.least,
-                        conditions=own,
-                    )
-                )
-        panels = [panel for panel in panels if panel.series]
+        for content, chosen in self._chosen(curves, data["roughness"].values):
+            if content.x == "diameter_ratio":
+                series = tuple(_window_series(content, chosen, windows, printed))
+            else:
+                series = tuple(_curve_series(content, chosen, printed))
+            shared = shared_notes([curve.condition for curve in chosen])
+            own = ", ".join(text for text in shared if text not in common)
+            if series:
+                panels.append(self._panel(content, series, own))
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
@@ -164,6 +148,26 @@ class CurveFigure:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
         return draw_panels(panels, looks.values(), title, common, newtons_per_load, axes)
+
+    def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
+        """The content of each panel with its curves, those of one surface if it has one."""
+        for content in self.contents:
+            for surface in range(roughness.size) if self.each_surface else [content.surface]:
+                on = roughness if surface is None else [roughness[surface]]
+                yield content, [curve for curve in curves if curve.condition.roughness in on]
+
+    def _panel(self, content, series, own) -> Panel:
+        """A panel, whose title has what it shows if others show something else, and its ``own`` conditions."""
+        several = len({(each.x, each.y) for each in self.contents}) > 1
+        shown = panel_title(content.x, content.y) if several or not own else ""
+        return Panel(
+            title="\n".join(filter(None, (shown, own))),
+            x=content.x,
+            y=content.y,
+            series=series,
+            least=content.least,
+            conditions=own,
+        )
 
 
 ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
