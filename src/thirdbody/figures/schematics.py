@@ -149,8 +149,8 @@ def _draw_arrows(axes, section):
     axes.annotate("", (place, 0.0), (place, d), arrowprops=ARROWS["separation"])
     axes.text(place, 0.5 * d, "  $d$", va="center")
     bottom, top = axes.get_ylim()
-    axes.axhspan(max(d - section["elastic_depth"], bottom), d, 0.07, 0.09, **LOOKS["elastic zone"])
-    axes.text(0.1 * length, 0.2 * bottom, "$h_e$", va="center")
+    axes.axhspan(max(d - section["elastic_depth"], bottom), d, 0.05, 0.064, **LOOKS["elastic zone"])
+    axes.text(0.072 * length, 0.4 * bottom, "$h_e$", va="center")
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=ARROWS["load"])
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
