@@ -17,6 +17,7 @@ from tabulate import tabulate
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
 from thirdbody.data.tables import Column, cells
+from thirdbody.typeset import html
 
 DIGITS = 3
 NEGLIGIBLE = 0.005  # of an elasticity or a fraction of variance
@@ -52,6 +53,11 @@ class Sheet(NamedTuple):
     def table(self, style: str) -> str:
         """The rows in a ``style`` of tabulate."""
         return tabulate(self.rows, headers="keys", tablefmt=style, disable_numparse=True)
+
+    def typeset(self) -> str:
+        """The rows as HTML, with subscripts and powers of ten."""
+        rows = [{html(name): html(text) for name, text in row.items()} for row in self.rows]
+        return self._replace(rows=rows).table("unsafehtml")
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
@@ -102,7 +108,7 @@ def markdown(sheets: Sequence[Sheet]) -> str:
 def page(sheets: Sequence[Sheet]) -> str:
     """A self-contained HTML page of ``sheets``, one below the other."""
     parts = (
-        f"<p><strong>{escape(each.title)}.</strong> {escape(each.note)}</p>\n{each.table('html')}"
+        f"<p><strong>{html(each.title)}.</strong> {html(each.note)}</p>\n{each.typeset()}"
         for each in sheets
     )
     template = Template(Path(__file__).with_name("readable.html").read_text(encoding="utf-8"))

@@ -14,11 +14,13 @@ from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
-from thirdbody.figures.captions import WORDS, caption
-from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
-from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
+from thirdbody.figures.captions import WORDS, caption, read_caption
+from thirdbody.figures.crowding import GREY_TEXT
+from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in, level_styles
+from thirdbody.figures.drawing import SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
+from thirdbody.figures.panels import CURVE
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import STRETCH, sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
@@ -121,7 +123,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
     assert "ensemble range" in key_of(drawing)
-    assert "Shaded in colour: ensemble range of some curves." in caption(name, drawing.panels)
+    assert "Shaded in colour: from the lowest to the highest" in caption(name, drawing.panels).text
     drawing.draw_without_rendering()
     width, height = drawing.bbox.size
     box = drawing.get_tightbbox().extents * drawing.dpi  # [inches]
@@ -149,6 +151,37 @@ def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
     assert len(set(marked)) == len(marked)  # markers alone tell the levels apart
     lines = [line for line in figure.axes[0].lines if len(line.get_xdata()) > 2]
     assert len({look(line) for line in lines}) >= PANELS[name][0]
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 11])
+def test_every_colour_is_seen_on_white_paper(count):
+    for each in level_styles(count):
+        red, green, blue = (  # WCAG 2.2, relative luminance
+            one / 12.92 if one <= 0.04045 else ((one + 0.055) / 1.055) ** 2.4
+            for one in to_rgb(each["color"])
+        )
+        assert 1.05 / (0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05) >= 3.0
+
+
+def test_dry_contact_is_grey_below_lubricated_contact_and_names_its_levels(datasets):
+    figure = plotted("fig06", datasets)
+    axes = figure.axes[3]
+    lines = [line for line in axes.lines if len(line.get_xdata()) > 2]
+    dry = [line for line in lines if isinstance(line.get_color(), str) and line.get_linewidth() > 2]
+    assert len(dry) == 11
+    assert all(len(set(to_rgb(line.get_color()))) == 1 for line in dry)
+    assert max(line.get_zorder() for line in dry) < min(
+        line.get_zorder() for line in lines if line not in dry
+    )
+    assert not [text for text in key_of(figure) if text.startswith("_")]
+    greys = [text.get_text() for text in axes.texts if text.get_color() == GREY_TEXT]
+    assert len(greys) > 1 and {*greys} <= {"300", "400", "500", "600", "700", "800", "900", "1000"}
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_the_title_of_each_panel_says_what_differs(name, datasets):
+    titles = [axes.get_title(loc="left")[12:] for axes in plotted(name, datasets).axes]
+    assert len(set(titles)) == len(titles) and all(titles)
 
 
 def look(line):
@@ -236,7 +269,7 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values[name][places])
     assert meaning in key_of(drawing)
-    assert meaning in caption("fig11", drawing.panels)
+    assert meaning in caption("fig11", drawing.panels).text
     assert meaning not in key_of(plotted("fig11", datasets))
 
 
@@ -273,6 +306,26 @@ def test_a_printed_turning_point_is_one_mark(datasets, printed):
     panel = plotted("fig11", datasets, printed=printed["fig11"]).panels[0]
     places = {(series.x[0], series.y[0]) for series in panel.of_kind(PRINTED)}
     assert {(3.27e-6, 0.2), (1.49e-5, 0.2)} <= places and len(places) <= 4
+
+
+def test_marks_that_coincide_are_one_with_one_bar_in_each_direction(datasets, printed):
+    axes = plotted("fig11", datasets, printed=printed["fig11"]).axes[0]
+    diamonds = [line for line in axes.lines if line.get_marker() == "D"]
+    shown = [line for line in diamonds if line.get_markevery() == [True]]
+    assert len(diamonds) > len(shown) == 2
+    bars = [line for line in axes.lines if line.get_marker() in ("|", "_") and line.get_visible()]
+    assert len(bars) == 4
+    for bar in bars:
+        middle = np.sqrt(bar.get_xdata().prod()), bar.get_ydata().mean()
+        assert any(np.allclose(middle, line.get_xydata()[0], rtol=0.1) for line in shown)
+
+
+def test_a_number_printed_up_to_a_load_is_drawn_up_to_it(datasets, printed):
+    (panel,) = (
+        p for p in plotted("fig08", datasets, printed=printed["fig08"]).panels if p.y == SOLID
+    )
+    lines = panel.of_kind(EVERY_LOAD)
+    assert lines and all(5e-7 < line.x[-1] <= 1e-6 for line in lines)
 
 
 @pytest.mark.parametrize("name", ["fig03", "fig08"])
@@ -359,7 +412,9 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
         ("viscosity", {"viscosity_cSt": [50, 90], "roughness_nm": [100, 300]}, 8, 2),
     ],
 )
-def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, curves, parameters):
+def test_a_scene_of_the_user_is_drawn_by_what_varies(
+    parameter, varied, panels, curves, parameters, tmp_path
+):
     usual = {"viscosity_cSt": [0, 90], "particle_diameter_nm": [300], "roughness_nm": [300]}
     group = usual | {"particle_density_per_m2": [1e11]} | varied
     scene = {"title": "Mine", "load_axis": LOAD_AXIS, "curves": [group]}
@@ -369,7 +424,11 @@ def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, 
     drawing = chosen.plot(data)
     assert [len(panel.of_kind(CURVE)) for panel in drawing.panels] == [curves] * panels
     written = caption("mine", drawing.panels, "a *b* <script>\n# c")
-    assert written.startswith(r"**a \*b\* \<script\> # c.** (A) ")  # a title is no markup
+    assert written.markdown().startswith(
+        r"**a \*b\* \<script\> # c.** (A) "
+    )  # a title is no markup
+    (tmp_path / "mine.md").write_text(written.markdown(), encoding="utf-8")
+    assert read_caption(tmp_path / "mine.md") == written
 
 
 @pytest.mark.parametrize("name", ["fig03", "fig06", "fig09", "fig12"])
@@ -378,7 +437,7 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
 
     drawing = plotted(name, datasets, printed=printed[name])
     title = datasets[name].attrs["title"]
-    text = caption(name, drawing.panels, title)
+    text = caption(name, drawing.panels, title).markdown()
     assert text.startswith(f"**Figure {int(name[3:])}. {title}.** (A) ")
     assert text.count(f"{WORDS[name]['text']}") == 1
     for panel in drawing.panels:
@@ -389,7 +448,12 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
         assert f"{1e9 * roughness:.10g}" in text
     kinds = {series.kind for panel in drawing.panels for series in panel.series}
     assert ("Stars: " in text) == (STARS in kinds)
-    assert ("Diamonds" in text) == (PRINTED in kinds)
+    assert ("that the paper prints" in text) == bool(kinds & {PRINTED, EVERY_LOAD})
+    assert ("Diamonds" in text) == ("printed, with tolerance" in key_of(drawing))
+    if name == "fig09":
+        assert "Dashed vertical lines" in text and "Dotted vertical lines" in text
+    if name == "fig12":
+        assert "xₐ/σ = 1;" in text
     assert "Shaded in colour" not in text
     if name == "fig03":
         last = drawing.panels[1].of_kind(CURVE)[-1]

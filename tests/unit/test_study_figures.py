@@ -10,6 +10,7 @@ from thirdbody.figures import claims, fronts
 from thirdbody.places import part_of_paper
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
+from thirdbody.typeset import mathtext
 
 pytestmark = pytest.mark.usefixtures("style")
 
@@ -51,7 +52,7 @@ def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
         if is_named:
             place, _, sentence = text.replace("\n", " ").partition(": ")
             assert row["place"].startswith(place)
-            assert row["statement"].startswith(sentence.removesuffix(" …"))
+            assert mathtext(row["statement"]).startswith(sentence.removesuffix(" …"))
         else:
             assert text == f"{part}: {held} of {judged} hold"
 

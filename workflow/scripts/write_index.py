@@ -1,13 +1,14 @@
 """The index page of all products, and the captions with the failing statements of each figure."""
 
 import json
+import struct
 from pathlib import Path
 
 import jinja2
 from markupsafe import Markup
 
 from thirdbody.data.files import atomic_write
-from thirdbody.figures.captions import WORDS
+from thirdbody.figures.captions import WORDS, read_caption
 from thirdbody.job_log import logged
 from thirdbody.places import part_of_paper
 from thirdbody.typeset import html
@@ -23,20 +24,19 @@ TABLES = {
 }
 
 
-def figure_entry(caption, statements, scenes):
+def figure_entry(caption, picture, statements, scenes):
     """Content of the page for one figure: its title, what it shows, its caption, and its statements."""
-    stem = Path(caption).stem
-    first, _, last = Path(caption).read_text(encoding="utf-8").partition("\n\n")
-    title, _, text = first.removeprefix("**").partition(".**")
+    stem, written = Path(caption).stem, read_caption(caption)
     number = int(stem.removeprefix("fig")) if stem.startswith("fig") else None
     here = [each for each in statements if part_of_paper(each["place"]) == f"Figure {number}"]
     failed = [each for each in here if each["verdict"] == "fails"]
     return {
         "stem": stem,
-        "title": title,
+        "size": struct.unpack(">2I", Path(picture).read_bytes()[16:24]),  # of a PNG, in dots
+        "title": written.title,
         "shows": " ".join(WORDS[stem]["text"].split()),
-        "text": text.strip(),
-        "alternative": last.removeprefix("**Alternative text.**").strip(),
+        "text": written.text,
+        "alternative": written.alternative,
         "held": sum(each["verdict"] == "holds" for each in here),
         "wide": stem in scenes,
         "failed": [f"{each['place']}: {each['statement']}" for each in failed],
@@ -56,7 +56,10 @@ with logged(snakemake.log[0]):
     environment.filters["typeset"] = lambda text: Markup(html(text))
     statements, titles = judged["statements"], snakemake.params.titles
     content = {
-        "figures": [figure_entry(each, statements, titles) for each in snakemake.input.captions],
+        "figures": [
+            figure_entry(*files, statements, titles)
+            for files in zip(snakemake.input.captions, snakemake.input.thumbnails, strict=True)
+        ],
         "tables": {
             name: TABLES.get(name, name)
             for name in (Path(table).stem for table in snakemake.input.tables)

@@ -1,19 +1,21 @@
-"""Captions and alternative texts as Markdown, from ``captions.toml`` and from the panels of a figure."""
+"""Captions and alternative texts, from ``captions.toml`` and from the panels of a figure."""
 
 import re
 from collections.abc import Sequence
+from os import PathLike
+from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.figures import marks
-from thirdbody.figures.drawing import CURVE, Panel
+from thirdbody.figures.panels import CURVE, Panel
 from thirdbody.figures.scales import (
     SCALES,
     axis_text,
     label,
     note,
-    panel_title,
     quantity,
     unit_text,
     value_text,
@@ -23,41 +25,69 @@ from thirdbody.toml_tables import toml_beside
 WORDS = toml_beside(__file__)
 ZONES = WORDS.pop("zones")
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
+ESCAPED = re.compile(rf"\\({MARKUP.pattern})")
 MEANINGS = WORDS.pop("marks") | {
     status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES
 }
 
 
+class Caption(NamedTuple):
+    """The title of a figure, a text on all that it shows, and a text in place of it."""
+
+    title: str
+    text: str
+    alternative: str
+
+    def markdown(self) -> str:
+        """Two paragraphs of Markdown or reStructuredText."""
+        title = MARKUP.sub(r"\\\g<0>", self.title)
+        return f"**{title}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
+
+
+def read_caption(path: str | PathLike) -> Caption:
+    """The caption in a file that ``Caption.markdown`` made."""
+    first, _, alternative = Path(path).read_text(encoding="utf-8").partition("\n\n")
+    title, _, text = first.removeprefix("**").partition(".** ")
+    return Caption(
+        title=ESCAPED.sub(r"\1", title),
+        text=text,
+        alternative=alternative.removeprefix("**Alternative text.** ").rstrip("\n"),
+    )
+
+
 def caption(
     name: str, panels: Sequence[Panel] = (), title: str = "", notes: Sequence[str] = ()
-) -> str:
-    """Caption and alternative text of a figure, two paragraphs of Markdown or reStructuredText;
-    those of a figure of curves follow from the ``title`` of its scene and from its ``panels``."""
+) -> Caption:
+    """The caption of a figure; that of a figure of curves follows from the ``title`` of its scene and
+    from its ``panels``."""
     words = WORDS.get(name, {})
     if "title" not in words:
         number = f"Figure {int(name.removeprefix('fig'))}. " if words else ""
         described = " ".join(map(_description, panels))
         words = {"title": number + title, "text": "", "alternative": described} | words
         notes = _notes(panels)
-    plain = MARKUP.sub(r"\\\g<0>", " ".join(words["title"].split()))
-    sentences = " ".join(filter(None, [f"**{plain}.**", *notes, words["text"]]))
-    return f"{sentences}\n\n**Alternative text.** {words['alternative']}\n"
+    return Caption(
+        title=" ".join(words["title"].split()),
+        text=" ".join(filter(None, [*notes, words["text"]])),
+        alternative=words["alternative"],
+    )
 
 
 def _notes(panels) -> list[str]:
     """Sentences on the panels, the load axis, the conditions, and the meaning of marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
-    kinds = {series.kind for panel in panels for series in panel.series}
+    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    named = {kind for kind, look in marks.LOOKS.items() if look.get("label", "") in labels}
     contents = []
     for panel in panels:
-        own = f" at {panel.title}" if panel.title != panel_title(panel.x, panel.y) else ""
+        own = f" at {panel.conditions}" if panel.conditions else ""
         over = "" if panel.x == "load" else f" over the {quantity(panel.x)}"
         contents.append(f"({panel.letter}) {quantity(panel.y)}{own}{over}")
     sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
-    sentences += [sentence for kind, sentence in MEANINGS.items() if kind in kinds]
+    sentences += [sentence for kind, sentence in MEANINGS.items() if kind in named]
     if len({condition.is_dry for condition in conditions}) > 1:
-        sentences.append("Broad curves: dry contact.")
+        sentences.append("Broad grey curves: dry contact.")
     sentences += [
         ZONES[zones] for zones in dict.fromkeys(SCALES[panel.y].zones for panel in panels) if zones
     ]
@@ -65,9 +95,13 @@ def _notes(panels) -> list[str]:
 
 
 def _conditions(conditions) -> str:
-    """The values of the four conditions of the curves."""
+    """The values of the four conditions of the curves, of sizes over the roughness where these are fewer."""
     parts = []
+    ratios = {f"{condition.diameter_ratio:.4g}" for condition in conditions}
     for name, taken in zip(Condition._fields, zip(*conditions), strict=True):
+        if name == "particle_diameter" and len(ratios) < len({*taken}):
+            parts.append(f"xₐ/σ = {', '.join(sorted(ratios, key=float))}")
+            continue
         values = sorted(set(taken))
         if len(values) == 1:
             parts.append(note(name, values[0]))

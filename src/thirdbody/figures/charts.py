@@ -7,7 +7,8 @@ import xarray as xr
 
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.figures.curves import draw_panels, level_styles, range_series
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
+from thirdbody.figures.drawing import Drawing
+from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.figures.scales import note, parameter_title, value_text
 
 

@@ -8,8 +8,10 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series
+from thirdbody.figures.drawing import TWO_COLUMNS, Drawing
+from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.places import part_of_paper
+from thirdbody.typeset import mathtext
 
 LINE_INCHES = 0.22  # height of a line, of which each has up to two of text
 LETTERS = 76  # in a line of text
@@ -94,9 +96,8 @@ def _sentence(row) -> str:
     """A statement with its place, on at most two lines."""
     place = row["place"].partition(", section")[0]
     text = f"{place}: {row['statement']}"
-    return "\n".join(
-        textwrap.wrap(text, LETTERS, max_lines=2, placeholder=" …", break_on_hyphens=False)
-    )
+    lines = textwrap.wrap(text, LETTERS, max_lines=2, placeholder=" …", break_on_hyphens=False)
+    return mathtext("\n".join(lines))
 
 
 def _is_predicted(row) -> bool:

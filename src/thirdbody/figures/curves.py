@@ -2,7 +2,8 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import matplotlib
@@ -14,26 +15,25 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
-from thirdbody.figures.crowding import keep_apart, label_curves
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Panel, Series, empty_panels
+from thirdbody.figures.axes import set_scales
+from thirdbody.figures.crowding import hide_bars, keep_apart, label_curves
+from thirdbody.figures.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
+from thirdbody.figures.panels import CURVE, Curve, Panel, Series
 from thirdbody.figures.scales import (
-    label,
     panel_title,
     parameter_title,
-    set_scales,
     shared_notes,
     value_text,
 )
 from thirdbody.toml_tables import toml_beside
 
-MOST_RANGES = 5  # drawn in a panel; the file of the data drawn has all
+MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
@@ -41,38 +41,18 @@ CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 KEY_HEIGHT, KEY_LINE = 0.9, 0.16  # of a key below the panels, at least, and of its lines [inches]
 KEY_LETTERS, HANDLE_LETTERS = 118, 10  # across a figure; as wide as the handle of an entry
 MARKERS = "os^vPX>"  # every second one is hollow, so that neighbouring levels differ; diamonds are printed values
-DARKEST, LIGHTEST = 0.05, 0.78  # of the colour map: black is two-body contact, white is paper
+DARKEST, LIGHTEST = (
+    0.05,
+    0.59,
+)  # of the colour map: two-body contact is darker, lighter is faint on white paper
 GREY = "0.5"
 BLUE = "#0072B2"  # of a single curve of an interface, or of the model
 MARKERS_PER_CURVE = 5
-# Dry curves are broad and under the lubricated ones, which then are seen on them.
-DRY = {"linestyle": "-", "linewidth": 2.8, "alpha": 0.45, "zorder": 1.8}
+# Dry curves are broad, grey and under the lubricated ones, which then are seen on them.
+DRY = {"linestyle": "-", "linewidth": 2.6, "zorder": 1.8, "color": "0.6"}
 DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 2.4, "zorder": 1.7, "color": GREY}
+DRY_GREYS = 0.45, 0.65  # of dry curves at the first and last of several levels
 TINT = 0.13  # of the colour in a range, the rest is white
-
-
-@dataclass(frozen=True, eq=False)
-class Curve:
-    """One curve of a dataset: its condition; the values of each quantity over the load, shape (loads,);
-    ``load`` and ``peak_ratio`` of its turning point, if it has one; and its line properties."""
-
-    condition: Condition
-    values: dict[str, NDArray]
-    turning_point: Mapping[str, float]
-    look: Mapping[str, Any] = field(default_factory=dict)
-
-    @property
-    def label(self) -> str:
-        """Name in the file of the data drawn."""
-        return label(self.condition)
-
-    def has(self, name: str) -> bool:
-        """Whether there are values of the quantity ``name`` along the curve."""
-        return bool(np.isfinite(self.values.get(name, np.nan)).any())
-
-    def at(self, name: str, load: float) -> float:
-        """The quantity ``name`` at a ``load``, interpolated over ln load."""
-        return float(np.interp(np.log(load), np.log(self.values["load"]), self.values[name]))
 
 
 def curves_in(
@@ -150,29 +130,16 @@ class CurveFigure:
         looks = curve_styles(conditions, self.parameter, data.sizes["load"])
         curves = [replace(curve, look=looks[curve.condition]) for curve in curves]
         common = shared_notes(conditions)
-        roughness = data["roughness"].values
         panels = []
-        for content in self.contents:
-            for surface in range(roughness.size) if self.each_surface else [content.surface]:
-                chosen = curves
-                if surface is not None:
-                    chosen = [c for c in curves if c.condition.roughness == roughness[surface]]
-                if content.x == "diameter_ratio":
-                    series = tuple(_window_series(content, chosen, windows, printed))
-                else:
-                    series = tuple(_curve_series(content, chosen, printed))
-                shared = shared_notes([curve.condition for curve in chosen])
-                own = ", ".join(text for text in shared if text not in common)
-                panels.append(
-                    Panel(
-                        own or panel_title(content.x, content.y),
-                        content.x,
-                        content.y,
-                        series,
-                        least=content.least,
-                    )
-                )
-        panels = [panel for panel in panels if panel.series]
+        for content, chosen in self._chosen(curves, data["roughness"].values):
+            if content.x == "diameter_ratio":
+                series = tuple(_window_series(content, chosen, windows, printed))
+            else:
+                series = tuple(_curve_series(content, chosen, printed))
+            shared = shared_notes([curve.condition for curve in chosen])
+            own = ", ".join(text for text in shared if text not in common)
+            if series:
+                panels.append(self._panel(content, series, own))
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
@@ -181,6 +148,26 @@ class CurveFigure:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
         return draw_panels(panels, looks.values(), title, common, newtons_per_load, axes)
+
+    def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
+        """The content of each panel with its curves, those of one surface if it has one."""
+        for content in self.contents:
+            for surface in range(roughness.size) if self.each_surface else [content.surface]:
+                on = roughness if surface is None else [roughness[surface]]
+                yield content, [curve for curve in curves if curve.condition.roughness in on]
+
+    def _panel(self, content, series, own) -> Panel:
+        """A panel, whose title has what it shows if others show something else, and its ``own`` conditions."""
+        several = len({(each.x, each.y) for each in self.contents}) > 1
+        shown = panel_title(content.x, content.y) if several or not own else ""
+        return Panel(
+            title="\n".join(filter(None, (shown, own))),
+            x=content.x,
+            y=content.y,
+            series=series,
+            least=content.least,
+            conditions=own,
+        )
 
 
 ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
@@ -283,8 +270,11 @@ def draw_panels(
     the key is in the last of them; otherwise on a new figure."""
     labels = {series.look.get("label") for panel in panels for series in panel.series}
     looks = [*looks, *(look for look in marks.LOOKS.values() if look.get("label") in labels)]
-    labelled = [look for look in looks if look.get("label")]
-    entries = {look["label"]: Line2D([], [], **look) for look in labelled}
+    entries = {
+        look["label"]: Line2D([], [], **look)
+        for look in looks
+        if look.get("label", "_")[0] != "_"  # as matplotlib has it
+    }
     if axes:
         if len(axes) != len(panels):
             names = ", ".join(panel.y for panel in panels)
@@ -313,9 +303,8 @@ def draw_panels(
 
 def _draw_panel(axes, panel, newtons_per_load):
     """The series of a panel, and the scales of its axes."""
-    ranges, lines = panel.of_kind(marks.BAND), {}
-    shown = np.unique(np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int))
-    for series in [ranges[place] for place in shown if ranges]:
+    lines = {}
+    for series in _some_ranges(panel.of_kind(marks.BAND)):
         outline = np.column_stack((series.x, np.maximum(series.y, panel.least or -np.inf)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in [one for one in panel.series if one.kind != marks.BAND]:
@@ -329,20 +318,31 @@ def _draw_panel(axes, panel, newtons_per_load):
             for end in series.x:
                 axes.axvline(end, **series.look)
     set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
-    marked = []
-    for kind in (marks.TURNING_POINTS, marks.PRINTED):
-        some = [line for series, line in lines.items() if series.kind == kind]
-        keep_apart(axes, some)
-        marked += some
+    stars = [line for series, line in lines.items() if series.kind == marks.TURNING_POINTS]
+    keep_apart(axes, stars)
+    printed = [line for series, line in lines.items() if series.kind == marks.PRINTED]
+    keep_apart(axes, printed)
+    # a tolerance follows its number
+    tolerances = [
+        (lines[number], lines[one])
+        for number, one in pairwise(lines)
+        if one.kind == marks.TOLERANCE
+    ]
+    hide_bars(axes, tolerances)
     if panel.x == "load":
-        levels = [one for one in lines if one.kind == CURVE and _is_level(one)]
-        texts = [one.look["label"] for one in levels]
-        label_curves(axes, [lines[one] for one in levels], texts, marked)
+        texts = {
+            lines[one]: text
+            for one in panel.of_kind(CURVE)
+            if (text := one.look.get("label", "").lstrip("_"))[:1].isdigit()
+        }
+        label_curves(axes, texts, [*stars, *printed])
 
 
-def _is_level(series):
-    """Whether the label of a curve is a number."""
-    return series.look.get("label", "")[:1].isdigit()
+def _some_ranges(ranges):
+    """Ranges from the first to the last curve with a colour; grey is a zone."""
+    coloured = [one for one in ranges if len({*one.look["facecolor"]}) > 1]
+    places = np.linspace(0, max(len(coloured) - 1, 0), MOST_RANGES).round().astype(int)
+    return [coloured[place] for place in np.unique(places) if coloured]
 
 
 def key_columns(labels: Iterable[str], width: float = 1.0) -> int:
@@ -392,26 +392,28 @@ def curve_styles(
     curves: Sequence[Condition], parameter: str, size: int
 ) -> dict[Condition | str, dict]:
     """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by its
-    level.  Two-body contact is black or grey; with lubricated contact, dry contact is dashed, or dotted
-    without particles."""
+    level.  Two-body contact is black or grey; with lubricated contact, dry contact is broad and grey, the
+    lighter the higher its level, or dotted without particles."""
     media = {each.viscosity for each in curves}
     compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2
     levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
     looks = dict(zip(levels, level_styles(len(levels), size), strict=True))
     looks[0.0] = {"color": "black"}
+    greys = dict(zip(sorted(looks), np.linspace(*DRY_GREYS, len(looks)).tolist(), strict=True))
     styles = {}
     for each in curves:
-        look = looks[getattr(each, parameter)]
+        level = getattr(each, parameter)
+        look = looks[level] | {"label": _level_text(each, parameter)}
         if each.is_dry and parameter == "viscosity" and each.is_two_body:
-            look = DRY_TWO_BODY
+            look = DRY_TWO_BODY | {"label": look["label"]}
+        elif compares_media and each.is_dry:  # written at the curve, but not in the key
+            look = DRY | {"color": str(greys[level]), "label": f"_{look['label']}"}
         elif each.is_dry and any(media):
-            look = look | DRY | {"marker": "none"}
-        if not (compares_media and each.is_dry):
-            look = look | {"label": _level_text(each, parameter)}
+            look = DRY | {"label": look["label"]}
         styles[each] = look
     for viscosity in sorted(media, reverse=True) if compares_media else ():
         text = f"{value_text('viscosity', viscosity)} cSt" if viscosity else "dry"
-        styles[text] = ({} if viscosity else DRY) | {"color": GREY, "label": text}
+        styles[text] = ({"color": GREY} if viscosity else DRY) | {"label": text}
     return styles
 
 

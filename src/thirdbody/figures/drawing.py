@@ -2,8 +2,8 @@
 
 import csv
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from io import BytesIO
 from itertools import zip_longest
 from os import PathLike
@@ -14,12 +14,13 @@ from typing import Any
 import matplotlib.style
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-from thirdbody.data.conditions import AXES, Condition
+from thirdbody.data.conditions import AXES
 from thirdbody.data.files import atomic_write
 from thirdbody.data.quantities import VARIABLES
 from thirdbody.data.tables import DRAWN_POINTS, write_csv
+from thirdbody.figures.captions import Caption
+from thirdbody.figures.panels import CURVE, Panel, Series
 
 STYLE = Path(__file__).with_name("paper.mplstyle")
 # without dates, so that files are reproducible
@@ -29,39 +30,8 @@ FORMATS = {
     "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
 }
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md"))
-CURVE = "curve"
 ONE_COLUMN, TWO_COLUMNS = 84.0 / 25.4, 174.0 / 25.4  # widths of figures in journals [inches]
 SI_UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
-
-
-@dataclass(frozen=True, eq=False)
-class Series:
-    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws
-    them.  The kind is ``CURVE``, "band", "turning points", "printed", ..."""
-
-    kind: str
-    name: str
-    x: NDArray
-    y: NDArray
-    curve: Condition | None = None
-    look: Mapping[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, eq=False)
-class Panel:
-    """A panel: title, names of the quantities on its axes, series, its letter once drawn, and where a
-    logarithmic axis of a fraction begins, 0 for a linear one."""
-
-    title: str
-    x: str
-    y: str
-    series: Sequence[Series]
-    letter: str = ""
-    least: float = 0.0
-
-    def of_kind(self, kind: str) -> list[Series]:
-        """The series of one kind."""
-        return [one for one in self.series if one.kind == kind]
 
 
 class Drawing(Figure):
@@ -93,33 +63,31 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
     return figure
 
 
-def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
-    """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError``
-    if the disk is full or not writable."""
+def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
+    """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as .csv, and
+    the caption as .md; ``OSError`` if the disk is full or not writable."""
     drawing.get_layout_engine().execute(drawing)
     drawing.set_layout_engine(None)  # once for all formats
-    rows = []
-    for panel in drawing.panels:
-        for series in panel.series:
-            kind = "" if series.kind == CURVE else series.kind
-            curve = "; ".join(filter(None, (kind, series.name)))
-            names = dict(panel=panel.letter, curve=curve, x_name=panel.x, y_name=panel.y)
-            known = np.isfinite(series.x) & np.isfinite(series.y)
-            points = zip(series.x[known].tolist(), series.y[known].tolist(), strict=True)
-            rows += [names | {"x": x, "y": y} for x, y in points]
+    rows = [
+        row for panel in drawing.panels for each in panel.series for row in _points(panel, each)
+    ]
     with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
-        for image, kind in zip(images, FORMATS, strict=True):
-            drawing.savefig(image, format=kind, **_options(kind, caption))
+        for image, (kind, options) in zip(images, FORMATS.items(), strict=True):
+            title = {"Title": caption.alternative} if kind == "svg" else {}
+            options = options | {"metadata": options["metadata"] | title}
+            drawing.savefig(image, format=kind, **options)
         write_csv(data, rows, DRAWN_POINTS)
-        Path(text).write_text(caption, encoding="utf-8")
+        Path(text).write_text(caption.markdown(), encoding="utf-8")
 
 
-def _options(kind, caption):
-    """Options of a format; an SVG has the alternative text of its ``caption`` as title."""
-    if kind != "svg":
-        return FORMATS[kind]
-    alternative = caption.rpartition("**Alternative text.**")[2].strip()
-    return {"metadata": FORMATS[kind]["metadata"] | {"Title": alternative}}
+def _points(panel: Panel, series: Series) -> Iterator[dict]:
+    """Rows of the known points of a series."""
+    kind = "" if series.kind == CURVE else series.kind
+    curve = "; ".join(filter(None, (kind, series.name)))
+    names = dict(panel=panel.letter, curve=curve, x_name=panel.x, y_name=panel.y)
+    known = np.isfinite(series.x) & np.isfinite(series.y)
+    for x, y in zip(series.x[known].tolist(), series.y[known].tolist(), strict=True):
+        yield names | {"x": x, "y": y}
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:

@@ -7,7 +7,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from thirdbody.figures.claims import score_of
-from thirdbody.figures.drawing import CURVE, ONE_COLUMN, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import ONE_COLUMN, Drawing, empty_panels
+from thirdbody.figures.panels import CURVE, Panel, Series
+from thirdbody.typeset import mathtext
 
 COLUMNS = 2
 CELL = ONE_COLUMN, 2.6  # of a panel with its labels [inches]
@@ -26,7 +28,7 @@ def plot(interpretations: Sequence[Mapping], sentences: Mapping[str, str]) -> Dr
     statements = list(dict.fromkeys(name for each in interpretations for name in each["fronts"]))
     panels = []
     for statement in statements:
-        title = "\n".join(textwrap.wrap(sentences[statement], LETTERS))
+        title = mathtext(textwrap.fill(sentences[statement], LETTERS))
         series = tuple(_front(each, statement) for each in interpretations)
         panels.append(Panel(title, "score", "objective_without_it", series))
     columns = min(COLUMNS, len(panels))
@@ -38,8 +40,9 @@ def plot(interpretations: Sequence[Mapping], sentences: Mapping[str, str]) -> Dr
             axes.plot(front.x, front.y, drawstyle="steps-post", label=front.name, **look)
         axes.axvline(1.0, color="black", linewidth=0.7, zorder=1.5)
         axes.set_xticks([score_of(each) for each in DISTANCES], DISTANCES)
-        least = min(front.y.min() for front in panel.series if front.y.size)
-        axes.set(xlim=(-0.05, score_of(DISTANCES[-1])), ylim=(least - 1.0, least + ABOVE))
+        drawn = np.concatenate([front.y for front in panel.series])
+        highest = min(drawn.max(), drawn.min() + ABOVE)
+        axes.set(xlim=(-0.05, score_of(DISTANCES[-1])), ylim=(drawn.min() - 1.0, highest + 1.0))
         axes.set(xlabel="Deviation in tolerances", ylabel="Objective of all other statements")
     figure.axes[0].legend(title="Interpretation")
     return figure

@@ -1,10 +1,7 @@
 """Marks in panels: turning points (TPCA), statuses of points, and printed numbers with their tolerances."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +9,10 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.drawing import Series
+from thirdbody.figures.panels import Curve, Series
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
 from thirdbody.toml_tables import toml_beside
-
-if TYPE_CHECKING:
-    from thirdbody.figures.curves import Curve
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
@@ -116,6 +110,8 @@ def printed_series(
     drawn = set()
     for curve in curves:
         key, colour = condition_key(curve.condition), {"color": curve.look["color"]}
+        if isinstance(curve.look["color"], str):  # grey or black
+            colour = {"color": "black"}
         own = [row for row in printed if row_key(row) == key]
         numbers = {row["quantity"]: row["value"] for row in own}
         for row in own:
@@ -125,13 +121,15 @@ def printed_series(
                 drawn.add(place)
                 points, look = np.array(points), LOOKS[PRINTED] | colour
                 if _is_at_every_load(row, x, y):
-                    load, value = curve.values[x][[0, -1]], np.full(2, row["value"])
-                    points[0] = np.sqrt(load.prod())  # the tolerance in the middle of the axis
+                    load = curve.values[x][_within(curve, row)][[0, -1]]
+                    value = np.full(2, row["value"])
+                    points[0] = np.sqrt(load.prod())  # the tolerance in their middle
                     look = LOOKS[EVERY_LOAD] | colour
                     yield Series(EVERY_LOAD, row["id"], load, value, curve.condition, look)
                 else:
                     yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
-                look = LOOKS[TOLERANCE] | colour
+                end = "|" if points[0, 0] < points[0, 2] else "_"
+                look = LOOKS[TOLERANCE] | colour | {"marker": end}
                 yield Series(TOLERANCE, row["id"], *points[:, ::2], curve.condition, look)
 
 
@@ -176,12 +174,16 @@ def _load_of(curve, row) -> float:
         return row["at_level"]
     if row["at_quantity"]:
         return _falls_to(curve, row["at_quantity"], row["at_level"])
-    load = curve.values["load"]
-    within = load <= (row["load_max"] or np.inf)
-    within &= curve.values["normal_load"] <= (row["load_max_N"] or np.inf)
+    load, within = curve.values["load"], _within(curve, row)
     values = curve.values[RATIO if row["quantity"] in AT_TURNING_POINT else row["quantity"]]
     find = np.argmin if row["extreme"] == "minimum" else np.argmax
     return float(load[find(values[within])])
+
+
+def _within(curve, row) -> NDArray:
+    """Whether each load is one of those of which the number in ``row`` is told."""
+    within = curve.values["load"] <= (row["load_max"] or np.inf)
+    return within & (curve.values["normal_load"] <= (row["load_max_N"] or np.inf))
 
 
 def _falls_to(curve, name, level) -> float:

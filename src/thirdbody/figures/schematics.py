@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from thirdbody.data.netcdf import PlainDataset
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import TWO_COLUMNS, Drawing, empty_panels
+from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.figures.scales import label, shared_notes
 from thirdbody.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.model.regimes import CONTACT_MODES
@@ -107,7 +108,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
         f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
     ]
     if section["viscosity"] > 0.0:
-        facts.append(f"$L_s$ = {section['solid_load_fraction']:.0%}")
+        facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
     axes.set_xlabel(", ".join(facts), fontsize="medium")
 
 
@@ -121,12 +122,12 @@ def _name_parts(axes, section):
     middle = 0.5 * (section["upper"] + section["lower"])
     if section["surfaces_touch"].any():
         place = np.argmax(section["surfaces_touch"])
-        beside = 0.3 * length, 0.4 * bottom
+        beside = 0.3 * length, 0.7 * top
         _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
     x, y, _, carries = (section[name] for name in PARTICLES)
     if carries.any():
         last = np.flatnonzero(carries)[-1]
-        _point_at(axes, PARTICLE, (x[last], y[last]), (0.67 * length, 0.55 * bottom))
+        _point_at(axes, PARTICLE, (x[last], y[last]), (0.67 * length, 0.5 * bottom))
     if section["viscosity"] > 0.0:
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
@@ -148,8 +149,8 @@ def _draw_arrows(axes, section):
     axes.annotate("", (place, 0.0), (place, d), arrowprops=ARROWS["separation"])
     axes.text(place, 0.5 * d, "  $d$", va="center")
     bottom, top = axes.get_ylim()
-    axes.axhspan(max(d - section["elastic_depth"], bottom), d, 0.07, 0.09, **LOOKS["elastic zone"])
-    axes.text(0.1 * length, 0.2 * bottom, "$h_e$", va="center")
+    axes.axhspan(max(d - section["elastic_depth"], bottom), d, 0.05, 0.064, **LOOKS["elastic zone"])
+    axes.text(0.072 * length, 0.4 * bottom, "$h_e$", va="center")
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=ARROWS["load"])
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")

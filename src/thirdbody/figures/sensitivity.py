@@ -7,7 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
-from thirdbody.figures.drawing import CURVE, TWO_COLUMNS, Drawing, Panel, Series, empty_panels
+from thirdbody.figures.drawing import TWO_COLUMNS, Drawing, empty_panels
+from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.readable import MEASURES, result_name
 
 ROW = 0.17  # height of a row [inches]
@@ -73,7 +74,7 @@ def _draw_cells(axes: Axes, values: np.ndarray, measure: str) -> QuadMesh:
     for (line, column), value in np.ndenumerate(values):
         if abs(value) >= least:
             dark = np.dot(mesh.to_rgba(value)[:3], LIGHTNESS) < DARK
-            text = f"{value:.2f}" if abs(value) < 1.0 else f"{value:.2g}"
+            text = f"{value:.2f}" if abs(value) < 0.995 else f"{value:#.2g}".rstrip(".")
             style = {"ha": "center", "va": "center_baseline", "fontsize": 6}
             style["color"] = "white" if dark else "black"
             axes.text(column + 0.5, line + 0.55, text.replace("-", "−"), **style)
