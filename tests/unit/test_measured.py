@@ -436,7 +436,7 @@ def test_temperatures_of_a_table_give_a_column_of_the_table():
 
 def test_what_is_no_file_of_a_topography_is_refused_in_one_line():
     pytest.importorskip("SurfaceTopography")
-    with pytest.raises(ValueError, match="paths has array.*; allowed: paths of files"):
+    with pytest.raises(ValueError, match="paths is array.*; allowed: paths of files"):
         tb.surface(np.zeros((3, 3)))
     with pytest.raises(FileNotFoundError, match="none.xyz cannot be read .No such file"):
         tb.surface("none.xyz")

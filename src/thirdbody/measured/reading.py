@@ -7,7 +7,6 @@ import csv
 import io
 import re
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ import pandas as pd
 
 from thirdbody.answers.bearing import USUAL_BEARING
 from thirdbody.arguments import NEVER_ZERO, warn_outside
+from thirdbody.data.files import readable_file
 from thirdbody.measured.estimates import MEASURED
 from thirdbody.messages import format_path, format_value
 from thirdbody.units import ENGINEERING, UNITS, registry
@@ -108,14 +108,8 @@ def _read_csv(path):
 
 def _text(path):
     """The name and the text of a file in any usual encoding."""
-    if not isinstance(path, str | PathLike):
-        allowed = "a pandas.DataFrame, or the path of a CSV file"
-        raise ValueError(f"measured is {format_value(path)}; allowed: {allowed}")
-    name = format_path(path)
-    try:
-        content = Path(path).read_bytes()
-    except OSError as error:
-        raise type(error)(f"{name} cannot be read ({error.strerror})") from None
+    place = readable_file("measured", path, "a pandas.DataFrame, or the path of a CSV file")
+    name, content = format_path(place), place.read_bytes()
     wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
         text = content.decode("utf-16" if wide else "utf-8-sig")

@@ -14,8 +14,9 @@ from thirdbody.arguments import (
     checked_parameters,
     warn_outside,
 )
+from thirdbody.data.files import readable_file
 from thirdbody.extras import require
-from thirdbody.messages import format_path, format_value
+from thirdbody.messages import format_path
 from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
 from thirdbody.units import CONDITIONS, plain_numbers
@@ -131,14 +132,8 @@ def _read(path, curved, options):
     """A topography in metres, without tilt; missing points are interpolated."""
     from SurfaceTopography import read_topography
 
-    if not isinstance(path, str | PathLike):
-        allowed = "paths of files; tb.equivalent_roughness takes numbers"
-        raise ValueError(f"paths has {format_value(path)}; allowed: {allowed}")
-    try:
-        with open(path, "rb"):
-            pass
-    except OSError as error:
-        raise type(error)(f"{format_path(path)} cannot be read ({error.strerror})") from None
+    allowed = "paths of files; tb.equivalent_roughness takes numbers"
+    path = readable_file("paths", path, allowed)
     try:
         topography = read_topography(str(path), **options)
         if topography.unit is None:
