@@ -6,7 +6,7 @@ names.  An error is one line; unusual numbers cause an ``OutOfRangeWarning``.
 
 import sys
 import warnings
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import replace
@@ -158,7 +158,8 @@ def _cells(key: str, column: Any) -> Any:
 def broadcast_by_name(
     given: Mapping[str, Any], arrays: Mapping[str, NDArray]
 ) -> tuple[dict[str, Any], dict[str, NDArray], "xr.DataArray"]:
-    """Broadcast the ``arrays`` of conditions [SI] by the names of the dimensions of the ``given`` ones.
+    """Broadcast the ``arrays`` of conditions [SI] by the names of the dimensions of the ``given`` ones, which
+    have their own names.
 
     Returns them with these names and coordinates; views of one shape; and an array with the
     dimensions and coordinates of that shape.
@@ -166,18 +167,20 @@ def broadcast_by_name(
     import xarray as xr
 
     named = {}
-    for name, array in arrays.items():
-        if is_labelled(given[name]):
-            coordinates = getattr(given[name], "coords", None)
-            named[name] = xr.DataArray(array, coordinates, given[name].dims)
-        elif array.ndim > 0:
+    for key, each in given.items():
+        name = unit_of(key).condition
+        if is_labelled(each):
+            coordinates = getattr(each, "coords", None)
+            named[name] = xr.DataArray(arrays[name], coordinates, each.dims)
+        elif arrays[name].ndim > 0:
             allowed = "a number or an xarray.DataArray"
-            raise ValueError(f"{name} is an array without named dimensions; allowed: {allowed}")
+            raise ValueError(f"{key} is an array without named dimensions; allowed: {allowed}")
     try:
         xr.align(*named.values(), join="exact")
     except ValueError:
+        keys = ", ".join(key for key in given if unit_of(key).condition in named)
         message = "have different coordinates along one dimension; allowed: equal coordinates"
-        raise ValueError(f"{', '.join(named)} {message}") from None
+        raise ValueError(f"{keys} {message}") from None
     pattern = xr.apply_ufunc(
         lambda *columns: np.broadcast_arrays(*columns)[0], *named.values(), keep_attrs="override"
     )
@@ -204,11 +207,11 @@ def _published_parameters():
 
 
 def checked_names(argument: str, given: Any, known: Collection[str]) -> Collection[str]:
-    """The names of an ``argument``, one or a collection; ``ValueError`` unless all are in ``known``."""
-    allowed = f"allowed: names from {', '.join(known)}"
+    """The names of an ``argument``, one or more; ``ValueError`` unless all are in ``known``."""
+    allowed = f"allowed: one or more of {', '.join(known)}"
     names = [given] if isinstance(given, str) else given
     listed = isinstance(names, Collection) and getattr(names, "ndim", 1) == 1
-    if not listed or isinstance(names, bytes):
+    if not listed or isinstance(names, bytes) or not len(names):
         raise ValueError(f"{argument} is {format_value(given)}; {allowed}")
     for name in names:
         if not isinstance(name, str) or name not in known:
@@ -224,9 +227,11 @@ def check_rtol(rtol: Any) -> None:
         raise ValueError(f"rtol is {format_value(rtol)}; allowed: 1e-11 to 1e-2")
 
 
-def check_points(arrays: Mapping[str, NDArray]) -> None:
-    """Raise ``ValueError`` unless ``arrays``, by condition, broadcast to at most ``MOST_POINTS``."""
-    shapes = {name: array.shape for name, array in arrays.items() if array.ndim}
+def check_points(arrays: Mapping[str, NDArray], given: Iterable[str] = ()) -> None:
+    """Raise ``ValueError`` unless ``arrays``, by condition, broadcast to at most ``MOST_POINTS``; messages have
+    the names that are ``given``."""
+    typed = {unit_of(key).condition: key for key in given}
+    shapes = {typed.get(name, name): array.shape for name, array in arrays.items() if array.ndim}
     columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
     lengths = [set(column) - {1} or {1} for column in columns]
     if any(len(each) > 1 for each in lengths):

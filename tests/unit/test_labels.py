@@ -71,7 +71,6 @@ def test_arrays_of_xarray_keep_their_labels(solved):
 def test_variables_that_were_not_asked_for_are_not_there(solved):
     wanted = ["separation", "contact_mode"]
     assert set(solved(variables=wanted).to_dataset().data_vars) == {*wanted}
-    assert dict(solved(load=LOADS, variables=[]).to_dataset().sizes) == {"load": 3}
 
 
 def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
@@ -166,6 +165,32 @@ def test_columns_of_a_table_are_conditions_and_results_have_their_index():
     assert found.index.equals(days.index)
 
 
+@pytest.mark.parametrize(
+    ("index", "labels"),
+    [
+        (pd.Index([*"abc"]), {"row": [*"abc"]}),
+        (pd.Index([7, 8, 9], name="run"), {"run": [7, 8, 9]}),
+        (pd.Index([7, 8, 9], name="load"), {"row_load": [7, 8, 9]}),
+        (
+            pd.MultiIndex.from_product([["one"], [1, 2, 3]], names=["rig", None]),
+            {"rig": ["one"] * 3, "row_1": [1, 2, 3]},
+        ),
+    ],
+    ids=["labels", "with a name", "with the name of a condition", "of two levels"],
+)
+def test_the_index_of_columns_is_a_coordinate_of_the_dataset(index, labels):
+    runs = TABLE.set_index(index)
+    curve = tb.solve(load_N=runs["load"], viscosity_cSt=90, **REST)
+    pairs = tb.solve(load_N=runs["load"], viscosity_cSt=runs["oil"], **REST)
+    crossed = tb.solve(load_N=runs["load"], viscosity_cSt=[[0.0], [90.0]], **REST)
+    for found in (curve, pairs, crossed):
+        dataset = found.to_dataset()
+        for name, values in labels.items():
+            assert dataset[name].dims == (dataset["separation"].dims[-1],)
+            assert dataset[name].values.tolist() == values
+    assert not {*labels} & {*curve.to_dataframe()}
+
+
 def test_columns_with_different_indexes_are_refused():
     others = TABLE.set_index([[1, 2, 3]])
     with pytest.raises(ValueError, match="load_N and viscosity_cSt have different indexes"):
@@ -229,7 +254,10 @@ def test_searches_have_the_index_of_the_columns(search):
 
 def test_turning_points_have_the_index_of_the_columns():
     found = tb.turning_point(viscosity_cSt=TABLE["oil"], **REST)
-    assert found.to_dataframe().index.equals(TABLE.index)
+    table = found.to_dataframe()
+    assert table.index.equals(TABLE.index)
+    newtons = table["load"] * tb.load_parameters().newtons_per_load
+    np.testing.assert_allclose(table["load_N"], newtons)
 
 
 def test_a_condition_of_measurements_has_their_index():

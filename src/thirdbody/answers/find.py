@@ -113,6 +113,13 @@ class Border(NamedTuple):
         return f"{self.below}_and_{self.above}"
 
 
+@dataclass(frozen=True, eq=False)
+class TurningLoads(TurningPoints):
+    """``TurningPoints``, also with F_TPCA, the load in newtons."""
+
+    load_N: NDArray
+
+
 IN_FULL_FILM = "full_film"
 FULL_FILM = LUBRICATION_REGIMES.index(IN_FULL_FILM)
 BORDERS = (  # at each of ``LIMITS``
@@ -288,12 +295,12 @@ def turning_point(
     rtol: float = DEFAULT_RTOL,
     progress: bool = True,
     **conditions: ArrayLike,
-) -> TurningPoints:
+) -> TurningLoads:
     """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
 
     The result has arrays of the broadcast shape; ``exists`` marks the curves with a turning point.
-    ``load`` is F_t* [1]; multiply by ``parameters.newtons_per_load`` for newtons.  Raises ``ValueError``
-    for loads that do not increase, a ``count`` out of range, and where ``solve`` does.
+    ``load`` is F_t* [1], ``load_N`` the same in newtons.  Raises ``ValueError`` for loads that do not
+    increase, a ``count`` out of range, and where ``solve`` does.
 
     Parameters
     ----------
@@ -322,8 +329,9 @@ def turning_point(
     points = {"load": loads[:, None]} | curves
     solved = solve_arrays(points, parameters, rtol, ["separation"], progress)
     found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
-    points = TurningPoints(*(column.reshape(shape) for column in vars(found).values()))
-    return points._with_index(common_index(conditions))
+    columns = vars(found) | {"load_N": found.load * parameters.newtons_per_load}
+    columns = {name: column.reshape(shape) for name, column in columns.items()}
+    return TurningLoads(**columns)._with_index(common_index(conditions))
 
 
 def turning_window(
@@ -385,7 +393,7 @@ def queries(
             allowed = f"its .values in {unit_of(key).text}"
             raise ValueError(f"{key} has named dimensions; allowed: {allowed}")
     given = more | in_si(conditions, parameters, without=along)
-    check_points(given)
+    check_points(given, conditions)
     columns = np.broadcast_arrays(*given.values())
     return columns[0].shape, dict(zip(given, map(np.ravel, columns)))
 

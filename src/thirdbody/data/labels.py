@@ -18,10 +18,13 @@ POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
 def labelled_dataset(
-    variables: Mapping[str, Any], conditions: Mapping[str, Any], newtons_per_load: float
+    variables: Mapping[str, Any],
+    conditions: Mapping[str, Any],
+    units: Mapping[str, Unit],
+    newtons_per_load: float,
 ) -> xr.Dataset:
-    """Variables and conditions (SI) of a ``Solution``, which broadcast to the same shape, as a
-    dataset, with the load also in newtons.  A dimension has the name of the only condition that
+    """Variables and conditions (SI, given in ``units``) of a ``Solution``, which broadcast to the same shape,
+    as a dataset, with the load also in newtons.  A dimension has the name of the only condition that
     varies along it."""
     first = next(iter(variables.values()), None)
     labelled = isinstance(first, xr.DataArray)
@@ -31,7 +34,7 @@ def labelled_dataset(
     coordinates = dict(first.coords) if labelled else {}
     for name, values in conditions.items():
         if name not in coordinates:
-            attributes = coordinate_attributes(AXES[name])
+            attributes = coordinate_attributes(AXES[name], units[name])
             coordinates[name] = *_placed(values, dimensions, shape), attributes
     described = {}
     for name, values in variables.items():
@@ -40,6 +43,21 @@ def labelled_dataset(
     newtons = dataset["load"].variable * newtons_per_load
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)
     return dataset.assign_coords(normal_load=newtons)
+
+
+def with_index(dataset: xr.Dataset, index: pd.Index | None) -> xr.Dataset:
+    """The dataset with an ``index`` of the points along its last dimension as a coordinate of its name, or
+    ``row``; one for each level."""
+    if index is None:
+        return dataset
+    dimension, size = [*dataset.sizes.items()][-1]
+    rows = index.take(np.arange(size) % max(len(index), 1))
+    levels = {}
+    for level, name in enumerate(rows.names):
+        name = f"row_{level}" if name is None and rows.nlevels > 1 else name or "row"
+        name = f"row_{name}" if name in dataset.variables else name
+        levels[name] = dimension, rows.get_level_values(level)
+    return dataset.assign_coords(levels)
 
 
 def labelled_frame(
