@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import replace
+from decimal import Decimal
 from functools import lru_cache
 from itertools import zip_longest
 from math import prod
@@ -149,7 +150,7 @@ def _cells(key: str, column: Any) -> Any:
         return column.array
     if column.dtype.kind == "O":
         for row, cell in column.items():
-            if isinstance(cell, bool) or not (isinstance(cell, Real) or has_unit(cell)):
+            if not (_is_number(cell) or has_unit(cell)):
                 message = f"{key} is {format_value(cell)} in row {row}"
                 raise ValueError(f"{message}; allowed: numbers")
     return column.to_numpy()
@@ -258,7 +259,7 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
         raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}") from None
     check_points({name: array})
     try:
-        if array.dtype.kind in "iuf" or all(type(each) in (int, float) for each in array.flat):
+        if array.dtype.kind in "iuf" or all(map(_is_number, array.flat)):
             return np.asarray(array, float)
     except OverflowError:
         message = "has an integer beyond 1.8e308; allowed: finite numbers"
@@ -266,12 +267,17 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
 
 
-def check_number(name: str, value: Any, positive: bool = True) -> None:
-    """Raise ``ValueError`` unless a value is a finite number that is ``positive``, or else not negative."""
+def _is_number(given: Any) -> bool:
+    return isinstance(given, Real | Decimal) and not isinstance(given, bool)
+
+
+def checked_number(name: str, value: Any, positive: bool = True) -> float:
+    """A value as a float; ``ValueError`` unless it is a finite number that is ``positive``, or else not negative."""
     allowed = "positive numbers" if positive else "zero or positive numbers"
     number = checked_array(name, value, allowed)
     if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
         raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
+    return float(number)
 
 
 def checked_numbers(given: Mapping[str, Any], usual: Usual) -> dict[str, float]:
@@ -279,9 +285,10 @@ def checked_numbers(given: Mapping[str, Any], usual: Usual) -> dict[str, float]:
 
     Raises ``ValueError`` unless all are positive.
     """
-    numbers = {name: plain_numbers(name, each, usual[name][2]) for name, each in given.items()}
-    for name, value in numbers.items():
-        check_number(name, value)
+    numbers = {
+        name: checked_number(name, plain_numbers(name, each, usual[name][2]))
+        for name, each in given.items()
+    }
     warn_outside(numbers, usual)
     return numbers
 

@@ -5,6 +5,8 @@ import re
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pandas as pd
@@ -296,6 +298,19 @@ def test_the_name_that_was_meant_is_suggested(call, meant):
 @pytest.mark.parametrize("function", [tb.solve, tb.grid, tb.find])
 def test_signatures_fit_on_a_screen(function):
     assert len(str(inspect.signature(function))) < 320
+
+
+@pytest.mark.parametrize("kind", [Decimal, Fraction, np.float32, np.int8])
+def test_numbers_of_any_type_are_numbers(kind, parameters):
+    five = kind(5)
+    rest = ENGINEERING | {"parameters": parameters}
+    expected = tb.solve(**rest | {"load_N": [5.0, 5.0]}).separation
+    for loads in ([five, five], pd.Series([five, five]), np.array([five, five], object)):
+        assert_allclose(tb.solve(**rest | {"load_N": loads}).separation, expected)
+    assert tb.Interface(**rest | {"load_N": five}).described().startswith("load 5 N, ")
+    assert tb.bearing(ball_radius_mm=five) == tb.bearing(ball_radius_mm=5.0)
+    assert tb.Material(five, five / 20, five) == tb.Material(5.0, 0.25, 5.0)
+    assert tb.oil_viscosity(five, grade=46) == tb.oil_viscosity(5.0, grade=46)
 
 
 def test_no_flags_are_refused():

@@ -3,7 +3,6 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from numbers import Real
 from typing import Any, Self
 
 import numpy as np
@@ -107,7 +106,7 @@ class Interface:
         for name, values in found.items():
             key = ENGINEERING[name]
             number = conditions.get(key)
-            if not isinstance(number, Real):
+            if not isinstance(number, int | float):
                 number = float(decimal(UNITS[key].from_si(values, parameters.newtons_per_load)))
             object.__setattr__(self, key, number)
 

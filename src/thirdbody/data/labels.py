@@ -45,21 +45,6 @@ def labelled_dataset(
     return dataset.assign_coords(normal_load=newtons)
 
 
-def with_index(dataset: xr.Dataset, index: pd.Index | None) -> xr.Dataset:
-    """The dataset with an ``index`` of the points along its last dimension as a coordinate of its name, or
-    ``row``; one for each level."""
-    if index is None:
-        return dataset
-    dimension, size = [*dataset.sizes.items()][-1]
-    rows = index.take(np.arange(size) % max(len(index), 1))
-    levels = {}
-    for level, name in enumerate(rows.names):
-        name = f"row_{level}" if name is None and rows.nlevels > 1 else name or "row"
-        name = f"row_{name}" if name in dataset.variables else name
-        levels[name] = dimension, rows.get_level_values(level)
-    return dataset.assign_coords(levels)
-
-
 def labelled_frame(
     dataset: xr.Dataset,
     units: Mapping[str, Unit],

@@ -161,7 +161,7 @@ def _checked_axes(ax) -> list[Axes]:
     """The axes to draw on, none for a new figure."""
     if ax is None:
         return []
-    several = isinstance(ax, list | tuple) or getattr(ax, "dtype", None) == object
+    several = isinstance(ax, list | tuple) or getattr(ax, "dtype", None) == np.dtype("O")
     axes = list(np.ravel(np.asarray(ax, object))) if several else [ax]
     if not axes or not all(isinstance(each, Axes) for each in axes):
         raise ValueError(f"ax is {format_value(ax)}; allowed: axes of matplotlib")

@@ -10,7 +10,7 @@ import numpy as np
 
 from thirdbody.arguments import (
     OutOfRangeWarning,
-    check_number,
+    checked_number,
     checked_parameters,
     warn_outside,
 )
@@ -95,8 +95,7 @@ def surface(
     spacing = max(max(each.pixel_size) for each in topographies)
     scale = float(spacing)
     if scale_nm is not None:
-        scale_nm = plain_numbers("scale_nm", scale_nm, "nm")
-        check_number("scale_nm", scale_nm)
+        scale_nm = checked_number("scale_nm", plain_numbers("scale_nm", scale_nm, "nm"))
         scale = 1e-9 * scale_nm
     if scale < spacing * (1.0 - 1e-9):
         raise ValueError(f"scale_nm is {scale_nm:g}; allowed: {1e9 * spacing:.6g} or more")

@@ -21,7 +21,7 @@ from thirdbody.model.regimes import (
     lubrication_regime,
 )
 from thirdbody.solver.balance import Balance
-from thirdbody.tabular import Tabular
+from thirdbody.tabular import Tabular, with_rows
 from thirdbody.units import SI, Unit
 
 if TYPE_CHECKING:
@@ -123,9 +123,7 @@ class Solution(Tabular):
         >>> dataset["separation"].attrs["units"]
         'm'
         """
-        from thirdbody.data.labels import with_index
-
-        return with_index(self._labelled(), self._index)
+        return with_rows(self._labelled(), self._index)
 
     def to_dataframe(self) -> pd.DataFrame:
         """The points as a table: one row per point, its conditions first.
