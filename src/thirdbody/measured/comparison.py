@@ -160,7 +160,7 @@ def compare(
     if oil_density_kg_per_m3 is None and table["viscosity_cSt"].any():
         notes.append(speed_note(parameters))
     for name, quantity in observed.items():
-        table[name] = quantity.to(UNITS_OF[name]).magnitude
+        table[name] = decimal(quantity.to(UNITS_OF[name]).magnitude)
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
         if name in FORMULAS:
             notes.append(f"{name} is an estimate: {FORMULAS[name].format(**asdict(assumed))}")

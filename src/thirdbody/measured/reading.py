@@ -6,6 +6,7 @@ import codecs
 import csv
 import io
 import re
+import unicodedata
 from os import PathLike
 from typing import Any
 
@@ -117,7 +118,8 @@ def _text(path):
         text = content.decode("cp1252", "replace")  # of spreadsheets
     if "\0" in text:
         raise ValueError(f"{name} is not a text; allowed: a CSV file")
-    return name, text
+    # the signs of units as they are typed, and the minus of typography
+    return name, unicodedata.normalize("NFC", text).replace("\u2212", "-")
 
 
 def _rows(name, text):
@@ -163,9 +165,13 @@ def _with_points(columns):
         message = f"measured has {commas[0]!r}, with a comma of decimals or of thousands"
         raise ValueError(f"{message}; allowed: a decimal point, and nothing between thousands")
     return {
-        name: (heading, unit, column.str.replace(",", ".", regex=False) if commas else column)
+        name: (heading, unit, column.map(_with_point) if commas else column)
         for name, (heading, unit, column) in columns.items()
     }
+
+
+def _with_point(cell):
+    return cell.replace(",", ".") if NUMBER.fullmatch(cell.strip()) else cell
 
 
 # ---- columns
