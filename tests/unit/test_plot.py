@@ -102,6 +102,7 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
         (grid(**sizes), {}, "viscosity and particle_diameter vary; allowed: one"),
         (grid(["separation"]), {}, "there is nothing to draw; allowed: points with"),
         (5, {}, "data is of type int; allowed: a solution, a curve, a dataset of tb.grid"),
+        (data.isel(load=[]), {}, "data has no points; allowed: a solution"),
         (data, {"like": "fig01"}, "like is 'fig01'; allowed: fig03, "),
         (data, {"over": "time"}, "over is 'time'; allowed: load, "),
         (data, {"over": ["load"]}, r"over is \['load'\]; allowed: load, "),

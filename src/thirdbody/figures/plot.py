@@ -271,6 +271,8 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     missing = [each for each in DIMENSIONS if each not in data]
     if name == "data" and STATUS not in data:
         missing.append(STATUS)
+    if 0 in data.sizes.values():
+        missing.append("points")
     if missing:
         raise ValueError(f"{name} has no {missing[0]}; allowed: {ALLOWED}")
     data = data.set_coords(DIMENSIONS)
