@@ -8,16 +8,14 @@ from typing import Any, Self
 import numpy as np
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
+from thirdbody.answers.crossings import SWEEP, queries, sweep_values
 from thirdbody.answers.find import (
     BORDERS,
     IN_FULL_FILM,
     RATIOS,
-    SWEEP,
     Border,
     Transition,
     all_changes,
-    queries,
-    sweep_values,
     turning_point,
     turning_window,
 )
