@@ -6,10 +6,11 @@ names.  An error is one line; unusual numbers cause an ``OutOfRangeWarning``.
 
 import sys
 import warnings
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import replace
+from decimal import Decimal
 from functools import lru_cache
 from itertools import zip_longest
 from math import prod
@@ -149,7 +150,7 @@ def _cells(key: str, column: Any) -> Any:
         return column.array
     if column.dtype.kind == "O":
         for row, cell in column.items():
-            if isinstance(cell, bool) or not (isinstance(cell, Real) or has_unit(cell)):
+            if not (_is_number(cell) or has_unit(cell)):
                 message = f"{key} is {format_value(cell)} in row {row}"
                 raise ValueError(f"{message}; allowed: numbers")
     return column.to_numpy()
@@ -158,7 +159,8 @@ def _cells(key: str, column: Any) -> Any:
 def broadcast_by_name(
     given: Mapping[str, Any], arrays: Mapping[str, NDArray]
 ) -> tuple[dict[str, Any], dict[str, NDArray], "xr.DataArray"]:
-    """Broadcast the ``arrays`` of conditions [SI] by the names of the dimensions of the ``given`` ones.
+    """Broadcast the ``arrays`` of conditions [SI] by the names of the dimensions of the ``given`` ones, which
+    have their own names.
 
     Returns them with these names and coordinates; views of one shape; and an array with the
     dimensions and coordinates of that shape.
@@ -166,18 +168,20 @@ def broadcast_by_name(
     import xarray as xr
 
     named = {}
-    for name, array in arrays.items():
-        if is_labelled(given[name]):
-            coordinates = getattr(given[name], "coords", None)
-            named[name] = xr.DataArray(array, coordinates, given[name].dims)
-        elif array.ndim > 0:
+    for key, each in given.items():
+        name = unit_of(key).condition
+        if is_labelled(each):
+            coordinates = getattr(each, "coords", None)
+            named[name] = xr.DataArray(arrays[name], coordinates, each.dims)
+        elif arrays[name].ndim > 0:
             allowed = "a number or an xarray.DataArray"
-            raise ValueError(f"{name} is an array without named dimensions; allowed: {allowed}")
+            raise ValueError(f"{key} is an array without named dimensions; allowed: {allowed}")
     try:
         xr.align(*named.values(), join="exact")
     except ValueError:
+        keys = ", ".join(key for key in given if unit_of(key).condition in named)
         message = "have different coordinates along one dimension; allowed: equal coordinates"
-        raise ValueError(f"{', '.join(named)} {message}") from None
+        raise ValueError(f"{keys} {message}") from None
     pattern = xr.apply_ufunc(
         lambda *columns: np.broadcast_arrays(*columns)[0], *named.values(), keep_attrs="override"
     )
@@ -204,11 +208,11 @@ def _published_parameters():
 
 
 def checked_names(argument: str, given: Any, known: Collection[str]) -> Collection[str]:
-    """The names of an ``argument``, one or a collection; ``ValueError`` unless all are in ``known``."""
-    allowed = f"allowed: names from {', '.join(known)}"
+    """The names of an ``argument``, one or more; ``ValueError`` unless all are in ``known``."""
+    allowed = f"allowed: one or more of {', '.join(known)}"
     names = [given] if isinstance(given, str) else given
     listed = isinstance(names, Collection) and getattr(names, "ndim", 1) == 1
-    if not listed or isinstance(names, bytes):
+    if not listed or isinstance(names, bytes) or not len(names):
         raise ValueError(f"{argument} is {format_value(given)}; {allowed}")
     for name in names:
         if not isinstance(name, str) or name not in known:
@@ -224,9 +228,11 @@ def check_rtol(rtol: Any) -> None:
         raise ValueError(f"rtol is {format_value(rtol)}; allowed: 1e-11 to 1e-2")
 
 
-def check_points(arrays: Mapping[str, NDArray]) -> None:
-    """Raise ``ValueError`` unless ``arrays``, by condition, broadcast to at most ``MOST_POINTS``."""
-    shapes = {name: array.shape for name, array in arrays.items() if array.ndim}
+def check_points(arrays: Mapping[str, NDArray], given: Iterable[str] = ()) -> None:
+    """Raise ``ValueError`` unless ``arrays``, by condition, broadcast to at most ``MOST_POINTS``; messages have
+    the names that are ``given``."""
+    typed = {unit_of(key).condition: key for key in given}
+    shapes = {typed.get(name, name): array.shape for name, array in arrays.items() if array.ndim}
     columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
     lengths = [set(column) - {1} or {1} for column in columns]
     if any(len(each) > 1 for each in lengths):
@@ -253,7 +259,7 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
         raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}") from None
     check_points({name: array})
     try:
-        if array.dtype.kind in "iuf" or all(type(each) in (int, float) for each in array.flat):
+        if array.dtype.kind in "iuf" or all(map(_is_number, array.flat)):
             return np.asarray(array, float)
     except OverflowError:
         message = "has an integer beyond 1.8e308; allowed: finite numbers"
@@ -261,12 +267,17 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
     raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
 
 
-def check_number(name: str, value: Any, positive: bool = True) -> None:
-    """Raise ``ValueError`` unless a value is a finite number that is ``positive``, or else not negative."""
+def _is_number(given: Any) -> bool:
+    return isinstance(given, Real | Decimal) and not isinstance(given, bool)
+
+
+def checked_number(name: str, value: Any, positive: bool = True) -> float:
+    """A value as a float; ``ValueError`` unless it is a finite number that is ``positive``, or else not negative."""
     allowed = "positive numbers" if positive else "zero or positive numbers"
     number = checked_array(name, value, allowed)
     if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
         raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
+    return float(number)
 
 
 def checked_numbers(given: Mapping[str, Any], usual: Usual) -> dict[str, float]:
@@ -274,9 +285,10 @@ def checked_numbers(given: Mapping[str, Any], usual: Usual) -> dict[str, float]:
 
     Raises ``ValueError`` unless all are positive.
     """
-    numbers = {name: plain_numbers(name, each, usual[name][2]) for name, each in given.items()}
-    for name, value in numbers.items():
-        check_number(name, value)
+    numbers = {
+        name: checked_number(name, plain_numbers(name, each, usual[name][2]))
+        for name, each in given.items()
+    }
     warn_outside(numbers, usual)
     return numbers
 

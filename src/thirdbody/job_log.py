@@ -13,8 +13,7 @@ def logged(log: str | Path) -> Iterator[None]:
 
     For ``ValueError``, ``OSError`` and ``MemoryError``, which a user can fix, the log ends with the
     message instead of a traceback, for a damaged product also with the command that recreates it, and
-    the script exits with code 1.  If the log cannot be written,
-    the message goes to standard error.
+    the script exits with code 1.  If the log cannot be written, the message goes to standard error.
     """
     failure = None
     try:
@@ -25,14 +24,9 @@ def logged(log: str | Path) -> Iterator[None]:
             except (ValueError, OSError, MemoryError) as error:
                 failure = str(error) or type(error).__name__
                 if isinstance(error, DamagedFile):
-                    failure = with_remedy(error)
+                    failure += f"; remake it: snakemake -c2 --force {error.path}"
                 print(failure, file=stream)
     except OSError as error:  # a wrong path, or a full disk
         raise SystemExit(failure or f"{log} cannot be written ({error.strerror})") from None
     if failure:
         raise SystemExit(1)
-
-
-def with_remedy(error: DamagedFile) -> str:
-    """The message of an error, with the command that recreates the product."""
-    return f"{error}; remake it: snakemake -c2 --force {error.path}"

@@ -19,6 +19,22 @@ def indexed(table: "pd.DataFrame", index: "pd.Index | None", points: ArrayLike) 
     return table.set_index(index.take(np.asarray(points, int) % max(len(index), 1)))
 
 
+def with_rows(dataset: "xr.Dataset", index: "pd.Index | None") -> "xr.Dataset":
+    """A dataset with the ``index`` of the points along its last dimension as a coordinate, one for each level, of
+    its name or else ``row``; as text where netCDF has no such type.  Unchanged if ``index`` is None."""
+    if index is None:
+        return dataset
+    dimension, size = [*dataset.sizes.items()][-1]
+    rows = index.take(np.arange(size) % max(len(index), 1))
+    labels = {}
+    for level, name in enumerate(rows.names):
+        if name is None or name in (*dataset.variables, *labels):
+            name = "row" if rows.nlevels == 1 else f"row_{level}"
+        values = np.asarray(rows.get_level_values(level))
+        labels[str(name)] = dimension, values.astype(str) if values.dtype == object else values
+    return dataset.assign_coords(labels)
+
+
 class Tabular:
     """A result with ``to_dataframe`` and ``to_dataset``, and a table in notebooks.
 
@@ -45,9 +61,9 @@ class Tabular:
     def to_dataset(self) -> "xr.Dataset":
         """The same table over the dimension ``row``."""
         table = self.to_dataframe()
-        if table.index.nlevels > 1:  # levels become variables
-            table = table.reset_index()
-        return table.rename_axis("row").to_xarray()
+        names = dict.fromkeys(table.select_dtypes("category"), object)  # netCDF has no categories
+        columns = table.astype(names).reset_index(drop=True).rename_axis("row").to_xarray()
+        return with_rows(columns.drop_vars("row"), table.index)
 
     def __eq__(self, other: object) -> bool:
         """Whether both are results of one kind with the same table."""

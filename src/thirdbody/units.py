@@ -6,6 +6,7 @@ the attribute ``units``, carry their own unit.  ``units.toml`` is the table of t
 """
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -65,10 +66,12 @@ def unit_of(key: Any) -> Unit:
     return UNITS[key]
 
 
-def unit_in_tables(key: str, given: Any) -> Unit:
-    """The unit of a condition in tables: that of its name ``key``, of quantities the one in engineering units."""
-    unit = unit_of(key)
-    return UNITS[ENGINEERING[unit.condition]] if has_unit(given) else unit
+def units_in_tables(given: Mapping[str, Any]) -> dict[str, Unit]:
+    """The unit of each of the ``given`` conditions in tables, by condition: that of its name, of quantities the
+    one in engineering units."""
+    units = {unit_of(key).condition: unit_of(key) for key in given}
+    quantities = {unit_of(key).condition for key, each in given.items() if has_unit(each)}
+    return units | {name: UNITS[ENGINEERING[name]] for name in quantities}
 
 
 def in_own_unit(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, Any]:

@@ -32,7 +32,7 @@ REFUSED = {
     f"{CURVE} --csv ''": "'' is not a file name",
     f"compare {STATE.removeprefix('state ')} --other-roughness-nm 0": "--other-roughness-nm is 0",
     "compare-data": "FILE is missing",
-    "compare-data ''": "'' cannot be read (Is a directory)",
+    "compare-data ''": "'' cannot be read (No such file or directory)",
     "compare-data absent.csv": "absent.csv cannot be read (No such file or directory)",
     "bearing --ball wood": "--ball is 'wood'; allowed: steel, silicon-nitride, alumina",
     "bearing --ball 205,0.7,5": "--ball is '205,0.7,5'",

@@ -2,6 +2,8 @@
 
 import errno
 import os
+import subprocess
+import sys
 
 import pytest
 
@@ -20,6 +22,38 @@ def test_products_appear_once_their_block_is_done(tmp_path):
         assert not any(place.exists() for place in places)
     assert [place.read_text() for place in places] == ["1", "2"]
     assert listing(tmp_path) == ["a.csv", "b.json"]
+
+
+WRITER = """
+import sys
+from thirdbody.data.files import atomic_write
+with atomic_write("a.csv", "b.csv") as (first, _):
+    first.write_text("half")
+    print("begun", flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_what_a_killed_writer_leaves_is_removed_and_what_another_writes_is_not(tmp_path):
+    def begun():
+        pipes = dict(stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=tmp_path)
+        writer = subprocess.Popen([sys.executable, "-c", WRITER], **pipes)
+        assert writer.stdout.readline() == b"begun\n"
+        return writer
+
+    with begun() as killed:
+        killed.kill()
+    (left,) = listing(tmp_path)
+    with begun() as alive:
+        assert left not in listing(tmp_path)
+        (kept,) = listing(tmp_path)
+        with atomic_write(tmp_path / "a.csv") as part:
+            part.write_text("whole")
+        assert listing(tmp_path) == [kept, "a.csv"]
+        alive.kill()
+    with atomic_write(tmp_path / "a.csv") as part:
+        part.write_text("again")
+    assert listing(tmp_path) == ["a.csv"] and (tmp_path / "a.csv").read_text() == "again"
 
 
 @pytest.mark.parametrize("failure", [RuntimeError, KeyboardInterrupt, FileNotFoundError])

@@ -7,7 +7,8 @@ import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.answers.find import FULL_FILM, sweep_values
+from thirdbody.answers.crossings import sweep_values
+from thirdbody.answers.find import FULL_FILM
 from thirdbody.arguments import in_si
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.units import ENGINEERING

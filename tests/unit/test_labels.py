@@ -70,7 +70,6 @@ def test_arrays_of_xarray_keep_their_labels(solved):
 def test_variables_that_were_not_asked_for_are_not_there(solved):
     wanted = ["separation", "contact_mode"]
     assert set(solved(variables=wanted).to_dataset().data_vars) == {*wanted}
-    assert dict(solved(load=LOADS, variables=[]).to_dataset().sizes) == {"load": 3}
 
 
 def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
@@ -165,6 +164,65 @@ def test_columns_of_a_table_are_conditions_and_results_have_their_index():
     assert found.index.equals(days.index)
 
 
+@pytest.mark.parametrize(
+    ("index", "labels"),
+    [
+        (pd.Index([*"abc"]), {"row": [*"abc"]}),
+        (pd.Index([7, 8, 9], name="run"), {"run": [7, 8, 9]}),
+        (pd.Index([7, 8, 9], name="load"), {"row": [7, 8, 9]}),
+        (
+            pd.MultiIndex.from_product([["one"], [1, 2, 3]], names=["rig", "rig"]),
+            {"rig": ["one"] * 3, "row_1": [1, 2, 3]},
+        ),
+    ],
+    ids=["labels", "with a name", "with the name of a condition", "of two levels"],
+)
+def test_the_index_of_columns_is_a_coordinate_of_the_dataset(index, labels):
+    runs = TABLE.set_index(index)
+    curve = tb.solve(load_N=runs["load"], viscosity_cSt=90, **REST)
+    pairs = tb.solve(load_N=runs["load"], viscosity_cSt=runs["oil"], **REST)
+    crossed = tb.solve(load_N=runs["load"], viscosity_cSt=[[0.0], [90.0]], **REST)
+    for found in (curve, pairs, crossed):
+        dataset = found.to_dataset()
+        for name, values in labels.items():
+            assert dataset[name].dims == (dataset["separation"].dims[-1],)
+            assert dataset[name].values.tolist() == values
+    assert not {*labels} & {*curve.to_dataframe()}
+
+
+@pytest.mark.parametrize(
+    "index",
+    [
+        pd.date_range("2026-01-02", periods=2, tz="Europe/Berlin", name="start"),
+        pd.date_range("2026-01-02", periods=2, name="start"),
+        pd.period_range("2026-01", periods=2, freq="M", name="start"),
+        pd.CategoricalIndex(["dry", "wet"], name="start"),
+        pd.Index([1, 2], dtype="Int64", name="start"),
+    ],
+    ids=["with a time zone", "times", "months", "categories", "nullable"],
+)
+def test_datasets_with_any_index_are_written(tmp_path, index):
+    loads = pd.Series([5.0, 10.0], index=index)
+    for found in (
+        tb.solve(load_N=loads, viscosity_cSt=90, **REST),
+        tb.find("solid_load_fraction", 0.5, "viscosity_cSt", load_N=loads, **REST),
+        tb.compare(loads.to_frame("load [N]").assign(separation_nm=900.0), **OIL, **REST),
+    ):
+        assert found.to_dataframe().index.equals(index)
+        dataset = found.to_dataset()
+        dataset.to_netcdf(tmp_path / "found.nc")
+        written = xr.load_dataset(tmp_path / "found.nc")
+        assert (written["start"].values == dataset["start"].values).all()
+        assert dataset["start"].astype(str).values[0].startswith(str(index[0])[:10])
+
+
+def test_the_dataset_of_a_curve_is_written_with_names(tmp_path):
+    dataset = interface().curve("load", 5, 10, count=3).to_dataset()
+    dataset.to_netcdf(tmp_path / "curve.nc")
+    written = xr.load_dataset(tmp_path / "curve.nc")
+    assert written["lubrication_regime"].values.tolist() == ["mixed"] * 3
+
+
 def test_columns_with_different_indexes_are_refused():
     others = TABLE.set_index([[1, 2, 3]])
     with pytest.raises(ValueError, match="load_N and viscosity_cSt have different indexes"):
@@ -228,7 +286,10 @@ def test_searches_have_the_index_of_the_columns(search):
 
 def test_turning_points_have_the_index_of_the_columns():
     found = tb.turning_point(viscosity_cSt=TABLE["oil"], **REST)
-    assert found.to_dataframe().index.equals(TABLE.index)
+    table = found.to_dataframe()
+    assert table.index.equals(TABLE.index)
+    newtons = table["load"] * tb.load_parameters().newtons_per_load
+    np.testing.assert_allclose(table["load_N"], newtons)
 
 
 def test_a_condition_of_measurements_has_their_index():

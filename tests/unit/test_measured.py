@@ -246,6 +246,9 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("load [N],separation [nm]\n1,1.2.3\n", "separation .nm. is '1.2.3' in row 1; allowed"),
         ("load [N],separation [nm]\nten,1\n", r"load \[N\] is 'ten' in row 1; allowed: numbers"),
         ("load [N],separation [nm]\n1,inf\n", "separation .nm. is 'inf' in row 1; allowed: numb"),
+        ("load [N];separation [nm]\n1.000,5;0,1\n", r"load \[N\] is '1.000,5' in row 1; allowed"),
+        ("load [N],separation [nm]\n1,<0.1\n", "separation .nm. is '<0.1' in row 1; allowed"),
+        ("load [N],separation [nm]\n1,10%\n", "separation .nm. is '10%' in row 1; allowed"),
         ("load [N];separation [nm]\n1.000;0,1\n", "with a point; allowed: one decimal sign"),
         ('load [N],separation [nm]\n1,"1,200"\n', "'1,200', with a comma of decimals or of thous"),
         ('load [N],separation [nm]\n1,"1\n2,2\n', "a.csv has quotation marks that do not pair"),
@@ -320,6 +323,15 @@ def test_files_of_instruments_and_spreadsheets_are_read(tmp_path, text):
     found = tb.compare(path, **REST)
     assert found.table["load_N"].tolist() == [1.0, 2.0]
     assert found.table["friction_coefficient"].tolist() == [0.11, 0.112]
+
+
+def test_signs_of_typography_are_read(tmp_path):
+    path = tmp_path / "run.csv"
+    text = "load [N];contact resistance [\u2126];film thickness [µm]\n1;1,5E\u221205;0,9\n"
+    path.write_text(text, encoding="utf-8")
+    table = tb.compare(path, **REST).table
+    assert table["contact_resistance_ohm"].tolist() == [1.5e-5]
+    assert table["film_thickness_nm"].tolist() == [900.0]
 
 
 def test_what_is_left_out_of_a_file_is_named(tmp_path):
@@ -436,7 +448,7 @@ def test_temperatures_of_a_table_give_a_column_of_the_table():
 
 def test_what_is_no_file_of_a_topography_is_refused_in_one_line():
     pytest.importorskip("SurfaceTopography")
-    with pytest.raises(ValueError, match="paths has array.*; allowed: paths of files"):
+    with pytest.raises(ValueError, match="paths is array.*; allowed: paths of files"):
         tb.surface(np.zeros((3, 3)))
     with pytest.raises(FileNotFoundError, match="none.xyz cannot be read .No such file"):
         tb.surface("none.xyz")

@@ -100,6 +100,13 @@ def calls(parameters):
         "cleanliness": (tb.cleanliness, {"code": "18/16/13", "gap_nm": 500.0, "enrichment": 1.0}),
         "Assumed": (Assumed, {"boundary_friction": 0.1, "resistivity_ohm_m": 1e-7}),
         "compare_data": (compare_data, WITHOUT_LOAD | inputs | {"speed_m_per_s": 2.0, "load": 5.0}),
+        "open_atlas": (tb.open_atlas, {"path": "catalogue.json"}),
+        "plot": (
+            tb.plot,
+            {"data": tb.grid(**SI | {"load": [1e-6, 1e-5]}, **inputs), "over": "load"}
+            | {"variables": ["film_thickness"], "like": "fig04", "turning_points": [], "band": None}
+            | {"ax": None},
+        ),
         "load_parameters": (tb.load_parameters, {"path": None, "hardness_surface_1": 5e9}),
     }
 

@@ -101,9 +101,12 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
         (grid(load=1e-5), {}, "data has one load; allowed: two or more"),
         (grid(**sizes), {}, "viscosity and particle_diameter vary; allowed: one"),
         (grid(["separation"]), {}, "there is nothing to draw; allowed: points with"),
-        (5, {}, "data is of type int; allowed: a solution, a dataset of tb.grid"),
+        (5, {}, "data is of type int; allowed: a solution, a curve, a dataset of tb.grid"),
+        (data.isel(load=[]), {}, "data has no points; allowed: a solution"),
         (data, {"like": "fig01"}, "like is 'fig01'; allowed: fig03, "),
         (data, {"over": "time"}, "over is 'time'; allowed: load, "),
+        (data, {"over": ["load"]}, r"over is \['load'\]; allowed: load, "),
+        (data, {"turning_points": 3}, "turning_points is 3; allowed: mappings, or the path"),
         (data, {"over": "roughness"}, "data has one roughness; allowed: two or more"),
         (data.squeeze().drop_vars("roughness"), {}, "data has no roughness; allowed"),
         (data, {"band": []}, "band is of type list; allowed"),
@@ -111,8 +114,14 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
     ):
         with pytest.raises(ValueError, match=message):
             tb.plot(given, **options)
-    with pytest.raises(FileNotFoundError, match="data is '.*no.nc', which is not a file"):
+    with pytest.raises(FileNotFoundError, match="no.nc cannot be read .No such file"):
         tb.plot(tmp_path / "no.nc")
+    own = tmp_path / "own.nc"
+    own.write_text("no netCDF")
+    with pytest.raises(
+        OSError, match=r"own.nc cannot be read \(OSError\)$"
+    ):  # no command remakes it
+        tb.plot(own)
 
 
 def test_a_solution_is_drawn_as_its_dataset_and_some_variables_alone(parameters):
@@ -169,6 +178,42 @@ def test_a_load_in_newtons_is_drawn_in_newtons(grid):
     assert tb.plot(found, over="load").axes[0].get_xlabel() == SCALES["load"].label
     with pytest.raises(ValueError, match="data has no normal_load; allowed: over='load'"):
         tb.plot(found.to_dataset().drop_vars("normal_load"), over="load_N")
+
+
+def test_a_grid_of_loads_in_newtons_is_drawn_in_newtons(tmp_path):
+    rest = dict(viscosity_cSt=90, particle_diameter_nm=300, roughness_nm=300)
+    rest |= dict(particle_density_per_m2=1e11, load_N=[1.0, 2.0, 5.0])
+    data = tb.grid(**rest)
+    tb.stream(tmp_path / "grid.nc", **rest)
+    for given in (
+        data,
+        data.isel(load=[0, 2]),
+        tmp_path / "grid.nc",
+        tb.solve(**rest).to_dataset(),
+    ):
+        axes = tb.plot(given).axes[0]
+        assert axes.get_xlabel() == SCALES["normal_load"].label
+        np.testing.assert_allclose(axes.lines[0].get_xdata()[[0, -1]], [1.0, 5.0])
+    assert tb.plot(data, over="load").axes[0].get_xlabel() == SCALES["load"].label
+
+
+@pytest.mark.parametrize("along", ["load", "viscosity"])
+def test_a_curve_of_an_interface_is_drawn_with_its_range(along):
+    rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    curve = tb.Interface(load_N=10, viscosity_cSt=90, **rest).curve(along, 1.0, 100.0, count=5)
+    figure = tb.plot(curve, over=curve.along)
+    assert panels(figure) == PANELS
+    for name, axes in zip(PANELS, figure.axes, strict=True):
+        np.testing.assert_array_equal(axes.lines[0].get_ydata(), curve.values[name])
+        (outline,) = axes.collections[0].get_paths()
+        assert outline.vertices[:, 1].max() == curve.values[f"{name}_high"].max()
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    own, one = pyplot.subplots()
+    assert tb.plot(curve, variables="solid_load_fraction", ax=one) is own
+    assert panels(own) == ["solid_load_fraction"]
+    pyplot.close("all")
+    with pytest.raises(ValueError, match=f"like is 'fig03', of a curve along {curve.along}"):
+        tb.plot(curve, like="fig03")
 
 
 def test_a_band_is_drawn_over_newtons(grid):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.arguments import check_number, checked_numbers, checked_parameters
+from thirdbody.arguments import checked_number, checked_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.configuration.printed import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import did_you_mean, format_value
@@ -36,9 +36,11 @@ class Material:
 
     def __post_init__(self):
         given = {name: getattr(self, name) for name in USUAL_MATERIAL}
-        for name, number in checked_numbers(given, USUAL_MATERIAL).items():
+        ratio = checked_number("poisson_ratio", self.poisson_ratio, positive=False)
+        for name, number in (
+            checked_numbers(given, USUAL_MATERIAL) | {"poisson_ratio": ratio}
+        ).items():
             object.__setattr__(self, name, number)
-        check_number("poisson_ratio", self.poisson_ratio, positive=False)
         if self.poisson_ratio > 0.5:
             raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
 
@@ -144,41 +146,18 @@ def bearing(
         {name: arguments[name] for name in USUAL_BEARING if name in arguments}, USUAL_BEARING
     )
     bodies = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
-    modulus, changes = parameters.elastic_modulus_surfaces, {}
-    if bodies:
-        ball, flat, particle = (bodies.get(name, MATERIALS["steel"]) for name in BODIES)
-        softer, harder = sorted((ball.hardness, flat.hardness))
-        if "particle" in bodies and particle.hardness < harder:
-            raise ValueError(
-                f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least "
-                f"{1e-9 * harder:g} GPa, the harder surface, as particles keep their shape"
-            )
-        modulus = _hertz_modulus(ball, flat)
-        surface = max(ball, flat, key=lambda body: body.compliance)
-        changes = {
-            "elastic_modulus_surfaces": modulus,
-            "elastic_modulus_particle": _hertz_modulus(particle, surface),
-            "hardness_surface_1": ball.hardness,
-            "hardness_surface_2": flat.hardness,
-            "hardness_parameter": softer / modulus,
-        }
+    changes = _of_bodies(bodies) if bodies else {}
+    modulus = changes.get("elastic_modulus_surfaces", parameters.elastic_modulus_surfaces)
     radius = 1e-3 * numbers.get("ball_radius_mm", 1e3 * parameters.ball_radius)
-    speed, density = numbers.get("speed_m_per_s"), numbers.get("oil_density_kg_per_m3")
-    if {"dynamic_viscosity_mPa_s", "viscosity_cSt"} <= numbers.keys():
-        density = 1e3 * numbers["dynamic_viscosity_mPa_s"] / numbers["viscosity_cSt"]
-    if (speed is None) != (density is None):
-        raise ValueError(
-            f"speed_m_per_s is {speed} and the oil's density {density}; allowed: both, or "
-            "neither (a density, or dynamic_viscosity_mPa_s with viscosity_cSt)"
-        )
     stiffer, larger = modulus / parameters.elastic_modulus_surfaces, radius / parameters.ball_radius
     changes |= {
         "ball_radius": radius,
         "speed_per_viscosity": parameters.speed_per_viscosity / (stiffer * larger),
         "material_parameter": parameters.material_parameter * stiffer,
     }
-    if speed is not None:
-        changes["speed_per_viscosity"] = density * speed / (modulus * radius)
+    flow = _density_times_speed(numbers)
+    if flow is not None:
+        changes["speed_per_viscosity"] = flow / (modulus * radius)
     if "pressure_viscosity_per_GPa" in numbers:
         changes["material_parameter"] = numbers["pressure_viscosity_per_GPa"] * modulus / GIGA
     if "apparent_area_mm2" in numbers:
@@ -192,6 +171,40 @@ def bearing(
         raise ValueError(f"derived from {', '.join([*numbers, *bodies])}: {error}") from None
 
 
+def _of_bodies(given):
+    """The inputs that follow from the materials by body; those that are not ``given`` are steel."""
+    ball, flat, particle = (given.get(name, MATERIALS["steel"]) for name in BODIES)
+    softer, harder = sorted((ball.hardness, flat.hardness))
+    if "particle" in given and particle.hardness < harder:
+        raise ValueError(
+            f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least "
+            f"{1e-9 * harder:g} GPa, the harder surface, as particles keep their shape"
+        )
+    modulus = _hertz_modulus(ball, flat)
+    surface = max(ball, flat, key=lambda body: body.compliance)
+    return {
+        "elastic_modulus_surfaces": modulus,
+        "elastic_modulus_particle": _hertz_modulus(particle, surface),
+        "hardness_surface_1": ball.hardness,
+        "hardness_surface_2": flat.hardness,
+        "hardness_parameter": softer / modulus,
+    }
+
+
+def _density_times_speed(numbers):
+    """rho u [kg m-2 s-1]; None if neither is among the ``numbers``."""
+    speed, density = numbers.get("speed_m_per_s"), numbers.get("oil_density_kg_per_m3")
+    if {"dynamic_viscosity_mPa_s", "viscosity_cSt"} <= numbers.keys():
+        density = 1e3 * numbers["dynamic_viscosity_mPa_s"] / numbers["viscosity_cSt"]
+    if (speed is None) != (density is None):
+        texts = ("None" if each is None else f"{each:g}" for each in (speed, density))
+        raise ValueError(
+            "speed_m_per_s is {} and the oil's density {}; allowed: both, or neither (a density, "
+            "or dynamic_viscosity_mPa_s with viscosity_cSt)".format(*texts)
+        )
+    return None if speed is None else density * speed
+
+
 def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answer:
     """Answer to question 8: the inputs derived by ``bearing``, each with its formula, and U for an
     oil of ``viscosity_cSt`` if given.
@@ -202,7 +215,7 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
         for name, (unit, formula) in TABLES["formulas"].items()
     ]
     if viscosity_cSt is not None:
-        check_number("viscosity_cSt", viscosity_cSt, positive=False)
+        viscosity_cSt = checked_number("viscosity_cSt", viscosity_cSt, positive=False)
         speed = parameters.speed_per_viscosity * float(UNITS["viscosity_cSt"].to_si(viscosity_cSt))
         rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
     notes = (

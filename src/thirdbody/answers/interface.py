@@ -3,22 +3,19 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from numbers import Real
 from typing import Any, Self
 
 import numpy as np
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
+from thirdbody.answers.crossings import SWEEP, queries, sweep_values
 from thirdbody.answers.find import (
     BORDERS,
     IN_FULL_FILM,
     RATIOS,
-    SWEEP,
     Border,
     Transition,
     all_changes,
-    queries,
-    sweep_values,
     turning_point,
     turning_window,
 )
@@ -99,12 +96,15 @@ class Interface:
     def __init__(self, *, parameters: Parameters | None = None, **conditions: float):
         parameters = checked_parameters(parameters)
         object.__setattr__(self, "parameters", parameters)
-        for name, values in in_si(conditions, parameters).items():
+        found = in_si(conditions, parameters)
+        for key in conditions:
+            shape = found[unit_of(key).condition].shape
+            if shape:
+                raise ValueError(f"{key} has shape {shape}; allowed: one number")
+        for name, values in found.items():
             key = ENGINEERING[name]
-            if values.ndim:
-                raise ValueError(f"{key} has shape {values.shape}; allowed: one number")
             number = conditions.get(key)
-            if not isinstance(number, Real):
+            if not isinstance(number, int | float):
                 number = float(decimal(UNITS[key].from_si(values, parameters.newtons_per_load)))
             object.__setattr__(self, key, number)
 
@@ -296,11 +296,10 @@ class Interface:
         found = turning_point(parameters=parameters, between_N=between_N, **given)
         layer = {name: given[name] for name in ("roughness_nm", "particle_density_per_m2")}
         window = turning_window(parameters=parameters, between_N=between_N, **layer)
-        point = found.load, found.peak_ratio, found.solid_load_fraction
-        load, ratio, fraction = np.where(found.exists, point, np.nan)
-        values = load * parameters.newtons_per_load, load, ratio, fraction
-        sizes = window.low * self.roughness_nm, window.high * self.roughness_nm
-        return {name: _known(value) for name, value in zip(TURNING, (*values, *sizes))}
+        names = "load_N", "load", "peak_ratio", "solid_load_fraction"
+        values = {name: getattr(found, name) if found.exists else np.nan for name in names}
+        values |= {end: getattr(window, end) * self.roughness_nm for end in ("low", "high")}
+        return {name: _known(value) for name, value in values.items()}
 
     def _notes(self, state: State) -> tuple[str, ...]:
         """Remarks on a state."""

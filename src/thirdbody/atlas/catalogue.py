@@ -15,11 +15,11 @@ import xarray as xr
 
 from thirdbody.data.attributes import identity
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
-from thirdbody.data.files import unreadable
+from thirdbody.data.files import readable_file, unreadable
 from thirdbody.data.quantities import STATUS
-from thirdbody.job_log import with_remedy
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
+CATALOGUE = "results/atlas/catalogue.json"
 CHARTS = {  # the variable of the atlas in each
     "largest_particle": "largest_particle_diameter",
     "least_viscosity": "least_viscosity",
@@ -38,7 +38,7 @@ def write_catalogue(path: str | PathLike, chunks: Sequence[str | PathLike]) -> N
     Path(path).write_text(json.dumps({"chunks": listed}, indent=2) + "\n", encoding="utf-8")
 
 
-def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Dataset:
+def open_atlas(path: str | PathLike = CATALOGUE) -> xr.Dataset:
     """Open the atlas as one dataset; its values are read from the files when they are used.
 
     Parameters
@@ -55,6 +55,8 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
 
     Raises
     ------
+    ValueError
+        For what is no path.
     OSError
         In one line, if a file is missing, damaged or of another kind.
 
@@ -66,14 +68,14 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
         dry = atlas["particle_surface_probability"].sel(viscosity=0.0)
         dry.swap_dims(load="normal_load").sel(normal_load=10, particle_diameter=5e-7)
     """
-    path = Path(path)
-    if not path.is_file():
+    if str(path) == CATALOGUE and not Path(path).is_file():
         raise FileNotFoundError(f"{path} is not there; make it: snakemake -c2 atlas")
+    path = readable_file("path", path, "the path of the catalogue of an atlas")
     try:
         listed = json.loads(path.read_text(encoding="utf-8"))["chunks"]
         files = [path.parent / each["file"] for each in listed]
     except (ValueError, TypeError, KeyError) as error:
-        raise OSError(with_remedy(unreadable(path, type(error).__name__))) from None
+        raise unreadable(path, type(error).__name__) from None
     parts = [_opened(file) for file in files]
     dataset = xr.concat(
         parts,
@@ -101,7 +103,7 @@ def _opened(path: str | PathLike) -> xr.Dataset:
     try:
         return xr.open_dataset(path, engine="netcdf4", chunks={})
     except Exception as error:  # netCDF4 raises different exceptions for different damage
-        raise OSError(with_remedy(unreadable(path, type(error).__name__))) from None
+        raise unreadable(path, type(error).__name__) from None
 
 
 def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Dataset]:

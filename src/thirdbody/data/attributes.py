@@ -22,17 +22,22 @@ from thirdbody.data.quantities import (
 )
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
+from thirdbody.units import SI, Unit
 
 # Attributes of a dataset in their order; null if they depend on its content.  The dates are those
 # of the software version, so that the same inputs give the same bytes.
 EVERYWHERE = json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8"))
 # Keys of the attribute model_parameters by the names of inputs and of fields of a surface.
 KEYS = EVERYWHERE["model_parameters"]
+GIVEN_AS = (
+    "given_as"  # attribute of a load that was given in newtons: its name in ``thirdbody.solve``
+)
 
 
-def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
-    """Attributes of a coordinate: an axis, or the normal load along the load axis."""
-    return {"units": described.units, "long_name": described.long_name, "symbol": described.symbol}
+def coordinate_attributes(described: Axis | Quantity, unit: Unit | None = None) -> dict[str, str]:
+    """Attributes of a coordinate: an axis, which was given in a ``unit``, or the normal load along the load axis."""
+    attributes = {name: getattr(described, name) for name in ("units", "long_name", "symbol")}
+    return attributes | ({GIVEN_AS: "load_N"} if unit and unit.is_force else {})
 
 
 def variable_attributes(quantity: Quantity) -> dict:
@@ -82,9 +87,10 @@ def described_grid(
     rtol: float,
     title: str = "Three-body contact on a grid",
     request: Mapping | None = None,
+    units: Mapping[str, Unit] = SI,
 ) -> PlainDataset:
     """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
+    attributes; the axes were given in ``units``.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
     variables = {
         name: Variable(
             DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
@@ -93,7 +99,7 @@ def described_grid(
         if name in values
     }
     coordinates = {
-        name: Variable((name,), axis, coordinate_attributes(AXES[name]))
+        name: Variable((name,), axis, coordinate_attributes(AXES[name], units.get(name)))
         for name, axis in axes.items()
     }
     newtons = axes["load"] * parameters.newtons_per_load

@@ -35,7 +35,7 @@ from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
-from thirdbody.units import unit_of
+from thirdbody.units import unit_of, units_in_tables
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -106,7 +106,8 @@ def grid(
     else:
         solution = solve_arrays(crossed(axes), parameters, rtol, names, progress)
     values = {name: getattr(solution, name) for name in names}
-    return described_grid(axes, values, parameters, rtol).to_xarray()
+    units = units_in_tables(conditions)
+    return described_grid(axes, values, parameters, rtol, units=units).to_xarray()
 
 
 def stream(
@@ -163,7 +164,7 @@ def stream(
         lengths[lengths.index(longest)] = -(-longest // 2)
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
-    described = described_grid(axes, empty, parameters, rtol)
+    described = described_grid(axes, empty, parameters, rtol, units=units_in_tables(conditions))
     with atomic_write(path) as part:
         size = prod(shape) * sum(kind.itemsize for kind in types.values())
         free = disk_usage(Path(path).parent).free

@@ -5,14 +5,12 @@ import glob
 import hashlib
 import os
 import secrets
-import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from thirdbody.messages import format_path, format_value
-
-LONGEST_WRITE = 86_400.0  # [s]
 
 
 @contextmanager
@@ -20,9 +18,10 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files under temporary names beside the ``paths``, which are yielded, and move them into
     place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
     an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
-    # with temporary names that no other process uses
+    # temporary names have the process, by which what a killed one leaves is known
+    mark = f"partial{os.getpid()}-{secrets.token_hex(4)}"
     parts = {
-        place: place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
+        place: place.with_name(f".{place.stem}.{mark}{place.suffix}")
         for place in map(_place, paths)
     }
     try:
@@ -48,18 +47,29 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
 
 
 def _prepare(place, part):
-    """Remove temporary files of writes that were killed, those older than any job takes; then raise ``OSError``
-    unless ``part`` can be written and moved to ``place``."""
-    leftovers = f".{glob.escape(place.stem)}.partial*{glob.escape(place.suffix)}"
-    for leftover in place.parent.glob(leftovers):
-        with suppress(OSError):
-            if time.time() - leftover.stat().st_mtime > LONGEST_WRITE:
+    """Remove temporary files of killed processes; then raise ``OSError`` unless ``part`` can be written and
+    moved to ``place``."""
+    start = f".{place.stem}.partial"
+    for leftover in place.parent.glob(f"{glob.escape(start)}*-*{glob.escape(place.suffix)}"):
+        process = leftover.name.removeprefix(start).partition("-")[0]
+        if process.isdecimal() and not _is_alive(int(process)):
+            with suppress(OSError):
                 leftover.unlink()
     if place.exists() and not place.is_file():  # a device must not be replaced
         kind = "Is a directory" if place.is_dir() else "Not a regular file"
         raise OSError(errno.EINVAL, kind, part)
     part.touch()
     part.unlink()
+
+
+def _is_alive(process):
+    try:
+        os.kill(process, 0)  # sends nothing
+    except ProcessLookupError:
+        return False
+    except (OSError, OverflowError):  # of another user; no number of a process
+        pass
+    return True
 
 
 def _place(path: str | Path) -> Path:
@@ -72,6 +82,19 @@ def _place(path: str | Path) -> Path:
         message = f"{format_value(path)} is not a file name"
         raise ValueError(f"{message}; allowed: the path of a file to write")
     return Path(os.path.realpath(place)) if os.path.islink(place) else place
+
+
+def readable_file(name: str, given: Any, allowed: str) -> Path:
+    """``given``, the argument ``name``, as a path; ``ValueError`` unless it is a path, ``OSError`` unless a
+    file is there that can be read."""
+    if not isinstance(given, str | os.PathLike) or "\0" in str(given):
+        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
+    try:
+        with open(given, "rb"):
+            return Path(given)
+    except OSError as error:
+        message = f"{format_path(given)} cannot be read ({error.strerror})"
+        raise type(error)(message) from None
 
 
 class DamagedFile(OSError):

@@ -18,10 +18,13 @@ POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
 def labelled_dataset(
-    variables: Mapping[str, Any], conditions: Mapping[str, Any], newtons_per_load: float
+    variables: Mapping[str, Any],
+    conditions: Mapping[str, Any],
+    units: Mapping[str, Unit],
+    newtons_per_load: float,
 ) -> xr.Dataset:
-    """Variables and conditions (SI) of a ``Solution``, which broadcast to the same shape, as a
-    dataset, with the load also in newtons.  A dimension has the name of the only condition that
+    """Variables and conditions (SI, given in ``units``) of a ``Solution``, which broadcast to the same shape,
+    as a dataset, with the load also in newtons.  A dimension has the name of the only condition that
     varies along it."""
     first = next(iter(variables.values()), None)
     labelled = isinstance(first, xr.DataArray)
@@ -31,7 +34,7 @@ def labelled_dataset(
     coordinates = dict(first.coords) if labelled else {}
     for name, values in conditions.items():
         if name not in coordinates:
-            attributes = coordinate_attributes(AXES[name])
+            attributes = coordinate_attributes(AXES[name], units[name])
             coordinates[name] = *_placed(values, dimensions, shape), attributes
     described = {}
     for name, values in variables.items():

@@ -7,7 +7,6 @@ from dataclasses import replace
 from itertools import product
 from math import prod
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import matplotlib.style
@@ -18,7 +17,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from thirdbody.arguments import checked_names
+from thirdbody.data.attributes import GIVEN_AS
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
+from thirdbody.data.files import readable_file
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.quantities import NORMAL_LOAD, STATUS
 from thirdbody.figures.curves import (
@@ -37,7 +38,10 @@ from thirdbody.messages import did_you_mean, format_value
 from thirdbody.units import UNITS
 
 MOST_CURVES = 24  # of which a legend names each
-ALLOWED = "a solution, a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, its table or file"
+ALLOWED = (
+    "a solution, a curve, a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, its "
+    "table or file"
+)
 
 
 def plot(
@@ -54,13 +58,13 @@ def plot(
 
     Parameters
     ----------
-    data : Solution, xarray.Dataset, pandas.DataFrame or path
-        A solution, a dataset of ``grid`` or ``Solution.to_dataset``, the table of such a dataset, or a
-        file of ``stream`` or of the workflow.  Points in a list must be all combinations of their
-        conditions.
+    data : Solution, Curve, xarray.Dataset, pandas.DataFrame or path
+        A solution, a curve of ``Interface.curve`` with its ensemble range, a dataset of ``grid`` or
+        ``Solution.to_dataset``, the table of such a dataset, or a file of ``stream`` or of the workflow.
+        Points in a list must be all combinations of their conditions.
     over : str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
-        the load, in newtons if that of a solution was given so.  Over the load,
+        that of a curve, otherwise the load, in newtons if it was given so.  Over the load,
         one of viscosity, particle diameter and density may vary, in addition to dry and lubricated
         contact, and any number of roughnesses.  Over another axis, all others may vary: each
         combination is a curve.
@@ -104,17 +108,21 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity ν (cSt)'
     """
-    if over is None:
-        given = getattr(data, "units", None) if is_solution(data) else None
-        over = "load_N" if given and given["load"].is_force else "load"
     for name, value, known in (("over", over, UNITS), ("like", like, CURVE_FIGURES)):
-        if value is not None and value not in known:
+        if value is not None and (not isinstance(value, str) or value not in known):
             allowed = ", ".join(known) + did_you_mean(value, known)
             raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
-    unit = UNITS[over]
     variables = checked_names("variables", variables, LUBRICATED)
     axes = _checked_axes(ax)
+    turning_points = _checked_turning_points(turning_points)
+    if hasattr(data, "along") and hasattr(data, "points"):  # figures do not import ``Curve``
+        for name, value in (("over", over), ("like", like), ("band", band)):
+            if value not in (None, data.along):
+                message = f"{name} is {format_value(value)}, of a curve along {data.along}"
+                raise ValueError(f"{message}; allowed: None")
+        return plot_curve(data, variables, axes)
     complete = _with_all_dimensions("data", data)
+    unit = UNITS[over or complete["load"].attrs.get(GIVEN_AS, "load")]
     if complete.sizes[unit.condition] < 2:
         message = (
             f"data has one {unit.condition}; allowed: two or more, which curves are drawn over"
@@ -124,8 +132,6 @@ def plot(
         if unit.condition != "load":
             return _plot_over(complete, unit.condition, variables, axes)
         ranges = None if band is None else _with_all_dimensions("band", band)
-        if isinstance(turning_points, str | PathLike):
-            turning_points = read_turning_points(turning_points)
         drawn = curve_figure(like or "data", complete)
         chosen = tuple(each for each in drawn.contents if like or each.y in variables)
         if unit.is_force:
@@ -143,10 +149,21 @@ def is_solution(data: Any) -> bool:
     return hasattr(data, "conditions") and hasattr(data, "to_dataset")
 
 
+def _checked_turning_points(given) -> Sequence[Mapping]:
+    """The rows of turning points, read if they are in a file."""
+    if isinstance(given, Sequence) and all(isinstance(each, Mapping) for each in given):
+        return given
+    allowed = "mappings, or the path of a table tpca_loads"
+    return read_turning_points(readable_file("turning_points", given, allowed))
+
+
 def _checked_axes(ax) -> list[Axes]:
     """The axes to draw on, none for a new figure."""
-    axes = [] if ax is None else list(np.ravel(ax))
-    if (ax is not None and not axes) or not all(isinstance(each, Axes) for each in axes):
+    if ax is None:
+        return []
+    several = isinstance(ax, list | tuple) or getattr(ax, "dtype", None) == np.dtype("O")
+    axes = list(np.ravel(np.asarray(ax, object))) if several else [ax]
+    if not axes or not all(isinstance(each, Axes) for each in axes):
         raise ValueError(f"ax is {format_value(ax)}; allowed: axes of matplotlib")
     return axes
 
@@ -177,18 +194,20 @@ def _plot_over(
     return draw_panels(panels, looks, common=common, axes=axes)
 
 
-def plot_curve(curve: Any) -> Figure:
-    """Draw the result of ``Interface.curve``, with its range if it has one."""
+def plot_curve(
+    curve: Any, variables: Collection[str] = LUBRICATED, axes: Sequence[Axes] = ()
+) -> Figure:
+    """Draw ``variables`` of the result of ``Interface.curve``, with its range if it has one."""
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
     along, unit = units.get(curve.along, ("normal_load", 1.0))
     x = unit * np.asarray(curve.points)
-    panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in LUBRICATED]
+    panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in variables]
     for panel in panels:
         if f"{panel.y}_low" in curve.values:
             ends = curve.values[f"{panel.y}_low"], curve.values[f"{panel.y}_high"]
             panel.series.append(range_series("", x, *ends, BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, [])
+        return draw_panels(panels, [], axes=axes)
 
 
 def _panel(over, x, name, curves, looks) -> Panel:
@@ -243,9 +262,7 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
         if STATUS not in data:  # not asked for
             data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
     if isinstance(data, str | PathLike):
-        if not Path(data).is_file():
-            raise FileNotFoundError(f"{name} is {str(data)!r}, which is not a file")
-        data = read_plain(data).to_xarray()
+        data = read_plain(readable_file(name, data, ALLOWED)).to_xarray()
     if isinstance(data, pd.DataFrame):
         named = [each for each in data.index.names if each in DIMENSIONS]
         data = data.reset_index(named).reset_index(drop=True).to_xarray()
@@ -254,6 +271,8 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     missing = [each for each in DIMENSIONS if each not in data]
     if name == "data" and STATUS not in data:
         missing.append(STATUS)
+    if 0 in data.sizes.values():
+        missing.append("points")
     if missing:
         raise ValueError(f"{name} has no {missing[0]}; allowed: {ALLOWED}")
     data = data.set_coords(DIMENSIONS)
@@ -276,7 +295,9 @@ def _placed_on_axes(name, data) -> xr.Dataset:
         other = next(each for each in data.dims if each not in DIMENSIONS)
         message = f"{name} has the dimension {other!r}, with points that are not all combinations"
         raise ValueError(f"{message}; allowed: one point for each of {', '.join(DIMENSIONS)}")
-    return table.to_xarray()
+    placed = table.to_xarray()
+    placed["load"].attrs = data["load"].attrs
+    return placed
 
 
 def _newtons_per_load(data) -> float:

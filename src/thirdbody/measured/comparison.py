@@ -160,7 +160,7 @@ def compare(
     if oil_density_kg_per_m3 is None and table["viscosity_cSt"].any():
         notes.append(speed_note(parameters))
     for name, quantity in observed.items():
-        table[name] = quantity.to(UNITS_OF[name]).magnitude
+        table[name] = decimal(quantity.to(UNITS_OF[name]).magnitude)
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
         if name in FORMULAS:
             notes.append(f"{name} is an estimate: {FORMULAS[name].format(**asdict(assumed))}")
@@ -213,10 +213,10 @@ def _conditions(columns, conditions, parameters, index):
     }
     if "speed" in columns:
         table["speed_m_per_s"] = columns["speed"].to("m/s").magnitude
-    for name, values in table.items():
-        if values.shape not in ((), (len(index),)):
-            allowed = f"one number, or {len(index)}"
-            raise ValueError(f"{name} has shape {values.shape}; allowed: {allowed}")
+    for key in conditions:
+        shape = found[unit_of(key).condition].shape
+        if shape not in ((), (len(index),)):
+            raise ValueError(f"{key} has shape {shape}; allowed: one number, or {len(index)}")
     return pd.DataFrame(table, index=index).astype(float)
 
 

@@ -16,8 +16,8 @@ from scipy.optimize import brentq
 
 from thirdbody.answers.answer import Answer, Row, few_particles
 from thirdbody.arguments import (
-    check_number,
     checked_array,
+    checked_number,
     checked_numbers,
     checked_parameters,
     is_column,
@@ -158,12 +158,12 @@ def viscosity_index_of(at_40: float, at_100: float) -> float:
 
 def _at_100(at_40, index):
     """Viscosity at 100 C [cSt] of an oil with a viscosity index."""
-    check_number("viscosity_index", index, positive=False)
+    index = checked_number("viscosity_index", index, positive=False)
     try:
         return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
     except ValueError:  # no root between the ends
         allowed = f"one that gives an oil of {at_40:g} cSt at 40 C 2 cSt or more at 100 C"
-        raise ValueError(f"viscosity_index is {format_value(index)}; allowed: {allowed}") from None
+        raise ValueError(f"viscosity_index is {index:g}; allowed: {allowed}") from None
 
 
 def cleanliness(
@@ -185,7 +185,7 @@ def cleanliness(
     0.0075 particles above 4 um in A_n = 3e-06 m2: most contacts have none
     """
     parameters = checked_parameters(parameters)
-    check_number("enrichment", enrichment)
+    enrichment = checked_number("enrichment", enrichment)
     gap_nm = checked_numbers({"gap_nm": gap_nm}, USUAL_GAP)["gap_nm"]
     rows, notes = [], []
     numbers = _scale_numbers(code)

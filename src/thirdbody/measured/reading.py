@@ -6,8 +6,8 @@ import codecs
 import csv
 import io
 import re
+import unicodedata
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ import pandas as pd
 
 from thirdbody.answers.bearing import USUAL_BEARING
 from thirdbody.arguments import NEVER_ZERO, warn_outside
+from thirdbody.data.files import readable_file
 from thirdbody.measured.estimates import MEASURED
 from thirdbody.messages import format_path, format_value
 from thirdbody.units import ENGINEERING, UNITS, registry
@@ -108,14 +109,8 @@ def _read_csv(path):
 
 def _text(path):
     """The name and the text of a file in any usual encoding."""
-    if not isinstance(path, str | PathLike):
-        allowed = "a pandas.DataFrame, or the path of a CSV file"
-        raise ValueError(f"measured is {format_value(path)}; allowed: {allowed}")
-    name = format_path(path)
-    try:
-        content = Path(path).read_bytes()
-    except OSError as error:
-        raise type(error)(f"{name} cannot be read ({error.strerror})") from None
+    place = readable_file("measured", path, "a pandas.DataFrame, or the path of a CSV file")
+    name, content = format_path(place), place.read_bytes()
     wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
         text = content.decode("utf-16" if wide else "utf-8-sig")
@@ -123,7 +118,8 @@ def _text(path):
         text = content.decode("cp1252", "replace")  # of spreadsheets
     if "\0" in text:
         raise ValueError(f"{name} is not a text; allowed: a CSV file")
-    return name, text
+    # the signs of units as they are typed, and the minus of typography
+    return name, unicodedata.normalize("NFC", text).replace("\u2212", "-")
 
 
 def _rows(name, text):
@@ -169,9 +165,13 @@ def _with_points(columns):
         message = f"measured has {commas[0]!r}, with a comma of decimals or of thousands"
         raise ValueError(f"{message}; allowed: a decimal point, and nothing between thousands")
     return {
-        name: (heading, unit, column.str.replace(",", ".", regex=False) if commas else column)
+        name: (heading, unit, column.map(_with_point) if commas else column)
         for name, (heading, unit, column) in columns.items()
     }
+
+
+def _with_point(cell):
+    return cell.replace(",", ".") if NUMBER.fullmatch(cell.strip()) else cell
 
 
 # ---- columns

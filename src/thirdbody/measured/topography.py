@@ -10,12 +10,13 @@ import numpy as np
 
 from thirdbody.arguments import (
     OutOfRangeWarning,
-    check_number,
+    checked_number,
     checked_parameters,
     warn_outside,
 )
+from thirdbody.data.files import readable_file
 from thirdbody.extras import require
-from thirdbody.messages import format_path, format_value
+from thirdbody.messages import format_path
 from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
 from thirdbody.units import CONDITIONS, plain_numbers
@@ -94,8 +95,7 @@ def surface(
     spacing = max(max(each.pixel_size) for each in topographies)
     scale = float(spacing)
     if scale_nm is not None:
-        scale_nm = plain_numbers("scale_nm", scale_nm, "nm")
-        check_number("scale_nm", scale_nm)
+        scale_nm = checked_number("scale_nm", plain_numbers("scale_nm", scale_nm, "nm"))
         scale = 1e-9 * scale_nm
     if scale < spacing * (1.0 - 1e-9):
         raise ValueError(f"scale_nm is {scale_nm:g}; allowed: {1e9 * spacing:.6g} or more")
@@ -131,14 +131,8 @@ def _read(path, curved, options):
     """A topography in metres, without tilt; missing points are interpolated."""
     from SurfaceTopography import read_topography
 
-    if not isinstance(path, str | PathLike):
-        allowed = "paths of files; tb.equivalent_roughness takes numbers"
-        raise ValueError(f"paths has {format_value(path)}; allowed: {allowed}")
-    try:
-        with open(path, "rb"):
-            pass
-    except OSError as error:
-        raise type(error)(f"{format_path(path)} cannot be read ({error.strerror})") from None
+    allowed = "paths of files; tb.equivalent_roughness takes numbers"
+    path = readable_file("paths", path, allowed)
     try:
         topography = read_topography(str(path), **options)
         if topography.unit is None:

@@ -21,7 +21,7 @@ from thirdbody.model.regimes import (
     lubrication_regime,
 )
 from thirdbody.solver.balance import Balance
-from thirdbody.tabular import Tabular
+from thirdbody.tabular import Tabular, with_rows
 from thirdbody.units import SI, Unit
 
 if TYPE_CHECKING:
@@ -93,7 +93,8 @@ class Solution(Tabular):
             The requested variables; flags are integers with ``flag_values`` and ``flag_meanings``.
             The conditions and ``normal_load`` [N] are coordinates.  A dimension is named after the
             condition if only one varies along it, otherwise ``point``; arrays of xarray keep their
-            dimensions and coordinates.
+            dimensions and coordinates.  The index of columns of a table is a coordinate of its name, or
+            ``row``.
 
         Raises
         ------
@@ -118,9 +119,7 @@ class Solution(Tabular):
         >>> dataset["separation"].attrs["units"]
         'm'
         """
-        from thirdbody.data.labels import labelled_dataset
-
-        return labelled_dataset(self.known, self.conditions, self.newtons_per_load)
+        return with_rows(self._labelled(), self._index)
 
     def to_dataframe(self) -> pd.DataFrame:
         """The points as a table: one row per point, its conditions first.
@@ -154,7 +153,12 @@ class Solution(Tabular):
         """
         from thirdbody.data.labels import labelled_frame
 
-        return labelled_frame(self.to_dataset(), self.units, self.newtons_per_load, self._index)
+        return labelled_frame(self._labelled(), self.units, self.newtons_per_load, self._index)
+
+    def _labelled(self) -> xr.Dataset:
+        from thirdbody.data.labels import labelled_dataset
+
+        return labelled_dataset(self.known, self.conditions, self.units, self.newtons_per_load)
 
     def __repr__(self) -> str:
         known = {name: np.asarray(each) for name, each in self.known.items()}

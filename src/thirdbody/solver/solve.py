@@ -30,7 +30,7 @@ from thirdbody.solver.brackets import bracket
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
 from thirdbody.solver.summits import pieces_for
-from thirdbody.units import is_labelled, unit_in_tables, unit_of
+from thirdbody.units import is_labelled, units_in_tables
 
 DEFAULT_RTOL = 1e-9
 ROUNDING_LIMIT = 1e-12  # tolerance of points limited only by rounding
@@ -101,7 +101,7 @@ def solve(
     -----
     OutOfRangeWarning
         Once, for conditions outside their usual ranges, probably given in another unit: F_t* 1e-13 to 0.02,
-        nu 3e-7 to 0.01 m2/s, x_a 1 nm to 1 mm, sigma 0.1 nm to 1 mm, eta_a 1e6 to 1e16 m-2.
+        nu 3e-7 to 0.01 m2/s, x_a 1 nm to 1 mm, sigma 1 nm to 1 mm, eta_a 1e6 to 1e16 m-2.
 
     Examples
     --------
@@ -129,12 +129,12 @@ def solve(
     variables = VARIABLES if variables is None else checked_names("variables", variables, VARIABLES)
     check_progress(progress)
     arrays = in_si(conditions, parameters)  # copies, which the caller cannot change later
-    units = {unit.condition: unit for unit in map(unit_in_tables, *zip(*conditions.items()))}
+    units = units_in_tables(conditions)
     if not any(map(is_labelled, conditions.values())):
+        check_points(arrays, conditions)
         solution = solve_arrays(arrays, parameters, rtol, variables, progress)
         return replace(solution, units=units)._with_index(common_index(conditions))
-    given = {unit_of(key).condition: each for key, each in conditions.items()}
-    named, arrays, pattern = broadcast_by_name(given, arrays)
+    named, arrays, pattern = broadcast_by_name(conditions, arrays)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
     known = {
         name: pattern.copy(data=values).rename(name) for name, values in solution.known.items()

@@ -67,6 +67,7 @@ def test_a_run_killed_again_and_again_gives_the_same_products(
         killed[kill.__name__] += kill_at(workspace, moment, chance, kill=kill)
     complete(workspace)
     assert_same(workspace.root / "results", undisturbed)
+    assert not [*workspace.root.glob("results/**/.*.partial*")]  # what jobs were writing
     tell(f"killed at {KILLS} moments of {jobs} jobs: {dict(killed)}")
     assert killed.total() >= 0.9 * KILLS
 
