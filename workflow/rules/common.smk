@@ -73,6 +73,7 @@ def file_sum(file):
     return sha256(Path(file).read_bytes()).hexdigest()
 
 
+@cache
 def module_files(name):
     """A module, and the data beside it under the same name."""
     path = PACKAGE.parent.joinpath(*name.split("."))

@@ -62,15 +62,22 @@ class Report:
         """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
         interpretations."""
         inputs = judge.base | default["inputs"]
-        interpretations = {each["interpretation"]: judge(each["inputs"]) for each in contents}
+        evidence = judge.evidence(inputs, FULL_EFFORT, judge.claims)
+        verdicts = {claim.id: claim.verdict(evidence) for claim in judge.claims}
+        interpretations = {
+            each["interpretation"]: (
+                verdicts if judge.base | each["inputs"] == inputs else judge(each["inputs"])
+            )
+            for each in contents
+        }
         predicted = {each["interpretation"]: predict(judge, each) for each in contents}
         return cls(
             claims=judge.claims,
             settings=settings,
             default=default,
-            verdicts=judge(inputs),
+            verdicts=verdicts,
             faint=judge(inputs, FAINT_EFFORT),
-            fine=judge(inputs, claims=[claim.on_a_fine_axis() for claim in judge.claims]),
+            fine={claim.id: claim.on_a_fine_axis().verdict(evidence) for claim in judge.claims},
             members=tuple(
                 judge({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]
             ),
