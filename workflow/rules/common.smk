@@ -7,7 +7,7 @@ from pathlib import Path
 import grimp
 
 import thirdbody
-from thirdbody.configuration.schema import config_directory
+from thirdbody.configuration import config_directory
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
 HOME = config_directory().parent  # the repository, or the installed package
