@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from thirdbody import load_parameters, solve
+from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import Condition
 
 LARGEST = 3e6  # bytes of the page

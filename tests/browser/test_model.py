@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from thirdbody import solve
+from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.model.interpretations import INTERPRETATIONS

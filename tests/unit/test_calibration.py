@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.choice import choose_default, mixed_ensemble, predicted_fractions, price_front
+from thirdbody.study.choice import choose_default, mixed_ensemble, price_front
 from thirdbody.study.claim import Verdict
 from thirdbody.study.claims import load_claims
 from thirdbody.study.judge import Judge
@@ -27,6 +27,7 @@ from thirdbody.study.search import (
     scattered_starts,
     search,
 )
+from thirdbody.study.verdicts import fold_counts
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
@@ -281,13 +282,15 @@ def test_an_ensemble_over_interpretations_takes_those_that_predict_as_much():
     assert [member["film_load"] for member in members] == labels
 
 
-def test_a_predicted_fraction_is_that_of_a_fold(parameters):
-    folds = [{"figures": figures} for figures in SETTINGS["folds"]]
+def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():
+    content = {"folds": [{"figures": figures} for figures in SETTINGS["folds"]]}
     left_out = [fold.left_out for fold in make_folds(CLAIMS, SETTINGS["folds"])]
     verdicts = {claim.id: Verdict("", 9.0, 0.0) for part in left_out for claim in part}
     verdicts |= {claim.id: Verdict("", 0.0, 0.0) for claim in left_out[1]}
-    judge = Judge(CLAIMS, parameters.as_dict(), SETTINGS["newtons"])
-    assert predicted_fractions(judge, verdicts, folds) == [0.0, 1.0, 0.0, 0.0, 0.0]
+    first, (held, tested), *others = fold_counts(CLAIMS, content, verdicts)
+    assert held == tested == len({claim.counted_as for claim in left_out[1] if not claim.aside})
+    assert all(none == 0 < some for none, some in (first, *others))
+    assert fold_counts(CLAIMS, {}, verdicts) == []
 
 
 def test_the_choice_is_what_predicts_most_and_prices_what_it_misses(parameters):

@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 import yaml
 
+from thirdbody.configuration import config_directory
 from thirdbody.configuration.inputs import load_parameters, read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory, read_schema
+from thirdbody.configuration.schema import read_schema
 from thirdbody.configuration.settings import read_settings, workflow_settings
 from thirdbody.model.parameters import Parameters
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.study.claims import load_claims, printed_rows

@@ -13,8 +13,8 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from benchmarks.points import parameters_on_one_surface
 from thirdbody.command import BAD_INPUT, main
+from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory
 from thirdbody.configuration.settings import workflow_settings
 from thirdbody.data.attributes import model_attribute
 from thirdbody.messages import format_value

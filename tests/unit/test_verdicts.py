@@ -6,8 +6,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
 from thirdbody.study.claim import Verdict
 from thirdbody.study.claims import load_claims

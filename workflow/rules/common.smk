@@ -7,7 +7,7 @@ from pathlib import Path
 import grimp
 
 import thirdbody
-from thirdbody.configuration.schema import config_directory
+from thirdbody.configuration import config_directory
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
 HOME = config_directory().parent  # the repository, or the installed package
@@ -73,6 +73,7 @@ def file_sum(file):
     return sha256(Path(file).read_bytes()).hexdigest()
 
 
+@cache
 def module_files(name):
     """A module, and the data beside it under the same name."""
     path = PACKAGE.parent.joinpath(*name.split("."))

@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from thirdbody.configuration import schema
+from thirdbody.configuration import config_directory, schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.messages import format_path
 from thirdbody.model.bounds import BOUNDS
@@ -61,7 +61,7 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     >>> sparse.participation, sparse.truncation == parameters.truncation
     (0.5, True)
     """
-    directory = schema.config_directory()
+    directory = config_directory()
     settings = read_yaml(directory / "config.yaml")
     entries = read_entries()
     calibrated = directory.parent / settings["calibrated"]
@@ -96,7 +96,7 @@ def _warn_of_what_stays(given):
 
 def read_entries(directory: Path | None = None) -> Entries:
     """Entries of the file ``inputs.yaml`` in a folder, by default ``config/``."""
-    path = (directory or schema.config_directory()) / "inputs.yaml"
+    path = (directory or config_directory()) / "inputs.yaml"
     entries = schema.read_valid(path, "inputs")
     schema.validate(entries, values_schema(entries), str(path))
     return entries
@@ -154,7 +154,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
 
     Empty if they then do not differ.
     """
-    directory = schema.config_directory()
+    directory = config_directory()
     content = read_calibrated(directory.parent / read_yaml(directory / "config.yaml")["calibrated"])
     best, given = content["inputs"], parameters.as_dict()
     changed = {name: value for name, value in given.items() if best.get(name) != value}

@@ -1,7 +1,7 @@
 """Numbers of Tables 1 and 2 of the paper, from ``config/paper_tables.yaml``, that defaults of questions are."""
 
+from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory
 
 _TABLES = read_yaml(config_directory() / "paper_tables.yaml")
 _PRINTED = {row["symbol"]: row["printed"] for rows in _TABLES.values() for row in rows}

@@ -21,7 +21,7 @@ from jsonschema.validators import extend
 from referencing import Registry
 from referencing.jsonschema import DRAFT202012
 
-from thirdbody.configuration import rules
+from thirdbody.configuration import config_directory, rules
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.messages import LONGEST, format_path, format_value
 
@@ -45,13 +45,6 @@ ALLOWED = {
     "minLength": "at least one character",
     "maxLength": "at most {} characters",
 }
-
-
-def config_directory() -> Path:
-    """The configuration folder: inside an installed package, otherwise beside ``src/``."""
-    package = Path(__file__).resolve().parents[1]
-    home = package if (package / "config").is_dir() else package.parents[1]
-    return home / "config"
 
 
 def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:

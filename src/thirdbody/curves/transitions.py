@@ -5,6 +5,7 @@ is found in d between two points of the curve, and Eq. 1 gives its load.
 """
 
 from collections.abc import Mapping
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,12 +48,14 @@ def limit_crossings(
     load, error = np.zeros((2, curve.size))
     quantity, level = (np.array(each)[limit] for each in zip(*LIMITS, strict=True))
     is_ratio = quantity == "particle_contact_area_ratio"
-    kinds = 2 * is_ratio + has_particles(*conditions[1::2, curve])
-    for kind in np.unique(kinds):
-        some = np.flatnonzero(kinds == kind)
+    _, diameter, _, density = conditions[:, curve]
+    is_three_body = has_particles(diameter, density)
+    for of_ratio, three_body in product((False, True), repeat=2):
+        some = np.flatnonzero((is_ratio == of_ratio) & (is_three_body == three_body))
         ends = (separation[step[some] + after, curve[some]] for after in (0, 1))
         given = conditions[:, curve[some]], parameters, rtol
-        load[some], error[some] = _crossings(*ends, is_ratio[some[0]], level[some], *given)
+        if some.size:
+            load[some], error[some] = _crossings(*ends, of_ratio, level[some], *given)
     return limit, curve, load, error, above[limit, step + 1, curve]
 
 

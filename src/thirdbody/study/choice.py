@@ -9,11 +9,11 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from thirdbody.study.calibration import Interpretation, Objective, make_folds
+from thirdbody.study.calibration import Interpretation, Objective
 from thirdbody.study.judge import Judge
 from thirdbody.study.results import rounded
 from thirdbody.study.search import search
-from thirdbody.study.verdicts import Verdicts, count_once, predict, rank_interpretations
+from thirdbody.study.verdicts import Verdicts, fold_counts, predict, rank_interpretations
 
 PRICED = 100  # number of best sets of a cost search that are evaluated again
 
@@ -29,9 +29,9 @@ def choose_default(
     table = rank_interpretations(judge, contents, verdicts, predicted, settings)
     ranking = table["interpretation"].tolist()
     fractions = {
-        name: predicted_fractions(judge, predicted[name], content["folds"])
+        name: [held / max(of, 1) for held, of in counts]
         for name, content in by_name.items()
-        if content.get("folds")
+        if (counts := fold_counts(judge.claims, content, predicted[name]))
     }
     members, labels = mixed_ensemble(
         [by_name[name] for name in ranking], fractions, settings["ensemble"]
@@ -43,17 +43,6 @@ def choose_default(
         "ensemble_interpretations": labels,
     }
     return chosen, table
-
-
-def predicted_fractions(
-    judge: Judge, predicted: Verdicts, folds: Sequence[Mapping[str, Any]]
-) -> list[float]:
-    """The fraction of the statements left out of each of the ``folds`` of a calibrated file that hold."""
-    counts = [
-        count_once(fold.left_out, predicted)
-        for fold in make_folds(judge.claims, [each["figures"] for each in folds])
-    ]
-    return [held / max(of, 1) for held, of in counts]
 
 
 def price_fronts(

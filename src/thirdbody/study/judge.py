@@ -8,7 +8,7 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claim import Claim, Verdict
 from thirdbody.study.claims import referenced_conditions
-from thirdbody.study.evidence import FULL_EFFORT, Effort, solve_evidence
+from thirdbody.study.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence
 
 
 @dataclass(frozen=True)
@@ -32,6 +32,12 @@ class Judge:
         prominence = effort.window.prominence
         if prominence != PROMINENCE:  # it is also the tolerance of statements on maxima
             some = [claim.visible_from(prominence) for claim in some]
-        parameters = Parameters(**{**self.base, **inputs})
-        evidence = solve_evidence(parameters, referenced_conditions(some), self.newtons, effort)
+        evidence = self.evidence(inputs, effort, some)
         return {claim.id: claim.verdict(evidence) for claim in some}
+
+    def evidence(
+        self, inputs: Mapping[str, Any], effort: Effort, claims: Sequence[Claim]
+    ) -> Evidence:
+        """The curves, turning points and windows of the model that ``claims`` need."""
+        parameters = Parameters(**{**self.base, **inputs})
+        return solve_evidence(parameters, referenced_conditions(claims), self.newtons, effort)

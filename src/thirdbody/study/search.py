@@ -22,10 +22,8 @@ DIFFERENCES = 0.01, 0.004  # steps of the slopes in both rounds of a descent, in
 # iterations of least squares from every start, and in both rounds from the best and after a hop
 SCREENING, DESCENT, HOPPING = 6, (20, 20), (8, 10)
 HOP = 0.1  # standard deviation of a hop, in the unit cube
-FIRST_STEPS = (
-    0.03,
-    0.01,
-)  # standard deviations of the first steps of both evolutions, in the unit cube
+# standard deviations of the first steps of both evolutions, in the unit cube
+FIRST_STEPS = 0.03, 0.01
 SAME_HEIGHT = 0.03  # a search has converged when objectives differ by no more [1]
 START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, per unknown
 # Steps by the difference of two walkers; full-length steps move between valleys.
@@ -85,11 +83,8 @@ def find_inputs(
     rows, most = [], budget["iterations"]
     descent, hopping = (np.minimum(each, most).tolist() for each in (DESCENT, HOPPING))
     for start in starts:
-        rows.append(
-            descend(
-                interpretation, objective, start, min(SCREENING, most), _wide_loss, DIFFERENCES[0]
-            )
-        )
+        how = min(SCREENING, most), _wide_loss, DIFFERENCES[0]
+        rows.append(descend(interpretation, objective, start, *how))
     ends = sorted(map(best_of, rows), key=lambda row: row[-1])
     for end in ends[: budget["descents"]]:
         rows.append(_descend_twice(interpretation, objective, end[:-1], descent))

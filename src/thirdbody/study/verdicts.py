@@ -62,15 +62,22 @@ class Report:
         """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
         interpretations."""
         inputs = judge.base | default["inputs"]
-        interpretations = {each["interpretation"]: judge(each["inputs"]) for each in contents}
+        evidence = judge.evidence(inputs, FULL_EFFORT, judge.claims)
+        verdicts = {claim.id: claim.verdict(evidence) for claim in judge.claims}
+        interpretations = {
+            each["interpretation"]: (
+                verdicts if judge.base | each["inputs"] == inputs else judge(each["inputs"])
+            )
+            for each in contents
+        }
         predicted = {each["interpretation"]: predict(judge, each) for each in contents}
         return cls(
             claims=judge.claims,
             settings=settings,
             default=default,
-            verdicts=judge(inputs),
+            verdicts=verdicts,
             faint=judge(inputs, FAINT_EFFORT),
-            fine=judge(inputs, claims=[claim.on_a_fine_axis() for claim in judge.claims]),
+            fine={claim.id: claim.on_a_fine_axis().verdict(evidence) for claim in judge.claims},
             members=tuple(
                 judge({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]
             ),
@@ -112,11 +119,22 @@ class Report:
 def predict(judge: Judge, content: Mapping[str, Any]) -> Verdicts:
     """Evaluate each statement for the inputs of a calibrated file that were found without its figure."""
     entries = content.get("folds", ())
-    folds = make_folds(judge.claims, [each["figures"] for each in entries])
     found = {}
-    for fold, entry in zip(folds, entries, strict=True):
-        found |= judge(entry["inputs"], claims=fold.left_out)
+    for claims, entry in zip(_left_out(judge.claims, entries), entries, strict=True):
+        found |= judge(entry["inputs"], claims=claims)
     return found
+
+
+def fold_counts(
+    claims: Sequence[Claim], content: Mapping[str, Any], predicted: Verdicts
+) -> list[tuple[int, int]]:
+    """Numbers of statements left out of each fold of a calibrated file that hold and are tested."""
+    return [count_once(part, predicted) for part in _left_out(claims, content.get("folds", ()))]
+
+
+def _left_out(claims, entries) -> list[tuple[Claim, ...]]:
+    """The statements left out of each of the folds in a calibrated file."""
+    return [fold.left_out for fold in make_folds(claims, [each["figures"] for each in entries])]
 
 
 def rank_interpretations(
@@ -142,15 +160,14 @@ def rank_interpretations(
         reached = [id for id in settings["headline"] if id in verdicts and verdicts[id].holds]
         summits = largest_summit_parameter(judge.base | content["inputs"], required)
         suits = len(reached) >= required["headline"] and summits < required["summit_parameter"]
-        parts = make_folds(judge.claims, [each["figures"] for each in content.get("folds", ())])
-        shares = ["{}/{}".format(*count_once(part.left_out, predicted[name])) for part in parts]
+        shares = fold_counts(judge.claims, content, predicted[name])
         rows.append(
             {
                 "interpretation": name,
                 "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
                 "fitted": "{}/{}".format(*count_once(judge.claims, verdicts)),
-                "folds": ", ".join(shares),
+                "folds": ", ".join(f"{held}/{tested}" for held, tested in shares),
                 "headline": f"{len(reached)}/{len(settings['headline'])}",
                 "summit_parameter": f"{summits:.3f}",
                 "eligible": suits and of > 0,
