@@ -2,9 +2,8 @@
 
 import { axes, currentPoint, state } from "./state.js";
 import { currentEngine, placesAlong } from "./engine.js";
-import { axisFor, keyOfMarks, levelStyle } from "./chart.js";
-import { specOf, starsOf, yName } from "./figures.js";
-import { measuredPoints } from "./measured.js";
+import { keyOfMarks, levelStyle } from "./chart.js";
+import { curvesSpec, starsOf } from "./figures.js";
 import { VARIABLES, conditionWord, conditionWords } from "./names.js";
 
 const COUNT = 80; // points on a curve
@@ -20,7 +19,7 @@ const LEVELS = {
 export function axesView() {
   const engine = currentEngine();
   const point = currentPoint();
-  const [x, y, by] = [state.x, yName(state.y), state.by];
+  const { x, y, by } = state;
   const along = axes.some(({ name }) => name === x) ? x : "load";
   const others = LEVELS[by].filter((level) => Math.abs(level - point[by]) > 1e-9 * point[by]);
   const levels = by === along ? [point[by]] : d3.sort([...others, point[by]]);
@@ -29,21 +28,13 @@ export function axesView() {
     ...curveAlong(along, x, y, { ...point, [by]: level }, engine),
     ...(level === point[by] ? { color: "var(--mine)", mine: true } : levelStyle(level, levels)),
   }));
-  const measured = measuredPoints(x, y, lines, engine);
-  const points = [...lines.flatMap((line) => line.points), ...measured];
   const turns = along === "load" && y === "particle_contact_area_ratio";
-  const spec = specOf({
-    title: `${VARIABLES[y].words} over ${VARIABLES[x].words.toLowerCase()}`,
-    x: axisFor(x, state.x_scale, points.map((each) => each.x)),
-    y: axisFor(y, state.y_scale, points.map((each) => each.y)),
-    newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
-    lines,
-    measured,
-    stars: turns ? starsOf(x, y, lines, engine) : [],
-    here: x === "load" ? point.load / engine.newtonsPerLoad : point[x],
-  });
+  const heading = `${VARIABLES[y].words} over ${VARIABLES[x].words.toLowerCase()}`;
+  const stars = turns ? starsOf(x, y, lines, engine) : [];
+  const here = x === "load" ? point.load / engine.newtonsPerLoad : point[x];
+  const spec = curvesSpec({ title: heading, x, y, lines, stars, here }, engine);
   const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
-  return { specs: [spec], key: [...key, ...keyOfMarks([spec])], notes: conditionWords(point, along, by), heading: spec.title };
+  return { specs: [spec], key: [...key, ...keyOfMarks([spec])], notes: conditionWords(point, along, by), heading };
 }
 
 // The points of a curve over the load, or along a condition.

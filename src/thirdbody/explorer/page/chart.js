@@ -8,7 +8,7 @@ const MARKERS = [
   [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
   [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
 ];
-const SHADES = { light: [0.05, 0.78], dark: [0.28, 1] };
+const SHADES = [[0.05, 0.6], [0.35, 1]]; // in the light and in the dark, each with enough contrast
 const SHAPES = {
   star: d3.symbol(d3.symbolStar, 90)(),
   printed: d3.symbol(d3.symbolDiamond2, 60)(),
@@ -32,8 +32,8 @@ export function levelStyle(level, levels) {
   if (level === 0) return { color: "var(--ink)" };
   const rank = levels.indexOf(level);
   const part = levels.length > 1 ? rank / (levels.length - 1) : 0.3;
-  const shade = d3.interpolate(...SHADES[document.documentElement.dataset.theme]);
-  return { color: d3.interpolateViridis(shade(part)), marker: rank };
+  const colors = SHADES.map((ends) => d3.interpolateViridis(d3.interpolate(...ends)(part)));
+  return { color: `light-dark(${colors})`, marker: rank };
 }
 
 const classOf = (kind, { faded, chosen }) => `class="${kind}${faded ? " faded" : ""}${chosen ? " chosen" : ""}"`;
@@ -70,7 +70,7 @@ export function keyOfMarks(specs) {
     [specs.some(({ locus }) => locus), { text: "locus of turning points", color: "var(--turning)", kind: "locus" }],
     [some("printed"), { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" }],
     [some("levels"), { text: "printed, at every load", color: "var(--ink)", kind: "level" }],
-    [some("windows"), { text: "limits of turning points", color: "var(--window)", kind: "window" }],
+    [some("windows"), { text: "limits of turning points", color: "var(--accent)", kind: "window" }],
     [some("limits"), { text: "printed limits, tolerance in grey", color: "var(--ink)", kind: "limit" }],
     [some("ranges"), { text: "ensemble range", fill: "var(--range)" }],
     [some("ghosts"), { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" }],

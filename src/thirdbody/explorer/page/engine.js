@@ -3,11 +3,10 @@
 import { modelOf, remembered } from "./model.js";
 import { curveOf, smoothed, turningPointOf } from "./curves.js";
 import { scaleFor } from "./names.js";
-import { axes, content, currentInputs, defaultInputs } from "./state.js";
+import { OVER_TWO_BODY, axes, content, currentInputs, defaultInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
 const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
-export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 
 export const engineOf = remembered((inputs) => {
   const model = modelOf(inputs);

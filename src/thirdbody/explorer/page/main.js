@@ -5,12 +5,12 @@ import { fromFragment, onChange, reset, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
-import { MAP_KEY, mapView } from "./map.js";
+import { MAP_KEY, mapTitle, mapView } from "./map.js";
 import { SECTION_KEY, drawSection } from "./section.js";
 import { chartIn, sampleOf, widthIn } from "./chart.js";
-import { forgetMeasured, readMeasured } from "./measured.js";
+import { FORMS, forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint, unusual } from "./point.js";
-import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
+import { SHOWN, judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
 import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
 import { engineOf } from "./engine.js";
@@ -81,10 +81,10 @@ const VIEWS = {
       drawCharts([spec]);
       csv = () => csvOfMap(spec);
       $("charts").dataset.done = toFragment();
-      showToolbar();
+      showChoices();
     });
     const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
-    return { heading: "Map of modes and regimes", notes, key: MAP_KEY };
+    return { heading: mapTitle(), notes, key: MAP_KEY };
   },
   section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: SECTION_KEY }),
 };
@@ -120,8 +120,7 @@ function render() {
   asked = 0;
   draw();
   updateControls();
-  showToolbar();
-  showTabs();
+  showChoices();
   showPoint($("point"));
   showStatements();
   judgeAll(() => {
@@ -139,38 +138,17 @@ function ask() {
   asked ||= requestAnimationFrame(render);
 }
 
-const tabs = [...$("tabs").children];
-tabs.forEach((tab, i) => {
-  tab.addEventListener("click", () => change({ view: tab.dataset.view }));
-  tab.addEventListener("keydown", ({ key }) => {
-    const move = { ArrowLeft: -1, ArrowRight: 1 }[key];
-    if (!move) return;
-    const next = tabs.at((i + move) % tabs.length);
-    next.focus();
-    next.click();
-  });
-});
-
-function showTabs() {
-  for (const tab of tabs) {
-    const isShown = tab.dataset.view === state.view;
-    tab.setAttribute("aria-selected", isShown);
-    tab.tabIndex = isShown ? 0 : -1;
-  }
-  $("view").setAttribute("aria-labelledby", `tab-${state.view}`);
-}
-
 const FIGURES = Object.fromEntries(content.figures.map(({ name, title }) => [name, title.split(". ")[0]]));
 const SCALES = { auto: "as usual", log: "logarithmic", linear: "linear" };
-const TEXTS = { ...FIGURES, ...SCALES, own: "as it is", over_two_body: "over dry two-body" };
-for (const select of $("toolbar").querySelectorAll("select")) {
+const TEXTS = { ...FIGURES, ...SCALES, ...SHOWN };
+for (const select of document.querySelectorAll("select[name]")) {
   const text = (value) => TEXTS[value] ?? wordOf(value);
-  select.replaceChildren(...CHOICES[select.id].map((value) => new Option(text(value), value)));
+  select.replaceChildren(...CHOICES[select.name].map((value) => new Option(text(value), value)));
 }
 
-$("toolbar").addEventListener("change", ({ target: { id, value } }) =>
-  change(id === "figure" ? { figure: value, claim: "" } : { [id]: value }),
-);
+document.addEventListener("change", ({ target: { name, value } }) => {
+  if (name in CHOICES) change(name === "figure" ? { figure: value, claim: "" } : { [name]: value });
+});
 const shownName = () => (state.view === "figures" ? state.figure : state.view);
 $("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csv()));
 $("save-svg").addEventListener("click", () => {
@@ -178,59 +156,37 @@ $("save-svg").addEventListener("click", () => {
   save(`${shownName()}.svg`, "image/svg+xml", svgOf([...figures], [...entries]));
 });
 
-function showToolbar() {
-  for (const label of $("toolbar").querySelectorAll("label")) {
-    label.hidden = !label.dataset.views.split(" ").includes(state.view);
-    const select = label.querySelector("select");
-    select.value = state[select.id];
+function showChoices() {
+  for (const each of document.querySelectorAll("input[name], select[name]")) {
+    if (each.type === "radio") each.checked = each.value === state.view;
+    else each.value = state[each.name];
+  }
+  for (const each of document.querySelectorAll("[data-views]")) {
+    each.hidden = !each.dataset.views.split(" ").includes(state.view);
   }
   $("save-csv").disabled = !csv;
   $("save-svg").disabled = !$("charts").querySelector("svg");
 }
 
-async function addMeasured([file]) {
+$("file").addEventListener("change", async ({ target: { files: [file] } }) => {
   if (!file) return;
-  $("measured-text").textContent = readMeasured(file.name, await file.arrayBuffer());
-  $("measured").hidden = false;
+  $("measured").value = readMeasured(file.name, await file.text());
   ask();
-}
-$("add-data").addEventListener("click", () => $("file").click());
-$("file").addEventListener("change", () => addMeasured($("file").files));
+});
 $("forget").addEventListener("click", () => {
   forgetMeasured();
-  $("measured").hidden = true;
   $("file").value = "";
+  $("measured").value = FORMS;
   ask();
 });
-addEventListener("dragover", (event) => event.preventDefault());
-addEventListener("drop", (event) => {
-  event.preventDefault();
-  addMeasured(event.dataTransfer.files);
-});
-
-const prefersDark = matchMedia("(prefers-color-scheme: dark)");
-function setTheme() {
-  const wish = $("theme").value;
-  const dark = wish === "auto" ? prefersDark.matches : wish === "dark";
-  document.documentElement.dataset.theme = dark ? "dark" : "light";
-  if (charts.length) ask();
-}
-$("theme").addEventListener("change", setTheme);
-prefersDark.addEventListener("change", setTheme);
-addEventListener("beforeprint", () => {
-  document.documentElement.dataset.theme = "light";
-  draw();
-});
-addEventListener("afterprint", setTheme);
 $("reset").addEventListener("click", reset);
 addEventListener("hashchange", () => fromFragment(location.hash));
-addEventListener("resize", ask);
+addEventListener("resize", () => requestAnimationFrame(draw));
 
 // a page that was saved as it stood has them already
-for (const id of ["controls", "filter", "charts"]) $(id).replaceChildren();
-$("measured").hidden = true;
+for (const id of ["controls", "charts"]) $(id).replaceChildren();
+$("measured").value = FORMS;
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
-setTheme();
 makeControls($("controls"));
 makeStatements();
 onChange(ask);

@@ -7,7 +7,7 @@ import { verdicts } from "./figures.js";
 import { spaced, valueText, wordOf } from "./names.js";
 import { escaped, readable, typeset } from "./text.js";
 
-const [filter, list, tally] = ["filter", "claims", "tally"].map((id) => document.getElementById(id));
+const [list, tally] = ["claims", "tally"].map((id) => document.getElementById(id));
 const PAUSE = 150; // milliseconds without a move, after which statements are judged
 const GLYPHS = { holds: "✓", fails: "✗" };
 const original = new Map(verdicts);
@@ -15,19 +15,18 @@ let judged = ""; // the inputs and conditions that verdicts are, or will be, for
 let finished = false;
 
 const figureOf = ({ part }) => part.replace(/^Figure (\d+)$/, (_, number) => `fig${number.padStart(2, "0")}`);
-const isHere = (claim) => state.view !== "figures" || figureOf(claim) === state.figure;
+const isHere = (claim) => figureOf(claim) === state.figure;
 const verdictOf = ({ id }) => verdicts.get(id).verdict;
 const verdictBefore = ({ id }) => original.get(id).verdict;
 const FILTERS = {
-  here: ["of this figure", isHere],
-  all: ["all", () => true],
-  fails: ["that fail", (claim) => verdictOf(claim) === "fails"],
-  changed: ["changed by your inputs", (claim) => verdictOf(claim) !== verdictBefore(claim)],
+  here: isHere,
+  all: () => true,
+  fails: (claim) => verdictOf(claim) === "fails",
+  changed: (claim) => verdictOf(claim) !== verdictBefore(claim),
 };
+export const SHOWN = { here: "of the chosen figure", all: "all", fails: "that fail", changed: "changed by your inputs" };
 
 export function makeStatements() {
-  filter.append(...Object.entries(FILTERS).map(([word, [text]]) => new Option(text, word)));
-  filter.addEventListener("change", () => change({ show: filter.value }));
   list.addEventListener("click", (event) => {
     const id = event.target.closest("button")?.dataset.claim;
     if (id === undefined) return;
@@ -68,8 +67,7 @@ export function showStatements() {
   const key = JSON.stringify([show, view, figure, claim, judged, [...verdicts.values()]]);
   if (key === list.dataset.shown) return;
   list.dataset.shown = key;
-  filter.value = show;
-  const shown = content.claims.filter(FILTERS[show][1]);
+  const shown = content.claims.filter(FILTERS[show]);
   const count = (claims, word) => claims.filter((each) => verdictOf(each) === word).length;
   const counts = (claims) => `${count(claims, "holds")} hold, ${count(claims, "fails")} fail`;
   const chosen = conditionAxes.filter(({ name }) => name in state.conditions).map(({ name }) => wordOf(name).toLowerCase());
