@@ -6,7 +6,7 @@ import { keyOfMarks, levelStyle } from "./chart.js";
 import { curvesSpec, starsOf } from "./figures.js";
 import { VARIABLES, conditionWord, conditionWords } from "./names.js";
 
-const COUNT = 80; // points on a curve
+const COUNT = 150; // points on a curve along a condition
 const LEVELS = {
   load: [0.1, 1, 10, 30, 80],
   viscosity: [0, 25e-6, 50e-6, 70e-6, 90e-6, 120e-6, 150e-6],

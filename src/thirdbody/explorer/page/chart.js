@@ -11,6 +11,7 @@ const MARKERS = [
 const SHADES = [[0.05, 0.6], [0.35, 1]]; // in the light and in the dark, each with enough contrast
 const SHAPES = {
   star: d3.symbol(d3.symbolStar, 90)(),
+  slight: d3.symbol(d3.symbolStar, 60)(),
   printed: d3.symbol(d3.symbolDiamond2, 60)(),
   measured: d3.symbol(d3.symbolCircle, 40)(),
   doubt: d3.symbol(d3.symbolTimes, 28)(),
@@ -67,6 +68,7 @@ export function keyOfMarks(specs) {
   const some = (kind) => specs.some((spec) => spec[kind]?.length);
   const entries = [
     [some("stars"), { text: "turning point (TPCA)", mark: "star" }],
+    [some("slight"), { text: "maximum that does not count", mark: "slight" }],
     [specs.some(({ locus }) => locus), { text: "locus of turning points", color: "var(--turning)", kind: "locus" }],
     [some("printed"), { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" }],
     [some("levels"), { text: "printed, at every load", color: "var(--ink)", kind: "level" }],
@@ -238,7 +240,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   const borders = spec.borders.map(({ rings, kind }) => `<path class="${kind}" d="${rings.map(border).join("")}"/>`);
   const ranges = spec.ranges.map(({ points, color, faded }) => {
     const outline = points.map(([x, y]) => `${inX(x)},${inY(y)}`).join("L");
-    const under = faded ? "" : `<path class="under" d="M${outline}"/>`; // several may overlap
+    const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
   const limits = spec.limits.flatMap(({ at: [x], ends: [[low], [high]] }) => {
@@ -264,6 +266,7 @@ function marksOf(spec, { x: toX, y: toY }) {
     ...markersOf(spec.lines).filter(isShown).map(({ rank, x, y, ...look }) => markerOf(rank, inX(x), inY(y), look)),
     ...doubtful.map(({ x, y }) => shape("doubt")({ x, y })),
     ...spec.measured.filter(isShown).map(shape("measured")),
+    ...spec.slight.filter(isShown).map(shape("slight")),
   ];
   return [...curves, here, locus, marks, printed, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
 }
@@ -287,7 +290,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
   if (!limits) return "";
   const [[left, right], [low, high]] = [toX.range(), spec.y.domain];
   const edges = [low, ...limits, high].map((edge) => toY(held(edge, low, high)));
-  const shade = `<rect class="shade" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
+  const shade = `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
   const names = zones.map((zone, i) => {
     if (edges[i] - edges[i + 1] < 9) return "";
     return `<text class="zone" x="${right + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;

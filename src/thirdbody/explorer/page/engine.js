@@ -1,7 +1,7 @@
 // The model at the inputs that are chosen, and its curves, each computed once.
 
 import { modelOf, remembered } from "./model.js";
-import { curveOf, smoothed, turningPointOf } from "./curves.js";
+import { PROMINENCE, curveOf, highestMaximum } from "./curves.js";
 import { scaleFor } from "./names.js";
 import { OVER_TWO_BODY, axes, content, currentInputs, defaultInputs } from "./state.js";
 
@@ -15,8 +15,8 @@ export const engineOf = remembered((inputs) => {
   const contact = remembered(model.contact);
   const curve = remembered((condition) => {
     const states = curveOf(contact(condition), ...loads);
-    const separations = states.map(({ separation }) => separation);
-    return { condition, states, turningPoint: turningPointOf(contact(condition), separations) };
+    const peak = highestMaximum(contact(condition), states.map(({ separation }) => separation));
+    return { condition, states, peak, turningPoint: peak.prominence >= PROMINENCE ? peak : undefined };
   });
   // A_t* of dry contact without particles on the same surface
   const twoBodyArea = remembered(
@@ -32,18 +32,10 @@ export const engineOf = remembered((inputs) => {
     return { x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found };
   };
   // the points of a line over the load
-  const points = remembered(({ x, y, condition }) => {
-    const between = ({ state: before }, { state: after }) => {
-      const load = Math.sqrt(before.load * after.load);
-      return pointOf(x, y, contact(condition).solve(load, before.separation, after.separation), condition);
-    };
-    return lineOf(x, y, curve(condition).states.map((found) => pointOf(x, y, found, condition)), between);
-  });
+  const points = remembered(({ x, y, condition }) => curve(condition).states.map((found) => pointOf(x, y, found, condition)));
   // those over a condition x
-  const pointsAlong = (x, y, point, places) => {
-    const at = (place) => ({ ...pointOf(x, y, state({ ...point, [x]: place }), { ...point, [x]: place }), place });
-    return lineOf(x, y, places.map(at), (before, after) => at((before.place + after.place) / 2));
-  };
+  const pointsAlong = (x, y, point, places) =>
+    places.map((place) => pointOf(x, y, state({ ...point, [x]: place }), { ...point, [x]: place }));
   // the state at all five conditions, the load in newtons
   const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
   return { model, newtonsPerLoad, loads, contact, curve, points, pointsAlong, pointOf, state };
@@ -52,12 +44,6 @@ export const engineOf = remembered((inputs) => {
 export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
 export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
-
-// Points of a line of y over x, more of them where it bends.
-function lineOf(x, y, points, between) {
-  const part = (name, values) => scaleFor(name).domain(d3.extent(values)).range([0, 1]);
-  return smoothed(points, between, part(x, points.map((each) => each.x)), part(y, points.map((each) => each.y)));
-}
 
 // Values along an axis between two ends [SI; the load in newtons].
 export function placesAlong(name, ends, count) {

@@ -4,18 +4,18 @@ import { conditionAxes, content, state } from "./state.js";
 import { currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
 import { axisFor, keyOfMarks, levelStyle } from "./chart.js";
-import { curvesOf, referencesOf } from "./judge.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionWord, valueText, wordOf } from "./names.js";
 import { readable } from "./text.js";
 
 const DOTTED = "1.5 2.5";
+const SLIGHT = 0.001; // least prominence of a maximum that is marked
 
 // verdicts as they were last judged, by the ids of statements
-export const verdicts = new Map(content.claims.map(({ id, verdict, measured }) => [id, { verdict, measured }]));
+export const verdicts = new Map(content.claims.map((claim) => [claim.id, claim]));
 
 // a spec of a chart; what is not given is empty
-const LISTS = ["lines", "ghosts", "ranges", "printed", "levels", "stars", "measured", "areas", "borders", "windows", "limits", "crosses"];
+const LISTS = ["lines", "ghosts", "ranges", "printed", "levels", "stars", "slight", "measured", "areas", "borders", "windows", "limits", "crosses"];
 const EMPTY = Object.fromEntries(LISTS.map((name) => [name, []]));
 export const specOf = (given) => ({ letter: "", ...EMPTY, ...given });
 
@@ -94,11 +94,11 @@ function labelOf({ name }, condition) {
   return `${level}, ${medium}`;
 }
 
-// Whether the chosen statement refers to a curve.
-function emphasis(claim, condition) {
+// Whether the chosen statement refers to a curve, by its conditions in the paper.
+function emphasis(claim, { places, mine }, paper) {
   if (!claim) return {};
-  const named = curvesOf(claim, state.conditions);
-  const chosen = [...named, ...referencesOf(claim, named)].some((each) => isSame(each, condition));
+  const named = [...claim.curves, ...claim.references];
+  const chosen = !mine && named.some((each) => places.some((place) => isSame(each, paper[place])));
   return { chosen, faded: !chosen };
 }
 
@@ -111,12 +111,12 @@ export function figureView() {
   const hasOil = figure.curves.some(({ viscosity }) => viscosity > 0);
   const comparesMedia = hasOil && curves.some(({ condition }) => condition.viscosity === 0);
   const asked = content.claims.find(({ id }) => id === state.claim);
-  const claim = curves.some(({ condition }) => emphasis(asked, condition).chosen) ? asked : undefined;
+  const claim = curves.some((curve) => emphasis(asked, curve, figure.curves).chosen) ? asked : undefined;
   const drawn = curves.map((curve) => ({
     ...curve,
     ...engine.curve(curve.condition),
     ...styleOf(parameter, curve.condition, curve.mine, hasOil),
-    ...emphasis(claim, curve.condition),
+    ...emphasis(claim, curve, figure.curves),
     label: labelOf(parameter, curve.condition),
   }));
   const notes = sharedWords(drawn);
@@ -141,6 +141,7 @@ function panelSpec(panel, curves, engine, { claim, own, paper }) {
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
   const printed = marksOf(panel.printed, claim, curves);
   const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
+  const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
     letter,
     title: [titleOf(x, y), ...own].join(", "),
@@ -149,7 +150,8 @@ function panelSpec(panel, curves, engine, { claim, own, paper }) {
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: changed ? [] : ranges.filter(({ points }) => points),
     levels: marksOf(panel.levels, claim, curves),
-    stars: y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [],
+    stars,
+    slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? state.conditions.load / engine.newtonsPerLoad : undefined,
   };
   return curvesSpec(spec, engine, printed.flatMap(({ at, ends }) => [at, ...ends]));
@@ -190,11 +192,11 @@ function marksOf(marks, claim, curves) {
   });
 }
 
-// The turning points of curves.
-export const starsOf = (x, y, curves, engine) =>
-  curves
-    .filter(({ turningPoint }) => turningPoint)
-    .map(({ turningPoint, condition, faded }) => ({ ...engine.pointOf(x, y, turningPoint, condition), faded }));
+// The turning points of curves, and their maxima that do not count.
+export const starsOf = (x, y, curves, engine) => pointsAt(({ turningPoint }) => turningPoint, x, y, curves, engine);
+const slightOf = (...given) => pointsAt(({ turningPoint, peak }) => !turningPoint && peak.prominence > SLIGHT && peak, ...given);
+const pointsAt = (find, x, y, curves, engine) =>
+  curves.filter(find).map((curve) => ({ ...engine.pointOf(x, y, find(curve), curve.condition), faded: curve.faded }));
 
 // Where turning points occur over x_a/sigma, on one of the surfaces that the figure compares.
 function windowSpec(figure, panel, engine, surface) {

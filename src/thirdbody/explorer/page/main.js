@@ -11,7 +11,7 @@ import { chartIn, sampleOf, widthIn } from "./chart.js";
 import { FORMS, forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint, unusual } from "./point.js";
 import { SHOWN, judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
-import { csvOf, csvOfMap, save, svgOf } from "./download.js";
+import { csvOf, save, svgOf } from "./download.js";
 import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
 import { engineOf } from "./engine.js";
 import { escaped, plain, readable, typeset } from "./text.js";
@@ -25,7 +25,7 @@ const CAPTIONS = {
     which they carry load, where the elastic zone h_e of Eqs. 4 and 5 is wide.`,
 };
 let charts = [];
-let csv = null; // gives the numbers that are shown, if there are any
+let shown = []; // the specs of charts of curves
 
 function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   const tooltip = $("tooltip");
@@ -79,7 +79,6 @@ const VIEWS = {
     mapView((spec) => {
       if (state.view !== "map") return;
       drawCharts([spec]);
-      csv = () => csvOfMap(spec);
       $("charts").dataset.done = toFragment();
       showChoices();
     });
@@ -100,13 +99,9 @@ function draw() {
     $("charts").dataset.kind = state.view;
     $("charts").replaceChildren();
     charts = [];
-    csv = null;
   }
   const { heading, notes, key, specs, caption = CAPTIONS[state.view] } = VIEWS[state.view]();
-  if (specs) {
-    drawCharts(specs);
-    csv = () => csvOf(specs);
-  }
+  if (specs) drawCharts((shown = specs));
   showKey(key);
   const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
   $("heading").innerHTML = typeset(heading);
@@ -150,7 +145,7 @@ document.addEventListener("change", ({ target: { name, value } }) => {
   if (name in CHOICES) change(name === "figure" ? { figure: value, claim: "" } : { [name]: value });
 });
 const shownName = () => (state.view === "figures" ? state.figure : state.view);
-$("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csv()));
+$("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csvOf(shown)));
 $("save-svg").addEventListener("click", () => {
   const [figures, entries] = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
   save(`${shownName()}.svg`, "image/svg+xml", svgOf([...figures], [...entries]));
@@ -164,7 +159,6 @@ function showChoices() {
   for (const each of document.querySelectorAll("[data-views]")) {
     each.hidden = !each.dataset.views.split(" ").includes(state.view);
   }
-  $("save-csv").disabled = !csv;
   $("save-svg").disabled = !$("charts").querySelector("svg");
 }
 
