@@ -31,7 +31,7 @@ export function axesView() {
   const turns = along === "load" && y === "particle_contact_area_ratio";
   const heading = `${VARIABLES[y].words} over ${VARIABLES[x].words.toLowerCase()}`;
   const stars = turns ? starsOf(x, y, lines, engine) : [];
-  const here = x === "load" ? point.load / engine.newtonsPerLoad : point[x];
+  const here = [x === "load" ? point.load / engine.newtonsPerLoad : point[x]].filter(Number.isFinite);
   const spec = curvesSpec({ title: heading, x, y, lines, stars, here }, engine);
   const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
   return { specs: [spec], key: [...key, ...keyOfMarks([spec])], notes: conditionWords(point, along, by), heading };
@@ -44,13 +44,5 @@ function curveAlong(along, x, y, point, engine) {
     const { turningPoint } = engine.curve(condition);
     return { condition, turningPoint, points: engine.points({ x, y, condition }) };
   }
-  return { condition, points: engine.pointsAlong(x, y, point, placesAlong(x, shownRange(x, point), COUNT)) };
-}
-
-// The paper's range of a condition, and the chosen value if it is outside.
-export function shownRange(name, point) {
-  const { range, scale } = axes.find((axis) => axis.name === name);
-  const [low, high] = range.map((end) => end * scale);
-  const first = { viscosity: 1e-6, particle_diameter: 10e-9 }[name] ?? low; // Eq. 7 means no thinner film
-  return [Math.min(first, point[name] || first), Math.max(high, point[name])];
+  return { condition, points: engine.pointsAlong(x, y, point, placesAlong(x, point, COUNT)) };
 }

@@ -43,7 +43,8 @@ function copyOf(svg, x, y) {
 }
 
 // All drawings in one, two side by side, with the entries of their key below.
-export function svgOf(figures, entries) {
+export function svgOf(charts, key) {
+  const [figures, entries] = [[...charts.querySelectorAll("figure")], [...key.children]];
   const style = getComputedStyle(document.documentElement);
   const drawings = figures.map((figure) => figure.querySelector("svg"));
   const columns = Math.min(figures.length, 2);

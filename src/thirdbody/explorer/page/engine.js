@@ -23,13 +23,11 @@ export const engineOf = remembered((inputs) => {
     ({ roughness, load }) => contact({ ...DRY_TWO_BODY, roughness }).solve(load).total_contact_area,
     5000,
   );
-  const valueOf = (name, found, condition) => {
-    if (name !== OVER_TWO_BODY) return condition[name] ?? found[name];
-    return found.total_contact_area / twoBodyArea({ roughness: condition.roughness, load: found.load });
-  };
   // two variables of a state at a condition
   const pointOf = (x, y, found, condition) => {
-    return { x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found };
+    const relative = () => found.total_contact_area / twoBodyArea({ roughness: condition.roughness, load: found.load });
+    const valueOf = (name) => (name === OVER_TWO_BODY ? relative() : (condition[name] ?? found[name]));
+    return { x: valueOf(x), y: valueOf(y), state: found };
   };
   // the points of a line over the load
   const points = remembered(({ x, y, condition }) => curve(condition).states.map((found) => pointOf(x, y, found, condition)));
@@ -45,9 +43,17 @@ export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
 export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
 
-// Values along an axis between two ends [SI; the load in newtons].
-export function placesAlong(name, ends, count) {
-  const scale = scaleFor(name).domain(ends).range([0, count - 1]);
+// The paper's range of a condition, and the chosen value if it is outside.
+export function shownRange(name, point) {
+  const { range, scale } = axes.find((axis) => axis.name === name);
+  const [low, high] = range.map((end) => end * scale);
+  const first = { viscosity: 1e-6, particle_diameter: 10e-9 }[name] ?? low; // Eq. 7 means no thinner film
+  return [Math.min(first, point[name] || first), Math.max(high, point[name])];
+}
+
+// Values of a condition along that range.
+export function placesAlong(name, point, count) {
+  const scale = scaleFor(name).domain(shownRange(name, point)).range([0, count - 1]);
   return d3.range(count).map((place) => scale.invert(place));
 }
 

@@ -3,21 +3,15 @@
 import { conditionAxes, content, state } from "./state.js";
 import { currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
-import { axisFor, keyOfMarks, levelStyle } from "./chart.js";
+import { axisFor, keyOfMarks, levelStyle, specOf } from "./chart.js";
 import { measuredPoints } from "./measured.js";
-import { VARIABLES, conditionWord, valueText, wordOf } from "./names.js";
+import { VARIABLES, conditionWord, valueText } from "./names.js";
 import { readable } from "./text.js";
 
-const DOTTED = "1.5 2.5";
 const SLIGHT = 0.001; // least prominence of a maximum that is marked
 
 // verdicts as they were last judged, by the ids of statements
 export const verdicts = new Map(content.claims.map((claim) => [claim.id, claim]));
-
-// a spec of a chart; what is not given is empty
-const LISTS = ["lines", "ghosts", "ranges", "printed", "levels", "stars", "slight", "measured", "areas", "borders", "windows", "limits", "crosses"];
-const EMPTY = Object.fromEntries(LISTS.map((name) => [name, []]));
-export const specOf = (given) => ({ letter: "", ...EMPTY, ...given });
 
 const isTwoBody = (condition) => condition.particle_diameter * condition.particle_density === 0;
 const ratioOf = (condition) => Number((condition.particle_diameter / condition.roughness).toPrecision(6));
@@ -81,7 +75,7 @@ export function isFree(name) {
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", dry };
-  if (isTwoBody(condition)) return name === "viscosity" && dry ? { color: "var(--soft)", dash: DOTTED } : { color: "var(--ink)", dry };
+  if (isTwoBody(condition)) return name === "viscosity" && dry ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--ink)", dry };
   const { color, marker } = levelStyle(levelOf(name, condition), levels);
   return dry ? { color, dry } : { color, marker };
 }
@@ -145,20 +139,20 @@ function panelSpec(panel, curves, engine, { claim, own, paper }) {
   const spec = {
     letter,
     title: [titleOf(x, y), ...own].join(", "),
-    ...{ x, y, locus, printed },
+    ...{ x, y, printed, stars },
+    locus: locus ? stars : [],
     lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: changed ? [] : ranges.filter(({ points }) => points),
     levels: marksOf(panel.levels, claim, curves),
-    stars,
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
-    here: x === "load" && state.conditions.load ? state.conditions.load / engine.newtonsPerLoad : undefined,
+    here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
   return curvesSpec(spec, engine, printed.flatMap(({ at, ends }) => [at, ...ends]));
 }
 
 // The title of a panel of y over x.
-export function titleOf(x, y) {
+function titleOf(x, y) {
   const { words, symbol } = VARIABLES[x];
   return VARIABLES[y].words + (words.includes("load") ? "" : ` over ${symbol}`);
 }

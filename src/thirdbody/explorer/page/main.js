@@ -1,16 +1,16 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
 import { CHOICES, change, content, currentInputs, currentPoint, defaultInputs } from "./state.js";
-import { fromFragment, onChange, reset, state, toFragment } from "./state.js";
+import { fromFragment, onChange, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { MAP_KEY, mapTitle, mapView } from "./map.js";
 import { SECTION_KEY, drawSection } from "./section.js";
-import { chartIn, sampleOf, widthIn } from "./chart.js";
+import { chartIn, sampleOf } from "./chart.js";
 import { FORMS, forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint, unusual } from "./point.js";
-import { SHOWN, judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
+import { SHOWN, judgeAll, judgedUnder, showStatements } from "./statements.js";
 import { csvOf, save, svgOf } from "./download.js";
 import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
 import { engineOf } from "./engine.js";
@@ -18,7 +18,6 @@ import { escaped, plain, readable, typeset } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
 const CAPTIONS = {
-  axes: "The heavy curve is at your conditions; move the sliders, or choose other variables above.",
   map: "Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none.",
   section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
     assumes, at the separation that it finds, as in Figures 1 and 2. Particles may be smaller than the gap in
@@ -42,8 +41,7 @@ function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   tooltip.innerHTML = `<b>${typeset(label)}</b>${texts.map((text) => `<div>${typeset(text)}</div>`).join("")}`;
   tooltip.hidden = false;
   const { offsetWidth: width, offsetHeight: height } = tooltip;
-  const left = at[0] + 16 + width > innerWidth ? at[0] - width - 16 : at[0] + 16;
-  tooltip.style.left = `${Math.max(left, 4)}px`;
+  tooltip.style.left = `${Math.max(Math.min(at[0] + 16, innerWidth - width - 4), 4)}px`;
   tooltip.style.top = `${Math.max(Math.min(at[1] + 12, innerHeight - height - 4), 4)}px`;
   if (event.type === "keydown") $("live").textContent = plain([label, ...texts].join(", "));
 }
@@ -58,8 +56,7 @@ function drawCharts(specs) {
     parent.replaceChildren();
     charts = specs.map(() => chartIn(parent, { onRead: showTooltip, onLeave: hideTooltip }));
   }
-  const widths = charts.map(({ figure }) => widthIn(figure)); // before any of them changes
-  specs.forEach((spec, i) => charts[i].update(spec, widths[i]));
+  specs.forEach((spec, i) => charts[i](spec));
 }
 
 function showKey(entries) {
@@ -100,7 +97,7 @@ function draw() {
     $("charts").replaceChildren();
     charts = [];
   }
-  const { heading, notes, key, specs, caption = CAPTIONS[state.view] } = VIEWS[state.view]();
+  const { heading, notes, key, specs, caption = CAPTIONS[state.view] ?? "" } = VIEWS[state.view]();
   if (specs) drawCharts((shown = specs));
   showKey(key);
   const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
@@ -146,10 +143,7 @@ document.addEventListener("change", ({ target: { name, value } }) => {
 });
 const shownName = () => (state.view === "figures" ? state.figure : state.view);
 $("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csvOf(shown)));
-$("save-svg").addEventListener("click", () => {
-  const [figures, entries] = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
-  save(`${shownName()}.svg`, "image/svg+xml", svgOf([...figures], [...entries]));
-});
+$("save-svg").addEventListener("click", () => save(`${shownName()}.svg`, "image/svg+xml", svgOf($("charts"), $("key"))));
 
 function showChoices() {
   for (const each of document.querySelectorAll("input[name], select[name]")) {
@@ -173,7 +167,6 @@ $("forget").addEventListener("click", () => {
   $("measured").value = FORMS;
   ask();
 });
-$("reset").addEventListener("click", reset);
 addEventListener("hashchange", () => fromFragment(location.hash));
 addEventListener("resize", () => requestAnimationFrame(draw));
 
@@ -182,7 +175,6 @@ for (const id of ["controls", "charts"]) $(id).replaceChildren();
 $("measured").value = FORMS;
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
 makeControls($("controls"));
-makeStatements();
 onChange(ask);
 fromFragment(location.hash);
 // To compute with the page in the console or in a test: inputs and conditions in SI, load F_t*.

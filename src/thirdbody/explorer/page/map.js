@@ -1,10 +1,9 @@
 // The map of modes and regimes over two conditions, with the line of the turning points.
 
 import { currentPoint, state } from "./state.js";
-import { currentEngine, inSlices } from "./engine.js";
-import { shownRange } from "./axes.js";
+import { currentEngine, inSlices, shownRange } from "./engine.js";
 import { boundary, turningPointBetween } from "./curves.js";
-import { specOf } from "./figures.js";
+import { specOf } from "./chart.js";
 import { LIMITS, remembered } from "./model.js";
 import { FULL_FILM, MODE_TEXT, VARIABLES, ofCondition, scaleFor, wordOf } from "./names.js";
 

@@ -2,7 +2,6 @@
 
 import { axes, content, currentInputs, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
-import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
 import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
 import { FULL_FILM, modeText, numberText, statusText, valueText, withUnit, wordOf } from "./names.js";
@@ -91,7 +90,7 @@ function sizesText(engine, { load, ...condition }) {
 function changesText(name, point, engine) {
   const stateAt = (value) => engine.state({ ...point, [name]: value });
   const count = name === "roughness" ? 24 : 60;
-  const changes = modeChanges(stateAt, placesAlong(name, shownRange(name, point), count));
+  const changes = modeChanges(stateAt, placesAlong(name, point, count));
   if (!changes.length) {
     const text = modeText(stateAt(point[name]));
     return text ? `${text} throughout` : "no solution";

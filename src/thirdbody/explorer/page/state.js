@@ -50,7 +50,6 @@ function chosen(values) {
 }
 export const setCondition = (name, value) => change({ conditions: chosen({ ...state.conditions, [name]: value }) });
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
-export const reset = () => change(fresh());
 export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
 export const currentPoint = () => ({ ...startOf(state.figure), ...state.conditions });
 

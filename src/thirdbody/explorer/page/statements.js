@@ -24,16 +24,14 @@ const FILTERS = {
 };
 export const SHOWN = { here: "of the chosen figure", all: "all", fails: "that fail", changed: "changed by your inputs" };
 
-export function makeStatements() {
-  list.addEventListener("click", (event) => {
-    const id = event.target.closest("button")?.dataset.claim;
-    if (id === undefined) return;
-    const figure = figureOf(content.claims.find((claim) => claim.id === id));
-    const isDrawn = content.figures.some(({ name }) => name === figure);
-    if (state.claim === id) change({ claim: "" });
-    else change({ claim: id, ...(isDrawn ? { view: "figures", figure } : {}) });
-  });
-}
+list.addEventListener("click", (event) => {
+  const id = event.target.closest("button")?.dataset.claim;
+  if (id === undefined) return;
+  const figure = figureOf(content.claims.find((claim) => claim.id === id));
+  const isDrawn = content.figures.some(({ name }) => name === figure);
+  if (state.claim === id) change({ claim: "" });
+  else change({ claim: id, ...(isDrawn ? { view: "figures", figure } : {}) });
+});
 
 // Judge all statements again, those in view first; calls `done` when all are judged.
 export function judgeAll(done) {

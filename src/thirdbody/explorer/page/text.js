@@ -39,6 +39,7 @@ export const significant = (value, digits) => d3.format(`.${digits}~g`)(value);
 
 // the same for readers: 3.27×10⁻⁶; `trim` leaves out zeros at the end
 export function readable(value, digits = 4, trim = "~") {
+  if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   if (size === 0 || (size >= 1e-4 && size < 10 ** Math.max(digits, 4))) return d3.format(`.${digits}${trim}r`)(value);
   const [mantissa, exponent] = d3.format(`.${digits - 1}${trim}e`)(value).split("e");
