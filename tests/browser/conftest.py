@@ -73,8 +73,8 @@ class Explorer:
         self.wait(
             """const place = location.hash.slice(1);
             const done = (id, key) => document.getElementById(id).dataset[key] === place;
-            const view = document.querySelector('[role=tab][aria-selected=true]');
-            return view && done('claims', 'judged') && (view.id !== 'tab-map' || done('charts', 'done'))
+            const view = document.querySelector('[name=view]:checked');
+            return view && done('claims', 'judged') && (view.value !== 'map' || done('charts', 'done'))
                 && ![...document.querySelectorAll('#point td')].some(td => td.textContent === '…');"""
         )
 

@@ -92,17 +92,15 @@ def page_content(
 
 def _claim(claim, verdict):
     """The statement with its verdict; conditions in SI, without those it does not specify."""
-    reference = claim.reference or {}
+    given = claim.reference or {}
+    reference = {a.name: a.to_si(given[a.key]) for a in CONDITION_AXES if a.key in given}
+    curves = [
+        {name: value for name, value in curve._asdict().items() if not math.isnan(value)}
+        for curve in claim.curves
+    ]
     return {key: getattr(claim, key) for key in STATED} | {
-        "curves": [
-            {name: value for name, value in curve._asdict().items() if not math.isnan(value)}
-            for curve in claim.curves
-        ],
-        "reference": {
-            axis.name: axis.to_si(reference[axis.key])
-            for axis in CONDITION_AXES
-            if axis.key in reference
-        },
+        "curves": curves,
+        "references": [curve | reference for curve in curves] if reference else [],
         "part": part_of_paper(claim.place),
         "measured": verdict["computed"],
         "verdict": verdict["verdict"],

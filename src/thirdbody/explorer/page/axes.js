@@ -2,12 +2,11 @@
 
 import { axes, currentPoint, state } from "./state.js";
 import { currentEngine, placesAlong } from "./engine.js";
-import { axisFor, keyOfMarks, levelStyle } from "./chart.js";
-import { specOf, starsOf, yName } from "./figures.js";
-import { measuredPoints } from "./measured.js";
+import { keyOfMarks, levelStyle } from "./chart.js";
+import { curvesSpec, starsOf } from "./figures.js";
 import { VARIABLES, conditionWord, conditionWords } from "./names.js";
 
-const COUNT = 80; // points on a curve
+const COUNT = 150; // points on a curve along a condition
 const LEVELS = {
   load: [0.1, 1, 10, 30, 80],
   viscosity: [0, 25e-6, 50e-6, 70e-6, 90e-6, 120e-6, 150e-6],
@@ -20,7 +19,7 @@ const LEVELS = {
 export function axesView() {
   const engine = currentEngine();
   const point = currentPoint();
-  const [x, y, by] = [state.x, yName(state.y), state.by];
+  const { x, y, by } = state;
   const along = axes.some(({ name }) => name === x) ? x : "load";
   const others = LEVELS[by].filter((level) => Math.abs(level - point[by]) > 1e-9 * point[by]);
   const levels = by === along ? [point[by]] : d3.sort([...others, point[by]]);
@@ -29,21 +28,13 @@ export function axesView() {
     ...curveAlong(along, x, y, { ...point, [by]: level }, engine),
     ...(level === point[by] ? { color: "var(--mine)", mine: true } : levelStyle(level, levels)),
   }));
-  const measured = measuredPoints(x, y, lines, engine);
-  const points = [...lines.flatMap((line) => line.points), ...measured];
   const turns = along === "load" && y === "particle_contact_area_ratio";
-  const spec = specOf({
-    title: `${VARIABLES[y].words} over ${VARIABLES[x].words.toLowerCase()}`,
-    x: axisFor(x, state.x_scale, points.map((each) => each.x)),
-    y: axisFor(y, state.y_scale, points.map((each) => each.y)),
-    newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
-    lines,
-    measured,
-    stars: turns ? starsOf(x, y, lines, engine) : [],
-    here: x === "load" ? point.load / engine.newtonsPerLoad : point[x],
-  });
+  const heading = `${VARIABLES[y].words} over ${VARIABLES[x].words.toLowerCase()}`;
+  const stars = turns ? starsOf(x, y, lines, engine) : [];
+  const here = [x === "load" ? point.load / engine.newtonsPerLoad : point[x]].filter(Number.isFinite);
+  const spec = curvesSpec({ title: heading, x, y, lines, stars, here }, engine);
   const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
-  return { specs: [spec], key: [...key, ...keyOfMarks([spec])], notes: conditionWords(point, along, by), heading: spec.title };
+  return { specs: [spec], key: [...key, ...keyOfMarks([spec])], notes: conditionWords(point, along, by), heading };
 }
 
 // The points of a curve over the load, or along a condition.
@@ -53,13 +44,5 @@ function curveAlong(along, x, y, point, engine) {
     const { turningPoint } = engine.curve(condition);
     return { condition, turningPoint, points: engine.points({ x, y, condition }) };
   }
-  return { condition, points: engine.pointsAlong(x, y, point, placesAlong(x, shownRange(x, point), COUNT)) };
-}
-
-// The paper's range of a condition, and the chosen value if it is outside.
-export function shownRange(name, point) {
-  const { range, scale } = axes.find((axis) => axis.name === name);
-  const [low, high] = range.map((end) => end * scale);
-  const first = { viscosity: 1e-6, particle_diameter: 10e-9 }[name] ?? low; // Eq. 7 means no thinner film
-  return [Math.min(first, point[name] || first), Math.max(high, point[name])];
+  return { condition, points: engine.pointsAlong(x, y, point, placesAlong(x, point, COUNT)) };
 }

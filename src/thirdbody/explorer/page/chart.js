@@ -8,9 +8,10 @@ const MARKERS = [
   [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
   [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
 ];
-const SHADES = { light: [0.05, 0.78], dark: [0.28, 1] };
+const SHADES = [[0.05, 0.6], [0.35, 1]]; // in the light and in the dark, each with enough contrast
 const SHAPES = {
   star: d3.symbol(d3.symbolStar, 90)(),
+  slight: d3.symbol(d3.symbolStar, 60)(),
   printed: d3.symbol(d3.symbolDiamond2, 60)(),
   measured: d3.symbol(d3.symbolCircle, 40)(),
   doubt: d3.symbol(d3.symbolTimes, 28)(),
@@ -32,8 +33,8 @@ export function levelStyle(level, levels) {
   if (level === 0) return { color: "var(--ink)" };
   const rank = levels.indexOf(level);
   const part = levels.length > 1 ? rank / (levels.length - 1) : 0.3;
-  const shade = d3.interpolate(...SHADES[document.documentElement.dataset.theme]);
-  return { color: d3.interpolateViridis(shade(part)), marker: rank };
+  const colors = SHADES.map((ends) => d3.interpolateViridis(d3.interpolate(...ends)(part)));
+  return { color: `light-dark(${colors})`, marker: rank };
 }
 
 const classOf = (kind, { faded, chosen }) => `class="${kind}${faded ? " faded" : ""}${chosen ? " chosen" : ""}"`;
@@ -62,25 +63,33 @@ export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
   return line + symbol + (mark ? shapeOf(mark, 15, 7, { color: "var(--ink)" }) : "");
 }
 
-// Entries of the key for what charts show beside their curves.
+// Entries of the key for what charts show beside their curves, by the lists of a spec.
+const KEY = {
+  stars: { text: "turning point (TPCA)", mark: "star" },
+  slight: { text: "maximum that does not count", mark: "slight" },
+  locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
+  printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
+  levels: { text: "printed, at every load", color: "var(--ink)", kind: "level" },
+  windows: { text: "limits of turning points", color: "var(--accent)", kind: "window" },
+  limits: { text: "printed limits, tolerance in grey", color: "var(--ink)", kind: "limit" },
+  ranges: { text: "ensemble range", fill: "var(--range)" },
+  ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
+  here: { text: "at your conditions", color: "var(--accent)", kind: "here" },
+  measured: { text: "your data", mark: "measured" },
+  doubts: { text: "with a remark", mark: "doubt" },
+};
+
 export function keyOfMarks(specs) {
-  const some = (kind) => specs.some((spec) => spec[kind]?.length);
-  const entries = [
-    [some("stars"), { text: "turning point (TPCA)", mark: "star" }],
-    [specs.some(({ locus }) => locus), { text: "locus of turning points", color: "var(--turning)", kind: "locus" }],
-    [some("printed"), { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" }],
-    [some("levels"), { text: "printed, at every load", color: "var(--ink)", kind: "level" }],
-    [some("windows"), { text: "limits of turning points", color: "var(--window)", kind: "window" }],
-    [some("limits"), { text: "printed limits, tolerance in grey", color: "var(--ink)", kind: "limit" }],
-    [some("ranges"), { text: "ensemble range", fill: "var(--range)" }],
-    [some("ghosts"), { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" }],
-    [specs.some(({ here }) => here !== undefined), { text: "at your conditions", color: "var(--accent)", kind: "here" }],
-    [some("measured"), { text: "your data", mark: "measured" }],
-    [specs.some(({ lines }) => lines.some(({ points }) => points.some(isDoubtful))), { text: "with a remark", mark: "doubt" }],
-  ];
+  const shown = Object.keys(KEY).filter((kind) => specs.some((spec) => spec[kind].length));
   const zones = new Set(specs.flatMap(({ y }) => VARIABLES[y.name].shaded ?? []));
-  const shown = entries.filter(([isShown]) => isShown).map(([, entry]) => entry);
-  return [...shown, ...[...zones].map((text) => ({ text, fill: "var(--zone)" }))];
+  return [...shown.map((kind) => KEY[kind]), ...[...zones].map((text) => ({ text, fill: "var(--zone)" }))];
+}
+
+// A spec of a chart; what is not given is empty.
+export function specOf({ lines = [], ...given }) {
+  const empty = [...Object.keys(KEY), "areas", "borders", "crosses"].map((name) => [name, []]);
+  const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
+  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts };
 }
 
 export const widthIn = (element) => Math.max(element.clientWidth, 220);
@@ -147,7 +156,7 @@ function titleMarkup(name) {
   return typesetInDrawing(unit ? `${symbol} (${unit})` : symbol);
 }
 
-// A chart in an element. `update` draws a spec in a place of the given width.
+// A chart in an element; returns the function that draws a spec.
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
@@ -165,8 +174,9 @@ export function chartIn(parent, { onRead, onLeave }) {
   let rows = []; // what can be read: the points of curves, or the cells of a map
   let place = { row: 0, point: 0 };
 
-  function update(given, width) {
+  function update(given) {
     spec = given;
+    const width = widthIn(figure.node());
     const height = Math.round(held(0.68 * width, 220, Math.max(430, 0.37 * innerHeight)));
     const [left, right] = [MARGIN.left, width - (VARIABLES[spec.y.name].zones ? ZONE_NAMES : MARGIN.right)];
     const [top, bottom] = [MARGIN.top + (spec.newtonsPerLoad ? NEWTON_AXIS : 0), height - MARGIN.bottom];
@@ -218,7 +228,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     place = { row, point: held(place.point + move[1], 0, rows[row].points.length - 1) };
     if (rows[row].points.length) read(event);
   });
-  return { figure: figure.node(), update };
+  return update;
 }
 
 const isShownIn = (spec) => (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);
@@ -238,7 +248,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   const borders = spec.borders.map(({ rings, kind }) => `<path class="${kind}" d="${rings.map(border).join("")}"/>`);
   const ranges = spec.ranges.map(({ points, color, faded }) => {
     const outline = points.map(([x, y]) => `${inX(x)},${inY(y)}`).join("L");
-    const under = faded ? "" : `<path class="under" d="M${outline}"/>`; // several may overlap
+    const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
   const limits = spec.limits.flatMap(({ at: [x], ends: [[low], [high]] }) => {
@@ -250,25 +260,22 @@ function marksOf(spec, { x: toX, y: toY }) {
   const lines = spec.lines.map((curve) => {
     return `<path ${classOf(kindOf(curve), curve)} data-label="${escaped(curve.label)}" d="${path(curve.points) ?? ""}" ${strokeOf(curve)}/>`;
   });
-  const doubtful = spec.lines.flatMap(({ points }) => points.filter((point) => isShown(point) && isDoubtful(point)));
-  const here = canShow(spec.x, spec.here) ? upright("here")(spec.here) : "";
   const printed = spec.printed.map((mark) => {
     const [from, to] = mark.ends.map(([x, y]) => `${inX(x)},${inY(y)}`);
     return `<g><path ${classOf("tolerance", mark)} d="M${from}L${to}" stroke="${mark.color}"/>
       ${shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] })}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
   });
   const stars = spec.stars.filter(isShown);
-  const locus = spec.locus && stars.length ? `<path class="locus" d="${path(stars)}"/>` : "";
+  const locus = `<path class="locus" d="${path(spec.locus) ?? ""}"/>`;
   const curves = [areas, borders, ranges, limits, spec.windows.map(upright("window")), ghosts, levels, lines];
   const marks = [
     ...markersOf(spec.lines).filter(isShown).map(({ rank, x, y, ...look }) => markerOf(rank, inX(x), inY(y), look)),
-    ...doubtful.map(({ x, y }) => shape("doubt")({ x, y })),
+    ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
     ...spec.measured.filter(isShown).map(shape("measured")),
+    ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, here, locus, marks, printed, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
+  return [...curves, spec.here.map(upright("here")), locus, marks, printed, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
 }
-
-const isDoubtful = ({ state }) => state && state.status !== "converged";
 
 // Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
 function markersOf(lines) {
@@ -287,7 +294,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
   if (!limits) return "";
   const [[left, right], [low, high]] = [toX.range(), spec.y.domain];
   const edges = [low, ...limits, high].map((edge) => toY(held(edge, low, high)));
-  const shade = `<rect class="shade" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
+  const shade = `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
   const names = zones.map((zone, i) => {
     if (edges[i] - edges[i + 1] < 9) return "";
     return `<text class="zone" x="${right + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;
@@ -301,10 +308,11 @@ function described({ stars, printed, measured, x, y }, rows) {
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
     if (!points.length) return `${label}: no values`;
-    const [first, last] = [points[0], points.at(-1)].map((point) => numberText(y.name, point.y));
+    const [first, last] = [points[0], points.at(-1)].map((point) => numberText(y.name, point.y, 2));
     return `${label} runs from ${first} to ${last}`;
   });
-  const what = `${rows.length} curves of ${words} ${plain(symbol)} over ${VARIABLES[x.name].words}`;
+  const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
+  const what = `${rows.length} curves of ${words} ${plain(symbol)} over ${VARIABLES[x.name].words} from ${across.join(" to ")}`;
   const counts = { "turning points": stars, "numbers printed in the paper": printed, "points of your file": measured };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");

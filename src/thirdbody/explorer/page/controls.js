@@ -55,14 +55,14 @@ function controlOf({ id, label, hint, changed, choose }, markup) {
 // A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
 // steps, and `note` gives the range. `read` gives what a value is in SI, undefined if it is not allowed.
 function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
-  const label = `${words} <span class="symbol">${typeset(symbol)}</span>${unit && ` [${unit}]`}`;
+  const label = `${words} <i>${typeset(symbol)}</i>${unit && ` [${unit}]`}`;
   const control = controlOf(
     { label, ...given },
-    `<input type="text" inputmode="decimal" id="${given.id}" aria-describedby="${given.id}-note">${BACK}
-    <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
+    `<input type="range" min="0" max="${STEPS}">
+    <input type="text" inputmode="decimal" id="${given.id}" aria-describedby="${given.id}-note">${BACK}
     <small class="note" id="${given.id}-note"></small>`,
   );
-  const [field, slider] = control.selectAll("input").nodes();
+  const [slider, field] = control.selectAll("input").nodes();
   function tell(error) {
     field.setAttribute("aria-invalid", Boolean(error));
     control.select(".note").attr("role", error ? "alert" : null).text(error || note);
@@ -152,7 +152,7 @@ function ensembleText(name, factor) {
 
 // A list of words to choose from.
 function choiceControl({ options, value, ...given }) {
-  const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`).classed("wide", true);
+  const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`);
   const select = control.select("select").on("change", (event) => given.choose(event.target.value));
   select.node().append(...options.map(([word, text]) => new Option(text, word)));
   updates.push(() => select.property("value", value()));

@@ -3,47 +3,25 @@
 import { modeText } from "./names.js";
 
 export const PROMINENCE = 0.02; // by how much A_sa,t* stands out at a turning point, on both sides
-const OFF = 0.002; // of the height and width of a line
-const ROUNDS = 6; // of halving the steps where a line bends
+const LOADS = 240; // on a curve
 const SEPARATIONS = 60; // between which a maximum is searched for
 const RATIOS = d3.range(111).map((i) => 0.3 + (2.2 * i) / 110); // x_a/sigma at which curves may turn
 
-// The states along a curve at `count` loads F_t* from `low` to `high`, evenly spaced in logarithms.
+// The states along a curve at loads F_t* from `low` to `high`, evenly spaced in logarithms.
 // The two states before give the separations between which the next is searched for first.
-export function curveOf(contact, low, high, count = 80) {
+export function curveOf(contact, low, high) {
   const states = [];
-  for (let i = 0; i < count; i++) {
+  for (let i = 0; i < LOADS; i++) {
     const [before, last] = [states[i - 2], states[i - 1]];
     const near = before && 3 * last.separation - 2 * before.separation;
-    states.push(contact.solve(low * (high / low) ** (i / (count - 1)), last?.separation, near));
+    states.push(contact.solve(low * (high / low) ** (i / (LOADS - 1)), last?.separation, near));
   }
   return states;
 }
 
-// The points of a line, and more `between` two where it bends: none is off the line through its neighbours
-// by more than a part of the height and width, from 0 to 1 on both scales.
-export function smoothed(given, between, xScale, yScale) {
-  let points = given;
-  for (let round = 0; round < ROUNDS; round++) {
-    const places = points.map(({ x, y }) => [xScale(x), yScale(y)]);
-    const bends = places.map((place, i) => isOff(places[i - 1], place, places[i + 1]));
-    if (!bends.includes(true)) break;
-    points = points.flatMap((point, i) =>
-      bends[i] || bends[i + 1] ? [point, between(point, points[i + 1])] : [point],
-    );
-  }
-  return points;
-}
-
-function isOff([x0, y0] = [], [x1, y1], [x2, y2] = []) {
-  const chord = Math.hypot(x2 - x0, y2 - y0);
-  return Math.abs((x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0)) > OFF * chord;
-}
-
-// The state at the most prominent interior maximum of A_sa,t*, with its `prominence`, if there is one.
+// The state at the most prominent interior maximum of A_sa,t*, with its `prominence`, which is 0 without one.
 // A_sa,t* depends on the separation alone: `separations` fall.
 export function highestMaximum(contact, separations) {
-  if (contact.twoBody) return undefined;
   const ratioAt = (d) => {
     const { particles, summits } = contact.solids(d);
     return particles / (particles + summits);
@@ -56,20 +34,16 @@ export function highestMaximum(contact, separations) {
     return { d, prominence: ratioAt(d) - lowest };
   });
   const best = d3.greatest(peaks, ({ prominence }) => prominence);
-  return best && { ...contact.at(best.d, contact.loadAt(best.d)), prominence: best.prominence };
+  if (contact.twoBody || !(best?.prominence > 0)) return { prominence: 0 };
+  return { ...contact.at(best.d, contact.loadAt(best.d)), prominence: best.prominence };
 }
 
-// The turning point of the contact area: a maximum that stands out enough.
-export function turningPointOf(contact, separations) {
-  const found = highestMaximum(contact, separations);
-  return found?.prominence >= PROMINENCE ? found : undefined;
-}
-
-// The same between two loads F_t*.
+// The turning point of the contact area between two loads F_t*: a maximum that stands out enough.
 export function turningPointBetween(contact, low, high) {
   const [far, near] = [low, high].map((load) => contact.solve(load).separation);
   const step = (near - far) / (SEPARATIONS - 1);
-  return turningPointOf(contact, d3.range(SEPARATIONS).map((i) => far + step * i));
+  const peak = highestMaximum(contact, d3.range(SEPARATIONS).map((i) => far + step * i));
+  return peak.prominence >= PROMINENCE ? peak : undefined;
 }
 
 // Where a function with one maximum has it, by thirds.

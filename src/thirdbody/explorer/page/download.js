@@ -17,13 +17,10 @@ export function save(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-const csvText = (rows) =>
-  d3.csvFormatRows(rows.map((row) => row.map((value) => (Number.isNaN(value) ? "" : value)))) + "\n";
-
 // The points of all charts: columns as those of the CSV files beside the figures.
 export function csvOf(specs) {
   const rows = specs.flatMap(({ letter, x, y, lines, printed, limits, stars, measured }) => {
-    const row = (label, point) => [letter, label, x.name, point.x, y.name, point.y];
+    const row = (label, point) => [letter, label, x.name, point.x, y.name, Number.isNaN(point.y) ? "" : point.y];
     return [
       ...lines.flatMap(({ label, points }) => points.map((point) => row(label, point))),
       ...stars.map((star) => row("turning points", star)),
@@ -31,16 +28,7 @@ export function csvOf(specs) {
       ...measured.map((point) => row("measured", point)),
     ];
   });
-  return csvText([["panel", "curve", "x_name", "x", "y_name", "y"], ...rows]);
-}
-
-// The cells of a map with all their variables.
-export function csvOfMap({ x, y, rows }) {
-  const points = rows.flatMap((row) => row.points);
-  const { state } = points.find((point) => point.state.mode >= 0) ?? points[0];
-  const variables = Object.keys(state).filter((name) => name !== x.name && name !== y.name);
-  const lines = points.map((point) => [point.x, point.y, ...variables.map((name) => point.state[name])]);
-  return csvText([[x.name, y.name, ...variables], ...lines]);
+  return d3.csvFormatRows([["panel", "curve", "x_name", "x", "y_name", "y"], ...rows]) + "\n";
 }
 
 // A copy of a drawing at a place, which keeps its look without the style of the page.
@@ -55,7 +43,8 @@ function copyOf(svg, x, y) {
 }
 
 // All drawings in one, two side by side, with the entries of their key below.
-export function svgOf(figures, entries) {
+export function svgOf(charts, key) {
+  const [figures, entries] = [[...charts.querySelectorAll("figure")], [...key.children]];
   const style = getComputedStyle(document.documentElement);
   const drawings = figures.map((figure) => figure.querySelector("svg"));
   const columns = Math.min(figures.length, 2);

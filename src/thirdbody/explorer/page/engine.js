@@ -1,13 +1,12 @@
 // The model at the inputs that are chosen, and its curves, each computed once.
 
 import { modelOf, remembered } from "./model.js";
-import { curveOf, smoothed, turningPointOf } from "./curves.js";
+import { PROMINENCE, curveOf, highestMaximum } from "./curves.js";
 import { scaleFor } from "./names.js";
-import { axes, content, currentInputs, defaultInputs } from "./state.js";
+import { OVER_TWO_BODY, axes, content, currentInputs, defaultInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
 const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
-export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 
 export const engineOf = remembered((inputs) => {
   const model = modelOf(inputs);
@@ -16,35 +15,25 @@ export const engineOf = remembered((inputs) => {
   const contact = remembered(model.contact);
   const curve = remembered((condition) => {
     const states = curveOf(contact(condition), ...loads);
-    const separations = states.map(({ separation }) => separation);
-    return { condition, states, turningPoint: turningPointOf(contact(condition), separations) };
+    const peak = highestMaximum(contact(condition), states.map(({ separation }) => separation));
+    return { condition, states, peak, turningPoint: peak.prominence >= PROMINENCE ? peak : undefined };
   });
   // A_t* of dry contact without particles on the same surface
   const twoBodyArea = remembered(
     ({ roughness, load }) => contact({ ...DRY_TWO_BODY, roughness }).solve(load).total_contact_area,
     5000,
   );
-  const valueOf = (name, found, condition) => {
-    if (name !== OVER_TWO_BODY) return condition[name] ?? found[name];
-    return found.total_contact_area / twoBodyArea({ roughness: condition.roughness, load: found.load });
-  };
   // two variables of a state at a condition
   const pointOf = (x, y, found, condition) => {
-    return { x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found };
+    const relative = () => found.total_contact_area / twoBodyArea({ roughness: condition.roughness, load: found.load });
+    const valueOf = (name) => (name === OVER_TWO_BODY ? relative() : (condition[name] ?? found[name]));
+    return { x: valueOf(x), y: valueOf(y), state: found };
   };
   // the points of a line over the load
-  const points = remembered(({ x, y, condition }) => {
-    const between = ({ state: before }, { state: after }) => {
-      const load = Math.sqrt(before.load * after.load);
-      return pointOf(x, y, contact(condition).solve(load, before.separation, after.separation), condition);
-    };
-    return lineOf(x, y, curve(condition).states.map((found) => pointOf(x, y, found, condition)), between);
-  });
+  const points = remembered(({ x, y, condition }) => curve(condition).states.map((found) => pointOf(x, y, found, condition)));
   // those over a condition x
-  const pointsAlong = (x, y, point, places) => {
-    const at = (place) => ({ ...pointOf(x, y, state({ ...point, [x]: place }), { ...point, [x]: place }), place });
-    return lineOf(x, y, places.map(at), (before, after) => at((before.place + after.place) / 2));
-  };
+  const pointsAlong = (x, y, point, places) =>
+    places.map((place) => pointOf(x, y, state({ ...point, [x]: place }), { ...point, [x]: place }));
   // the state at all five conditions, the load in newtons
   const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
   return { model, newtonsPerLoad, loads, contact, curve, points, pointsAlong, pointOf, state };
@@ -54,15 +43,17 @@ export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
 export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
 
-// Points of a line of y over x, more of them where it bends.
-function lineOf(x, y, points, between) {
-  const part = (name, values) => scaleFor(name).domain(d3.extent(values)).range([0, 1]);
-  return smoothed(points, between, part(x, points.map((each) => each.x)), part(y, points.map((each) => each.y)));
+// The paper's range of a condition, and the chosen value if it is outside.
+export function shownRange(name, point) {
+  const { range, scale } = axes.find((axis) => axis.name === name);
+  const [low, high] = range.map((end) => end * scale);
+  const first = { viscosity: 1e-6, particle_diameter: 10e-9 }[name] ?? low; // Eq. 7 means no thinner film
+  return [Math.min(first, point[name] || first), Math.max(high, point[name])];
 }
 
-// Values along an axis between two ends [SI; the load in newtons].
-export function placesAlong(name, ends, count) {
-  const scale = scaleFor(name).domain(ends).range([0, count - 1]);
+// Values of a condition along that range.
+export function placesAlong(name, point, count) {
+  const scale = scaleFor(name).domain(shownRange(name, point)).range([0, count - 1]);
   return d3.range(count).map((place) => scale.invert(place));
 }
 

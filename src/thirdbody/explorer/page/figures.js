@@ -1,23 +1,17 @@
 // The figures of the paper as specs of charts, with what the user chose in place of their conditions.
 
 import { conditionAxes, content, state } from "./state.js";
-import { OVER_TWO_BODY, currentEngine, defaultEngine } from "./engine.js";
+import { currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
-import { axisFor, keyOfMarks, levelStyle } from "./chart.js";
-import { curvesOf, referencesOf } from "./judge.js";
+import { axisFor, keyOfMarks, levelStyle, specOf } from "./chart.js";
 import { measuredPoints } from "./measured.js";
-import { VARIABLES, conditionWord, valueText, wordOf } from "./names.js";
+import { VARIABLES, conditionWord, valueText } from "./names.js";
 import { readable } from "./text.js";
 
-const DOTTED = "1.5 2.5";
+const SLIGHT = 0.001; // least prominence of a maximum that is marked
 
 // verdicts as they were last judged, by the ids of statements
-export const verdicts = new Map(content.claims.map(({ id, verdict, measured }) => [id, { verdict, measured }]));
-
-// a spec of a chart; what is not given is empty
-const LISTS = ["lines", "ghosts", "ranges", "printed", "levels", "stars", "measured", "areas", "borders", "windows", "limits", "crosses"];
-const EMPTY = Object.fromEntries(LISTS.map((name) => [name, []]));
-export const specOf = (given) => ({ letter: "", ...EMPTY, ...given });
+export const verdicts = new Map(content.claims.map((claim) => [claim.id, claim]));
 
 const isTwoBody = (condition) => condition.particle_diameter * condition.particle_density === 0;
 const ratioOf = (condition) => Number((condition.particle_diameter / condition.roughness).toPrecision(6));
@@ -40,22 +34,18 @@ function parameterOf(figure) {
   return best.name === "particle_diameter" && ratios.levels.length < best.levels.length ? ratios : best;
 }
 
-// A figure's curves at the chosen conditions, with notes on what was chosen. A condition that all
-// curves have in common is replaced; the one that distinguishes them gets additional curves.
+// A figure's curves at the chosen conditions. A condition that all curves have in common is replaced; the one
+// that distinguishes them gets additional curves.
 function figureCurves(figure, parameter) {
-  const notes = [];
-  let changed = Object.keys(state.inputs).length > 0;
   let curves = figure.curves.map((condition, place) => ({ condition, places: [place], mine: false }));
   for (const [name, value] of Object.entries(state.conditions)) {
-    const [level, ...others] = levelsOf(figure, name);
     if (name === "load" || name === parameter.name) continue;
+    const [level, ...others] = levelsOf(figure, name);
     if (others.length) continue; // the figure compares several
     const isKept = (condition) =>
       (isTwoBody(condition) && name.startsWith("particle")) || (level && condition[name] !== level);
     const replaced = (condition) => (isKept(condition) ? condition : { ...condition, [name]: value });
     curves = curves.map((curve) => ({ ...curve, condition: replaced(curve.condition) }));
-    notes.push(`drawn at ${conditionWord(name, value)}`);
-    changed = true;
   }
   if (parameter.name in state.conditions) {
     const value = state.conditions[parameter.name];
@@ -64,9 +54,15 @@ function figureCurves(figure, parameter) {
     for (const group of d3.group(moved, ({ condition }) => JSON.stringify(condition)).values()) {
       curves.push({ condition: group[0].condition, places: group.flatMap(({ places }) => places), mine: true });
     }
-    notes.push(`added: curves at ${conditionWord(parameter.name, value)}`);
   }
-  return { curves, notes, changed };
+  return curves;
+}
+
+// What curves with particles have in common, in words: "σ = 300 nm".
+function sharedWords(curves) {
+  const bodies = curves.map(({ condition }) => condition).filter((condition) => !isTwoBody(condition));
+  const shared = conditionAxes.filter(({ name }) => distinct(bodies.map((condition) => condition[name])).length === 1);
+  return shared.map(({ name }) => conditionWord(name, bodies[0][name]));
 }
 
 // Whether moving a condition changes the figure that is shown.
@@ -79,7 +75,7 @@ export function isFree(name) {
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", dry };
-  if (isTwoBody(condition)) return name === "viscosity" && dry ? { color: "var(--two-body)", dash: DOTTED } : { color: "var(--ink)", dry };
+  if (isTwoBody(condition)) return name === "viscosity" && dry ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--ink)", dry };
   const { color, marker } = levelStyle(levelOf(name, condition), levels);
   return dry ? { color, dry } : { color, marker };
 }
@@ -92,77 +88,85 @@ function labelOf({ name }, condition) {
   return `${level}, ${medium}`;
 }
 
-// Whether the chosen statement refers to a curve.
-function emphasis(claim, condition) {
+// Whether the chosen statement refers to a curve, by its conditions in the paper.
+function emphasis(claim, { places, mine }, paper) {
   if (!claim) return {};
-  const named = curvesOf(claim, state.conditions);
-  const chosen = [...named, ...referencesOf(claim, named)].some((each) => isSame(each, condition));
+  const named = [...claim.curves, ...claim.references];
+  const chosen = !mine && named.some((each) => places.some((place) => isSame(each, paper[place])));
   return { chosen, faded: !chosen };
 }
-
-export const yName = (name) =>
-  name === "total_contact_area" && state.area === "over_two_body" ? OVER_TWO_BODY : name;
 
 // Specs of the panels of the figure that is shown, and the entries of their key.
 export function figureView() {
   const figure = content.figures.find(({ name }) => name === state.figure);
   const engine = currentEngine();
   const parameter = parameterOf(figure);
-  const { curves, notes, changed } = figureCurves(figure, parameter);
+  const curves = figureCurves(figure, parameter);
   const hasOil = figure.curves.some(({ viscosity }) => viscosity > 0);
   const comparesMedia = hasOil && curves.some(({ condition }) => condition.viscosity === 0);
   const asked = content.claims.find(({ id }) => id === state.claim);
-  const claim = curves.some(({ condition }) => emphasis(asked, condition).chosen) ? asked : undefined;
+  const claim = curves.some((curve) => emphasis(asked, curve, figure.curves).chosen) ? asked : undefined;
   const drawn = curves.map((curve) => ({
     ...curve,
     ...engine.curve(curve.condition),
     ...styleOf(parameter, curve.condition, curve.mine, hasOil),
-    ...emphasis(claim, curve.condition),
+    ...emphasis(claim, curve, figure.curves),
     label: labelOf(parameter, curve.condition),
   }));
+  const notes = sharedWords(drawn);
   // lubricated curves are seen on dry ones, which are broad
   const layered = d3.sort(drawn, ({ dry, mine, chosen }) => (dry ? 0 : 1) + (mine ? 2 : 0) + (chosen ? 4 : 0));
   const windows = figure.panels.filter(({ x }) => x === "diameter_ratio");
   const specs = figure.panels.map((panel) => {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
-    return curveSpec(panel, shown, engine, { claim, changed, paper: figure.curves });
+    const own = sharedWords(shown).filter((word) => !notes.includes(word));
+    return panelSpec(panel, shown, engine, { claim, own, paper: figure.curves });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
   return { specs, key, notes, heading: figure.title, caption: figure.caption };
 }
 
-function curveSpec(panel, curves, engine, { claim, changed, paper }) {
-  const [x, y] = [panel.x, yName(panel.y)];
-  const lines = curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) }));
-  const before = changed ? panel.curves.map((place) => paper[place]) : [];
-  const ghosts = before.map((condition) => defaultEngine().points({ x, y, condition }));
-  const asDrawn = y === panel.y;
-  const printed = asDrawn ? marksOf(panel.printed, claim, curves) : [];
-  const turns = panel.y === "particle_contact_area_ratio" || (panel.turning_points && asDrawn);
-  const measured = measuredPoints(x, y, curves, engine);
-  const points = [...lines.flatMap((line) => line.points), ...ghosts.flat(), ...measured];
-  const marked = printed.flatMap(({ at, ends }) => [at, ...ends]);
-  const markedY = VARIABLES[y].fraction ? [] : marked.map((at) => at[1]);
-  const { load } = state.conditions;
+function panelSpec(panel, curves, engine, { claim, own, paper }) {
+  const { x, y, letter, locus } = panel;
   const ofPaper = curves.filter(({ mine }) => !mine);
-  const sigmas = distinct(ofPaper.map(({ condition }) => condition.roughness));
+  const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
+  const changed = Object.keys(state.inputs).length > 0 || ofPaper.some(isMoved);
+  const before = changed ? panel.curves.map((place) => paper[place]) : [];
+  const printed = marksOf(panel.printed, claim, curves);
   const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
+  const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
+  const spec = {
+    letter,
+    title: [titleOf(x, y), ...own].join(", "),
+    ...{ x, y, printed, stars },
+    locus: locus ? stars : [],
+    lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
+    ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
+    ranges: changed ? [] : ranges.filter(({ points }) => points),
+    levels: marksOf(panel.levels, claim, curves),
+    slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
+    here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
+  };
+  return curvesSpec(spec, engine, printed.flatMap(({ at, ends }) => [at, ...ends]));
+}
+
+// The title of a panel of y over x.
+function titleOf(x, y) {
+  const { words, symbol } = VARIABLES[x];
+  return VARIABLES[y].words + (words.includes("load") ? "" : ` over ${symbol}`);
+}
+
+// The spec of a chart of curves, whose axes also show some places [x, y].
+export function curvesSpec({ x, y, lines, ghosts = [], ...given }, engine, marked = []) {
+  const measured = measuredPoints(x, y, lines, engine);
+  const points = [...lines.flatMap((line) => line.points), ...ghosts.flat(), ...measured];
+  const markedY = VARIABLES[y].fraction ? [] : marked.map((at) => at[1]);
   return specOf({
-    letter: panel.letter,
-    title: VARIABLES[y].words + (sigmas.length > 1 ? "" : `, ${conditionWord("roughness", sigmas[0])}`),
     x: axisFor(x, state.x_scale, [...points.map((point) => point.x), ...marked.map((at) => at[0])]),
     y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...markedY]),
     newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
-    lines,
-    ghosts,
-    ranges: asDrawn && !changed ? ranges.filter(({ points }) => points) : [],
-    printed,
-    levels: asDrawn ? marksOf(panel.levels, claim, curves) : [],
-    stars: turns ? starsOf(x, y, curves, engine) : [],
-    locus: panel.locus,
-    measured,
-    here: x === "load" && load ? load / engine.newtonsPerLoad : undefined,
+    ...{ lines, ghosts, measured, ...given },
   });
 }
 
@@ -182,11 +186,11 @@ function marksOf(marks, claim, curves) {
   });
 }
 
-// The turning points of curves.
-export const starsOf = (x, y, curves, engine) =>
-  curves
-    .filter(({ turningPoint }) => turningPoint)
-    .map(({ turningPoint, condition, faded }) => ({ ...engine.pointOf(x, y, turningPoint, condition), faded }));
+// The turning points of curves, and their maxima that do not count.
+export const starsOf = (x, y, curves, engine) => pointsAt(({ turningPoint }) => turningPoint, x, y, curves, engine);
+const slightOf = (...given) => pointsAt(({ turningPoint, peak }) => !turningPoint && peak.prominence > SLIGHT && peak, ...given);
+const pointsAt = (find, x, y, curves, engine) =>
+  curves.filter(find).map((curve) => ({ ...engine.pointOf(x, y, find(curve), curve.condition), faded: curve.faded }));
 
 // Where turning points occur over x_a/sigma, on one of the surfaces that the figure compares.
 function windowSpec(figure, panel, engine, surface) {

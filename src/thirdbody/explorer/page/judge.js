@@ -2,9 +2,8 @@
 // thirdbody.study.kinds, on curves of the page's own model. config/claims.yaml explains the kinds.
 
 import { LIMITS, remembered } from "./model.js";
-import { PROMINENCE, curveOf, highestMaximum, turningWindow } from "./curves.js";
+import { PROMINENCE, turningWindow } from "./curves.js";
 
-const LOADS = 240; // on a curve
 const WINDOW_DENSITY = 1e11; // eta_a [m-2] for which the paper gives its windows
 const BEND = 0.1; // by how much a slope has fallen at a visible bend
 const MARGIN = 1e-12; // relative, of the ends between which values are interpolated
@@ -67,50 +66,22 @@ class Course {
 }
 
 // What statements are judged on: curves, turning points and windows, each found when first asked for.
-export function evidenceOf({ model, contact, loads, newtonsPerLoad }) {
-  const states = remembered((condition) => curveOf(contact(condition), ...loads, LOADS));
-  return {
-    newtonsPerLoad,
-    curve: remembered((condition) => new Course(states(condition))),
-    turningPoint: remembered((condition) => {
-      const separations = states(condition).map(({ separation }) => separation);
-      const found = highestMaximum(contact(condition), separations);
-      return found?.prominence > 0 ? found : { prominence: 0 };
-    }),
-    window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...loads)),
-  };
-}
-
-// Conditions of the curves of a statement [SI]. `changes` replace what it gives once for all curves.
-// A condition of 0, dry or two-body contact, is not replaced.
-export function curvesOf(claim, changes = {}) {
-  const replaced = replacedConditions(claim, changes);
-  return claim.curves.map((curve) => ({ ...curve, ...replaced }));
-}
-
-// Those of the `changes` that replace a condition of the paper.
-export function replacedConditions(claim, changes) {
-  const isReplaced = ([name, change]) => {
-    const [value, ...others] = new Set(claim.curves.map((curve) => curve[name]));
-    return value > 0 && !others.length && Math.abs(change - value) > 1e-9 * value;
-  };
-  return Object.fromEntries(Object.entries(changes).filter(isReplaced));
-}
-
-// What the curves of a statement are compared with.
-export const referencesOf = (claim, curves) =>
-  Object.keys(claim.reference).length ? curves.map((curve) => ({ ...curve, ...claim.reference })) : [];
+export const evidenceOf = (engine) => ({
+  newtonsPerLoad: engine.newtonsPerLoad,
+  curve: remembered((condition) => new Course(engine.curve(condition).states)),
+  turningPoint: (condition) => engine.curve(condition).peak,
+  window: remembered((roughness) => turningWindow(engine.model, roughness, WINDOW_DENSITY, ...engine.loads)),
+});
 
 // The verdict on a statement, `holds`, `fails` or why it is neither, with the `numbers` that were compared
 // and their `distance` from the statement in tolerances.
-export function judge(claim, evidence, changes = {}) {
-  const curves = curvesOf(claim, changes);
-  const given = { ...claim, curves, references: referencesOf(claim, curves) };
-  const { numbers = [], distance, tested } = measure(given, evidence);
+export function judge(claim, evidence) {
+  const { curves, references } = claim;
+  const { numbers = [], distance, tested } = measure(claim, evidence);
   // of any curve, the one that agrees best must have a turning point
   const nearest = claim.any_curve ? d3.leastIndex(numbers, (number) => fromPublished(claim, [number])) : -1;
   const judged = nearest >= 0 ? [curves[nearest]] : curves;
-  const points = claim.source === "turning_point" ? [...judged, ...given.references].map(evidence.turningPoint) : [];
+  const points = claim.source === "turning_point" ? [...judged, ...references].map(evidence.turningPoint) : [];
   const turns = points.every(({ prominence }) => prominence >= PROMINENCE);
   const found = { numbers, distance: turns ? distance : NaN };
   if (claim.aside) return { ...found, verdict: "contradicted by the paper itself" };

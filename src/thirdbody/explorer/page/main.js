@@ -1,31 +1,30 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
 import { CHOICES, change, content, currentInputs, currentPoint, defaultInputs } from "./state.js";
-import { fromFragment, onChange, reset, state, toFragment } from "./state.js";
+import { fromFragment, onChange, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
-import { MAP_KEY, mapView } from "./map.js";
+import { MAP_KEY, mapTitle, mapView } from "./map.js";
 import { SECTION_KEY, drawSection } from "./section.js";
-import { chartIn, sampleOf, widthIn } from "./chart.js";
-import { forgetMeasured, readMeasured } from "./measured.js";
+import { chartIn, sampleOf } from "./chart.js";
+import { FORMS, forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint, unusual } from "./point.js";
-import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
-import { csvOf, csvOfMap, save, svgOf } from "./download.js";
+import { SHOWN, judgeAll, judgedUnder, showStatements } from "./statements.js";
+import { csvOf, save, svgOf } from "./download.js";
 import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
 import { engineOf } from "./engine.js";
 import { escaped, plain, readable, typeset } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
 const CAPTIONS = {
-  axes: "The heavy curve is at your conditions; move the sliders, or choose other variables above.",
   map: "Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none.",
   section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
     assumes, at the separation that it finds, as in Figures 1 and 2. Particles may be smaller than the gap in
     which they carry load, where the elastic zone h_e of Eqs. 4 and 5 is wide.`,
 };
 let charts = [];
-let csv = null; // gives the numbers that are shown, if there are any
+let shown = []; // the specs of charts of curves
 
 function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   const tooltip = $("tooltip");
@@ -42,8 +41,7 @@ function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   tooltip.innerHTML = `<b>${typeset(label)}</b>${texts.map((text) => `<div>${typeset(text)}</div>`).join("")}`;
   tooltip.hidden = false;
   const { offsetWidth: width, offsetHeight: height } = tooltip;
-  const left = at[0] + 16 + width > innerWidth ? at[0] - width - 16 : at[0] + 16;
-  tooltip.style.left = `${Math.max(left, 4)}px`;
+  tooltip.style.left = `${Math.max(Math.min(at[0] + 16, innerWidth - width - 4), 4)}px`;
   tooltip.style.top = `${Math.max(Math.min(at[1] + 12, innerHeight - height - 4), 4)}px`;
   if (event.type === "keydown") $("live").textContent = plain([label, ...texts].join(", "));
 }
@@ -58,8 +56,7 @@ function drawCharts(specs) {
     parent.replaceChildren();
     charts = specs.map(() => chartIn(parent, { onRead: showTooltip, onLeave: hideTooltip }));
   }
-  const widths = charts.map(({ figure }) => widthIn(figure)); // before any of them changes
-  specs.forEach((spec, i) => charts[i].update(spec, widths[i]));
+  specs.forEach((spec, i) => charts[i](spec));
 }
 
 function showKey(entries) {
@@ -79,12 +76,11 @@ const VIEWS = {
     mapView((spec) => {
       if (state.view !== "map") return;
       drawCharts([spec]);
-      csv = () => csvOfMap(spec);
       $("charts").dataset.done = toFragment();
-      showToolbar();
+      showChoices();
     });
     const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
-    return { heading: "Map of modes and regimes", notes, key: MAP_KEY };
+    return { heading: mapTitle(), notes, key: MAP_KEY };
   },
   section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: SECTION_KEY }),
 };
@@ -100,13 +96,9 @@ function draw() {
     $("charts").dataset.kind = state.view;
     $("charts").replaceChildren();
     charts = [];
-    csv = null;
   }
-  const { heading, notes, key, specs, caption = CAPTIONS[state.view] } = VIEWS[state.view]();
-  if (specs) {
-    drawCharts(specs);
-    csv = () => csvOf(specs);
-  }
+  const { heading, notes, key, specs, caption = CAPTIONS[state.view] ?? "" } = VIEWS[state.view]();
+  if (specs) drawCharts((shown = specs));
   showKey(key);
   const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
   $("heading").innerHTML = typeset(heading);
@@ -120,8 +112,7 @@ function render() {
   asked = 0;
   draw();
   updateControls();
-  showToolbar();
-  showTabs();
+  showChoices();
   showPoint($("point"));
   showStatements();
   judgeAll(() => {
@@ -139,100 +130,51 @@ function ask() {
   asked ||= requestAnimationFrame(render);
 }
 
-const tabs = [...$("tabs").children];
-tabs.forEach((tab, i) => {
-  tab.addEventListener("click", () => change({ view: tab.dataset.view }));
-  tab.addEventListener("keydown", ({ key }) => {
-    const move = { ArrowLeft: -1, ArrowRight: 1 }[key];
-    if (!move) return;
-    const next = tabs.at((i + move) % tabs.length);
-    next.focus();
-    next.click();
-  });
-});
-
-function showTabs() {
-  for (const tab of tabs) {
-    const isShown = tab.dataset.view === state.view;
-    tab.setAttribute("aria-selected", isShown);
-    tab.tabIndex = isShown ? 0 : -1;
-  }
-  $("view").setAttribute("aria-labelledby", `tab-${state.view}`);
-}
-
 const FIGURES = Object.fromEntries(content.figures.map(({ name, title }) => [name, title.split(". ")[0]]));
 const SCALES = { auto: "as usual", log: "logarithmic", linear: "linear" };
-const TEXTS = { ...FIGURES, ...SCALES, own: "as it is", over_two_body: "over dry two-body" };
-for (const select of $("toolbar").querySelectorAll("select")) {
+const TEXTS = { ...FIGURES, ...SCALES, ...SHOWN };
+for (const select of document.querySelectorAll("select[name]")) {
   const text = (value) => TEXTS[value] ?? wordOf(value);
-  select.replaceChildren(...CHOICES[select.id].map((value) => new Option(text(value), value)));
+  select.replaceChildren(...CHOICES[select.name].map((value) => new Option(text(value), value)));
 }
 
-$("toolbar").addEventListener("change", ({ target: { id, value } }) =>
-  change(id === "figure" ? { figure: value, claim: "" } : { [id]: value }),
-);
-const shownName = () => (state.view === "figures" ? state.figure : state.view);
-$("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csv()));
-$("save-svg").addEventListener("click", () => {
-  const [figures, entries] = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
-  save(`${shownName()}.svg`, "image/svg+xml", svgOf([...figures], [...entries]));
+document.addEventListener("change", ({ target: { name, value } }) => {
+  if (name in CHOICES) change(name === "figure" ? { figure: value, claim: "" } : { [name]: value });
 });
+const shownName = () => (state.view === "figures" ? state.figure : state.view);
+$("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csvOf(shown)));
+$("save-svg").addEventListener("click", () => save(`${shownName()}.svg`, "image/svg+xml", svgOf($("charts"), $("key"))));
 
-function showToolbar() {
-  for (const label of $("toolbar").querySelectorAll("label")) {
-    label.hidden = !label.dataset.views.split(" ").includes(state.view);
-    const select = label.querySelector("select");
-    select.value = state[select.id];
+function showChoices() {
+  for (const each of document.querySelectorAll("input[name], select[name]")) {
+    if (each.type === "radio") each.checked = each.value === state.view;
+    else each.value = state[each.name];
   }
-  $("save-csv").disabled = !csv;
+  for (const each of document.querySelectorAll("[data-views]")) {
+    each.hidden = !each.dataset.views.split(" ").includes(state.view);
+  }
   $("save-svg").disabled = !$("charts").querySelector("svg");
 }
 
-async function addMeasured([file]) {
+$("file").addEventListener("change", async ({ target: { files: [file] } }) => {
   if (!file) return;
-  $("measured-text").textContent = readMeasured(file.name, await file.arrayBuffer());
-  $("measured").hidden = false;
+  $("measured").value = readMeasured(file.name, await file.text());
   ask();
-}
-$("add-data").addEventListener("click", () => $("file").click());
-$("file").addEventListener("change", () => addMeasured($("file").files));
+});
 $("forget").addEventListener("click", () => {
   forgetMeasured();
-  $("measured").hidden = true;
   $("file").value = "";
+  $("measured").value = FORMS;
   ask();
 });
-addEventListener("dragover", (event) => event.preventDefault());
-addEventListener("drop", (event) => {
-  event.preventDefault();
-  addMeasured(event.dataTransfer.files);
-});
-
-const prefersDark = matchMedia("(prefers-color-scheme: dark)");
-function setTheme() {
-  const wish = $("theme").value;
-  const dark = wish === "auto" ? prefersDark.matches : wish === "dark";
-  document.documentElement.dataset.theme = dark ? "dark" : "light";
-  if (charts.length) ask();
-}
-$("theme").addEventListener("change", setTheme);
-prefersDark.addEventListener("change", setTheme);
-addEventListener("beforeprint", () => {
-  document.documentElement.dataset.theme = "light";
-  draw();
-});
-addEventListener("afterprint", setTheme);
-$("reset").addEventListener("click", reset);
 addEventListener("hashchange", () => fromFragment(location.hash));
-addEventListener("resize", ask);
+addEventListener("resize", () => requestAnimationFrame(draw));
 
 // a page that was saved as it stood has them already
-for (const id of ["controls", "filter", "charts"]) $(id).replaceChildren();
-$("measured").hidden = true;
+for (const id of ["controls", "charts"]) $(id).replaceChildren();
+$("measured").value = FORMS;
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
-setTheme();
 makeControls($("controls"));
-makeStatements();
 onChange(ask);
 fromFragment(location.hash);
 // To compute with the page in the console or in a test: inputs and conditions in SI, load F_t*.

@@ -1,10 +1,9 @@
 // The map of modes and regimes over two conditions, with the line of the turning points.
 
 import { currentPoint, state } from "./state.js";
-import { currentEngine, inSlices } from "./engine.js";
-import { shownRange } from "./axes.js";
+import { currentEngine, inSlices, shownRange } from "./engine.js";
 import { boundary, turningPointBetween } from "./curves.js";
-import { specOf } from "./figures.js";
+import { specOf } from "./chart.js";
 import { LIMITS, remembered } from "./model.js";
 import { FULL_FILM, MODE_TEXT, VARIABLES, ofCondition, scaleFor, wordOf } from "./names.js";
 
@@ -12,7 +11,7 @@ const SIZE = 64; // places along each axis, counted from 0; between them, fracti
 const STEPS = 7; // of the search for a border between two places
 const PLACES = d3.range(SIZE);
 const CELLS = d3.cross(PLACES, PLACES, (j, i) => [i, j]);
-const FILLS = ["var(--no-particles)", "var(--surfaces)", "var(--hybrid)", "var(--particles)"]; // by mode
+const FILLS = ["var(--ground)", "var(--surfaces)", "var(--hybrid)", "var(--particles)"]; // by mode
 // Layers and the states that they enclose; there is no border beside states for which this is NaN.
 const AREAS = [
   { fill: FILLS[1], encloses: () => true },
@@ -24,6 +23,9 @@ const AREAS = [
 ];
 const BORDERS = [{ kind: "regime", encloses: ({ regime }) => (regime < 0 ? NaN : regime === 0) }];
 let running = 0;
+
+export const mapTitle = () =>
+  `Contact mode and lubrication regime over ${wordOf(state.map_x).toLowerCase()} and ${wordOf(state.map_y).toLowerCase()}`;
 
 // Calls `done` with the spec of the map when it is computed, unless another is asked for in between.
 export function mapView(done) {
@@ -70,7 +72,7 @@ function* mapSteps(done) {
   const film = `full film in ${share(({ regime }) => regime === FULL_FILM)}`;
   const points = CELLS.map((cell, k) => ({ ...cornerAt(cell), state: cells[k] }));
   const spec = specOf({
-    title: `Contact mode and lubrication regime over ${wordOf(x).toLowerCase()} and ${wordOf(y).toLowerCase()}`,
+    title: mapTitle(),
     description: `Over ${wordOf(x)} and ${wordOf(y)}: ${[...parts, film].join(", ")}.`,
     x: axisOver(x, xScale),
     y: axisOver(y, yScale),

@@ -35,13 +35,15 @@ export const VARIABLES = {
 
 export const scaleFor = (name) => (VARIABLES[name].log ? d3.scaleLog() : d3.scaleLinear());
 
-// values with their unit
-export function numberText(name, value, digits) {
-  const { factor = 1, unit = "" } = VARIABLES[name];
-  const numbers = [value].flat().map((each) => readable(each * factor, digits)).join(" to ");
-  if (!unit.startsWith("10")) return `${numbers} ${unit}`.trim();
-  return value.length > 1 ? `(${numbers})×${unit}` : `${numbers}×${unit}`;
+// a number, or the ends of a range, with the unit
+export function withUnit(name, ...texts) {
+  const { unit = "" } = VARIABLES[name];
+  const range = texts.join(" to ");
+  if (!unit.startsWith("10")) return `${range} ${unit}`.trim();
+  return texts.length > 1 ? `(${range})×${unit}` : `${range}×${unit}`;
 }
+export const numberText = (name, value, digits) =>
+  Number.isFinite(value) ? withUnit(name, readable(value * (VARIABLES[name].factor ?? 1), digits)) : "–";
 
 // The variable of a condition: the load of a point is that in newtons.
 export const ofCondition = (name) => (name === "load" ? "normal_load" : name);

@@ -2,14 +2,13 @@
 
 import { axes, content, currentInputs, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
-import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
 import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
-import { FULL_FILM, modeText, numberText, statusText, valueText, wordOf } from "./names.js";
-import { escaped, plain, typeset } from "./text.js";
+import { FULL_FILM, modeText, numberText, statusText, valueText, withUnit, wordOf } from "./names.js";
+import { escaped, plain, readable, typeset } from "./text.js";
 
 const DIGITS = 3; // of numbers without an ensemble
-const [MOST_DIGITS, ALL_DIGITS] = [4, 10]; // of numbers before and after they are rounded
+const MOST_DIGITS = 4; // of numbers with one
 const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
 let shownFor = "";
 
@@ -27,11 +26,8 @@ export function showPoint(parent) {
     const [low, high] = d3.extent(members, (member) => member[name]);
     const words = `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;
     if (!(high > low)) return [words, numberText(name, found[name], DIGITS)];
-    const [spread, size] = [high - low, high].map((each) => Math.floor(Math.log10(each)));
-    const last = 10 ** Math.max(spread - 1, size - MOST_DIGITS + 1); // the digit that the ensemble supports
-    const text = (value) => numberText(name, value, ALL_DIGITS);
-    const [value, ...range] = [found[name], low, high].map((each) => Math.round(each / last) * last);
-    return [words, text(value), text([...new Set(range)])];
+    const [value, ...range] = supported(name, [found[name], low, high]);
+    return [words, withUnit(name, value), withUnit(name, ...new Set(range))];
   });
   const words = [
     ["", "", isCalibrated ? "ensemble" : ""],
@@ -53,6 +49,14 @@ export function showPoint(parent) {
     }
   }
   setTimeout(inSlices, 120, fill(), () => shownFor === key);
+}
+
+// A value and the ends of its range as text, to the second digit of their difference.
+function supported(name, values) {
+  const shown = values.map((value) => value * (VARIABLES[name].factor ?? 1));
+  const placeOf = (value) => Math.floor(Math.log10(value)); // of the first digit
+  const last = Math.max(placeOf(shown[2] - shown[1]) - 1, placeOf(shown[2]) - MOST_DIGITS + 1);
+  return shown.map((value) => readable(value, Math.max(placeOf(value) - last + 1, 1), ""));
 }
 
 // What of the conditions and of the ball no real interface has, probably because it is in another unit.
@@ -86,7 +90,7 @@ function sizesText(engine, { load, ...condition }) {
 function changesText(name, point, engine) {
   const stateAt = (value) => engine.state({ ...point, [name]: value });
   const count = name === "roughness" ? 24 : 60;
-  const changes = modeChanges(stateAt, placesAlong(name, shownRange(name, point), count));
+  const changes = modeChanges(stateAt, placesAlong(name, point, count));
   if (!changes.length) {
     const text = modeText(stateAt(point[name]));
     return text ? `${text} throughout` : "no solution";

@@ -14,7 +14,6 @@ const STEP = LENGTH / (POINTS - 1);
 const MOST = 30; // particles drawn
 const TOUCHING = 0.35; // where summits touch, as a part of the length
 const RIGHT = [0.6, 0.88]; // between which parts a particle carries load, in modes in which they do
-const ATTEMPTS = 60; // at a cut that shows the mode
 const [ABOVE, BELOW] = [0.25e-6, 0.75e-6]; // heights of the solids above and below the surfaces [m]
 const BAR = 4e-6; // of the scale along the cut [m]
 
@@ -49,8 +48,7 @@ function sizeOf(inputs, diameter, normal) {
   return diameter;
 }
 
-// The state at the chosen conditions, heights of both surfaces, and particles at rest or held: the first
-// attempt that shows contacts where the mode has them, or the last.
+// The state at the chosen conditions, heights of both surfaces, and particles at rest or held.
 function sectionOf() {
   const [engine, inputs, point] = [currentEngine(), currentInputs(), currentPoint()];
   const found = engine.state(point);
@@ -65,12 +63,8 @@ function sectionOf() {
   const count = twoBody ? 0 : Math.min(Math.round(LENGTH * Math.sqrt(point.particle_density)), MOST);
   const plane = inputs.particle_plane === "summit" ? surface.offset : 0;
   const depth = inputs.elastic_depth_ratio * point.particle_diameter;
-  let [lower, upper, touches] = [];
-  for (let attempt = 0; attempt < ATTEMPTS; attempt++) {
-    ({ lower, upper } = surfacesOf(point.roughness, length, found.separation, touching, normal));
-    touches = lower.map((value, i) => value > upper[i]);
-    if (touches.includes(true) === touching) break;
-  }
+  const { lower, upper } = surfacesOf(point.roughness, length, found.separation, touching, normal);
+  const touches = lower.map((value, i) => value > upper[i]);
   touches.forEach((isTouching, i) => {
     if (isTouching) lower[i] = upper[i] = 0.5 * (lower[i] + upper[i]);
   });

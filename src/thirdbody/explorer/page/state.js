@@ -5,6 +5,7 @@ import { numberIn, significant } from "./text.js";
 export const content = JSON.parse(document.getElementById("content").textContent);
 export const axes = content.axes; // load, then the four conditions of a curve
 export const conditionAxes = axes.slice(1);
+export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 export const defaultInputs = Object.fromEntries(Object.entries(content.inputs).map(([name, { value }]) => [name, value]));
 
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
@@ -17,13 +18,12 @@ export const CHOICES = {
   view: ["figures", "axes", "map", "section"],
   figure: figures,
   x: [...names, ...content.quantities],
-  y: content.quantities,
+  y: [...content.quantities, OVER_TWO_BODY],
   by: names,
   map_x: names,
   map_y: names,
   x_scale: ["auto", "log", "linear"],
   y_scale: ["auto", "log", "linear"],
-  area: ["own", "over_two_body"],
   claim: ["", ...content.claims.map(({ id }) => id)],
   show: ["here", "all", "fails", "changed"],
 };
@@ -50,7 +50,6 @@ function chosen(values) {
 }
 export const setCondition = (name, value) => change({ conditions: chosen({ ...state.conditions, [name]: value }) });
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
-export const reset = () => change(fresh());
 export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
 export const currentPoint = () => ({ ...startOf(state.figure), ...state.conditions });
 

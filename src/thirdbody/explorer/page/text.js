@@ -8,7 +8,7 @@ export const powerOfTen = (exponent) =>
 export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
 // Texts with symbols such as A_sa,t* and powers such as 3e-6 as markup: a letter, its index, and a power.
-const SYMBOL = /(?<!\w)(\p{L})_(\w+(?:,t)?)|[νσ]/gu;
+const SYMBOL = /(?<!\w)(\p{L})_(\w+(?:,t)?)|[νσ]|(?<![\w'’])d(?!\w)/gu;
 const POWER = /(?<=\d)e([-+]?\d+)/g;
 const LETTERS = { eta: "η", sigma: "σ", omega: "ω", kappa: "κ", phi: "φ", nu: "ν", ₐ: "_a", ₜ: "_t" };
 const LETTER = /(?<![a-z])(?:eta|sigma|omega|kappa|phi|nu)(?![a-z])|[ₐₜ]/g;
@@ -37,12 +37,12 @@ export function numberIn(text) {
 // a number with so many significant digits, as it is typed: 1.5e+12
 export const significant = (value, digits) => d3.format(`.${digits}~g`)(value);
 
-// the same for readers: 3.27×10⁻⁶
-export function readable(value, digits = 4) {
+// the same for readers: 3.27×10⁻⁶; `trim` leaves out zeros at the end
+export function readable(value, digits = 4, trim = "~") {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
-  if (size === 0 || (size >= 1e-4 && size < 10 ** Math.max(digits, 4))) return d3.format(`.${digits}~r`)(value);
-  const [mantissa, exponent] = d3.format(`.${digits - 1}~e`)(value).split("e");
+  if (size === 0 || (size >= 1e-4 && size < 10 ** Math.max(digits, 4))) return d3.format(`.${digits}${trim}r`)(value);
+  const [mantissa, exponent] = d3.format(`.${digits - 1}${trim}e`)(value).split("e");
   const power = powerOfTen(Number(exponent));
   return mantissa === "1" ? power : `${mantissa}×${power}`;
 }
