@@ -14,6 +14,10 @@ from thirdbody.model.interpretations import INTERPRETATIONS, chosen_interpretati
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
 HIGHEST_PLANE = 1000.0  # y_s/sigma_s; farther below it, summits lose digits
+MATERIALS = (  # of which the elastic factor consists
+    *("elastic_modulus_surfaces", "elastic_modulus_particle"),
+    *("hardness_surface_1", "hardness_surface_2"),
+)
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
 
@@ -127,8 +131,7 @@ class Parameters:
         Otherwise F_s could increase with d, and the forces balance at several separations.
         """
         if self.elastic_factor > MOST_ELASTIC_FACTOR:
-            names = [name for name in BOUNDS if name.startswith(("elastic_modulus", "hardness_s"))]
-            given = ", ".join(f"{name} {getattr(self, name):g}" for name in names)
+            given = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
             raise ValueError(
                 f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {given}; "
                 f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
