@@ -225,17 +225,13 @@ def gap_of_particles(separation, model, point):
     return separation - point.summit_offset if at_summits else separation
 
 
-def plastic_area(moment, model, point):
-    """Contact area of plastic particles of a second ``moment`` [m2] (Eq. 5)."""
-    hardness = model["H_s2"] / (model["H_s1"] + model["H_s2"])
-    return math.pi * hardness * point.density * model["participation"] * moment
-
-
 def particle_area(gap, model, point):
     """A_sa* (Eq. 5) at a ``gap`` [m]: elastic sizes lie between d - h_e and d, as printed."""
     depth = model["h_e_ratio"] * point.diameter
-    elastic = elastic_factor(model) * second_moment(gap - depth, gap, model, point)
-    return plastic_area(elastic + second_moment(gap, math.inf, model, point), model, point)
+    moment = elastic_factor(model) * second_moment(gap - depth, gap, model, point)
+    moment += second_moment(gap, math.inf, model, point)
+    hardness = model["H_s2"] / (model["H_s1"] + model["H_s2"])
+    return math.pi * hardness * point.density * model["participation"] * moment
 
 
 def load_coverage(model, point):

@@ -93,8 +93,8 @@ def test_what_does_not_occur_has_an_exit_code_of_its_own(capsys):
     [
         (f"{STATE} --load-N 1e5", "thirdbody state: warning: --load-N is 100000 N; usual: "),
         (
-            "bearing --ball 0.099,0.5,0.009",
-            "modulus_GPa is 0.099 GPa; usual: 0.1 to 2000 GPa, and hardness_GPa is 0.009 GPa; usual: ",
+            "bearing --ball 205000,0.29,5000",
+            "modulus_GPa is 205000 GPa; usual: 0.1 to 2000 GPa, and hardness_GPa is 5000 GPa; usual: ",
         ),
     ],
 )

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import runpy
 from dataclasses import FrozenInstanceError, replace
 from pathlib import Path
@@ -37,20 +38,32 @@ def test_the_elastic_factor_to_the_printed_digits(parameters):
 # particles that would carry more while elastic than plastic
 SOFT = {"elastic_modulus_particle": 5e9}
 TOO_SOFT = (
-    "hardness_surface_1/elastic_modulus_particle is 1 and hardness_surface_2/elastic_modulus_surfaces "
-    "0.0446, with an elastic factor of 22.3 (Eq. 4); allowed: at most 1"
+    "the elastic factor of particles (Eq. 4) is 22.3 for elastic_modulus_surfaces 1.12e+11, "
+    "elastic_modulus_particle 5e+09, hardness_surface_1 5e+09, hardness_surface_2 5e+09; "
+    "allowed: at most 1, as for hard particles"
 )
+POINT = {"viscosity": 0.0, "roughness": 3e-7, "particle_density": 1e11}
 
 
-def test_soft_particles_are_refused(parameters, tmp_path):
+def test_soft_particles_are_refused_and_two_bodies_of_these_materials_are_not(parameters):
+    soft, loads = replace(parameters, **SOFT), np.array([1e-6, 1e-5])
+    bare, hard = (
+        tb.solve(load=loads, **POINT, particle_diameter=0.0, parameters=inputs)
+        for inputs in (soft, parameters)
+    )
+    assert np.array_equal(bare.separation, hard.separation)
     with pytest.raises(ValueError) as refused:
-        replace(parameters, **SOFT)
+        tb.solve(load=loads, **POINT, particle_diameter=[[0.0], [3e-7]], parameters=soft)
     assert str(refused.value) == TOO_SOFT
+
+
+def test_the_greatest_elastic_factor_is_one(parameters):
     modulus = 5e9 / math.sqrt(1.0 / (2.25 * math.pi**2) - (5.0 / 112.0) ** 2)
     limit = replace(parameters, elastic_modulus_particle=modulus * (1.0 + 1e-12))
     assert limit.elastic_factor == pytest.approx(1.0)
-    with pytest.raises(ValueError, match=r"with an elastic factor of 1 \(Eq. 4\)"):
-        replace(parameters, elastic_modulus_particle=modulus * (1.0 - 1e-12))
+    limit.check_particles()
+    with pytest.raises(ValueError, match=r"the elastic factor of particles \(Eq. 4\) is 1 for"):
+        replace(limit, elastic_modulus_particle=modulus * (1.0 - 1e-12)).check_particles()
 
 
 CONDITIONS = "--viscosity-cSt=90", "--particle-diameter-nm=300", "--roughness-nm=300"
@@ -58,42 +71,33 @@ CONDITIONS += ("--particle-density-per-m2=1e11",)
 
 
 def test_each_door_refuses_soft_particles_in_one_line(tmp_path, capsys):
-    changed = tmp_path / "soft.yaml"
-    changed.write_text("elastic_modulus_particle: 5.0e+9\n", encoding="utf-8")
-    rubber = tb.Material(modulus_GPa=3.0, poisson_ratio=0.4, hardness_GPa=5.0)
+    point = POINT | dict(particle_diameter=3e-7, parameters=tb.load_parameters(**SOFT))
     settings = read_yaml(config_directory() / "config.yaml")
     settings |= read_yaml(config_directory() / "scenes.yaml")
-    doors = {
-        "load_parameters: ": lambda: tb.load_parameters(**SOFT),
-        f"{changed}: ": lambda: tb.load_parameters(changed),
-        "inputs: ": lambda: workflow_settings(settings | {"inputs": SOFT}, config_directory()),
-        "derived from ball, flat, particle: ": lambda: tb.bearing(
-            ball="steel", flat="steel", particle=rubber
-        ),
-    }
-    for place, door in doors.items():
-        with pytest.raises(ValueError) as refused:
+    for door in (
+        lambda: tb.grid(load=[1e-6, 1e-5], **point),
+        lambda: tb.stream(tmp_path / "grid.nc", load=[1e-6, 1e-5], **point),
+        lambda: tb.turning_point(**point),
+        lambda: workflow_settings(settings | {"inputs": SOFT}, config_directory()),
+    ):
+        with pytest.raises(ValueError, match=f"^{re.escape(TOO_SOFT)}$"):
             door()
-        assert str(refused.value).startswith(f"{place}hardness_surface_1/elastic_modulus_particle")
+    assert not list(tmp_path.iterdir())
+    changed = tmp_path / "soft.yaml"
+    changed.write_text("elastic_modulus_particle: 5.0e+9\n", encoding="utf-8")
     assert main(["turning-point", *CONDITIONS, f"--inputs={changed}"]) == BAD_INPUT
     (line,) = capsys.readouterr().err.splitlines()
     assert line.endswith(TOO_SOFT)
 
 
-# with which each modulus and hardness may have any value within its bounds
-HARD = dict.fromkeys(["elastic_modulus_surfaces", "elastic_modulus_particle"], 1e13)
-HARD |= dict.fromkeys(["hardness_surface_1", "hardness_surface_2"], 1e6)
-
-
 @pytest.mark.parametrize("name", BOUNDS)
 def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name):
-    hard = replace(parameters, **HARD)
     for bad in (math.nan, math.inf, -1e99, 10**400, True, "1.0", None, [1.0]):
         with pytest.raises(ValueError) as refused:
-            replace(hard, **{name: bad})
+            replace(parameters, **{name: bad})
         assert str(refused.value) == f"{name} is {format_value(bad)}; allowed: {BOUNDS[name]} (SI)"
     for end in BOUNDS[name]:
-        assert getattr(replace(hard, **{name: end}), name) == end
+        assert getattr(replace(parameters, **{name: end}), name) == end
 
 
 def test_each_number_of_the_attribute_is_its_own_input(parameters):

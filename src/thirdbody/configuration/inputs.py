@@ -71,9 +71,10 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
         for name, each in inputs.items()
     }
     schema.validate(inputs, values_schema(entries), "load_parameters")
-    found = _parameters_of(chosen["parameters"] | plain_values(inputs), "load_parameters")
+    values = chosen["parameters"] | plain_values(inputs)
+    check_ball(values, "load_parameters")
     _warn_of_what_stays(chosen["inputs"] | inputs)
-    return found
+    return Parameters(**values)
 
 
 # film parameters that depend on a modulus, a hardness or the radius (below Eq. 8)
@@ -132,7 +133,7 @@ def choose_inputs(
     found = read_calibrated(calibrated, entries)
     values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
     schema.validate(values, {"required": [*entries]}, f"{format_path(calibrated)}: inputs")
-    _parameters_of(values, place)
+    check_ball(values, place)
     return {
         "parameters": values,
         "calibrated": str(calibrated),
@@ -159,15 +160,6 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     best, given = content["inputs"], parameters.as_dict()
     changed = {name: value for name, value in given.items() if best.get(name) != value}
     return tuple(replace(parameters, **member) for member in ensemble_of(content, changed))
-
-
-def _parameters_of(values, place):
-    """The inputs with all ``values``; a refusal names the ``place``."""
-    check_ball(values, place)
-    try:
-        return Parameters(**values)
-    except ValueError as error:
-        raise ValueError(f"{place}: {error}") from None
 
 
 def check_ball(values: Values, place: str) -> None:

@@ -9,6 +9,7 @@ from thirdbody.configuration.inputs import choose_inputs, plain_values, read_ent
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
 from thirdbody.messages import format_value
+from thirdbody.model.parameters import Parameters
 
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
@@ -64,10 +65,12 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
     given = config["inputs"]
     laid_over = found(given) if isinstance(given, str) else given
+    chosen = choose_inputs(entries, found(config["calibrated"]), laid_over)
+    Parameters(**chosen["parameters"]).check_particles()
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,
-        **choose_inputs(entries, found(config["calibrated"]), laid_over),
+        **chosen,
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
         "calibration": read_valid(folder / "calibration.yaml", "calibration", input_values=values),
         "sensitivity": read_valid(folder / "sensitivity.yaml", "sensitivity"),

@@ -26,8 +26,8 @@ class Bounds(NamedTuple):
 BOUNDS = {
     "elastic_modulus_surfaces": Bounds(1e8, 1e13),
     "elastic_modulus_particle": Bounds(1e8, 1e13),
-    "hardness_surface_1": Bounds(1e6, 1e12),
-    "hardness_surface_2": Bounds(1e6, 1e12),
+    "hardness_surface_1": Bounds(1e6, 1e14),
+    "hardness_surface_2": Bounds(1e6, 1e14),
     "yield_pressure_ratio": Bounds(0.1, 1.0),
     "plastic_interference_ratio": Bounds(1.0, 1e5),
     "ball_radius": Bounds(1e-6, 1.0),

@@ -14,9 +14,11 @@ from thirdbody.model.interpretations import INTERPRETATIONS, chosen_interpretati
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
 HIGHEST_PLANE = 1000.0  # y_s/sigma_s; farther below it, summits lose digits
-MOST_ELASTIC_FACTOR = (
-    1.0  # elastic factor up to which F_s decreases with d; above, Eq. 1 may have several roots
+MATERIALS = (  # of which the elastic factor consists
+    *("elastic_modulus_surfaces", "elastic_modulus_particle"),
+    *("hardness_surface_1", "hardness_surface_2"),
 )
+MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
 
 @dataclass(frozen=True)
@@ -53,9 +55,7 @@ class Parameters:
     ------
     ValueError
         For a number out of bounds, a value that is not a number, and an unknown word: one line with
-        the field, its value and what is allowed.  Also for materials so soft for their hardness that
-        an elastic particle would carry more than a plastic one, an ``elastic_factor`` above 1: the
-        loads could then balance at several separations.
+        the field, its value and what is allowed.
 
     Examples
     --------
@@ -67,7 +67,7 @@ class Parameters:
     >>> replace(parameters, hardness_surface_1=-1e9)
     Traceback (most recent call last):
     ...
-    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+12 (SI)
+    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+14 (SI)
     >>> replace(parameters, film_load="solid")
     Traceback (most recent call last):
     ...
@@ -116,28 +116,26 @@ class Parameters:
             if not bounds.hold(getattr(self, name)):
                 value = format_value(getattr(self, name))
                 raise ValueError(f"{name} is {value}; allowed: {bounds} (SI)")
-        if self.elastic_factor > MOST_ELASTIC_FACTOR:
-            particle, surface = self._strains
-            raise ValueError(
-                f"hardness_surface_1/elastic_modulus_particle is {particle:.3g} and "
-                f"hardness_surface_2/elastic_modulus_surfaces {surface:.3g}, with an elastic factor of "
-                f"{self.elastic_factor:.3g} (Eq. 4); allowed: at most {MOST_ELASTIC_FACTOR:g}"
-            )
-
-    @property
-    def _strains(self):
-        """H_s1/E_sa and H_s2/E_ss [1]."""
-        return (
-            self.hardness_surface_1 / self.elastic_modulus_particle,
-            self.hardness_surface_2 / self.elastic_modulus_surfaces,
-        )
 
     @cached_property
     def elastic_factor(self) -> float:
         """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1] of Eqs. 4 and 5: what an elastic particle
         carries, over what a plastic one does."""
-        particle, surface = self._strains
+        particle = self.hardness_surface_1 / self.elastic_modulus_particle
+        surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
         return 2.25 * math.pi**2 * (particle**2 + surface**2)
+
+    def check_particles(self) -> None:
+        """Raise ``ValueError`` unless plastic particles carry at least as much as elastic ones.
+
+        Otherwise F_s could increase with d, and the forces balance at several separations.
+        """
+        if self.elastic_factor > MOST_ELASTIC_FACTOR:
+            given = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
+            raise ValueError(
+                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {given}; "
+                f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
+            )
 
     def sizes(self, diameter: ArrayLike) -> tuple[ArrayLike, ArrayLike]:
         """Mean m and standard deviation S [m] of the normal size distribution, for x_a [m]."""

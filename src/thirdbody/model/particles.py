@@ -59,7 +59,7 @@ class ParticleLayer:
         cls, diameter: NDArray, roughness: ArrayLike, density: NDArray, parameters: Parameters
     ) -> ParticleLayer:
         """The layer for x_a [m] and eta_a [m-2], positive and of one shape, and sigma [m], a scalar or of
-        the same shape.
+        the same shape; ``ValueError`` as of ``Parameters.check_particles``.
 
         Examples
         --------
@@ -74,6 +74,7 @@ class ParticleLayer:
         >>> bool(beyond.value < 1e-12 * area.value[1])
         True
         """
+        parameters.check_particles()
         diameter = np.minimum(diameter, LARGEST_DIAMETER)
         mean, spread = parameters.sizes(diameter)
         moment = _moment(*parameters.sizes(1.0), parameters.truncation)

@@ -23,7 +23,7 @@ SIZES = np.concatenate([np.linspace(0.0, 1.0, 40), 1.0 - np.geomspace(1e-7, 0.02
 SMALLEST = -6.0  # (size - mean)/spread below which particles are negligible
 KINK_GAP = 1e-12  # relative distance of separations from a kink, on both sides
 SAFETY = 2.0  # times the error midway between two separations
-SUMMIT_RTOL = 1e-7  # error of the summits' load and area
+SUMMIT_ERROR = 1e-7  # relative, of the load and area of summits
 
 
 class TabulatedSolids(NamedTuple):
@@ -70,7 +70,7 @@ def solid_tables(
     ``diameter`` x_a [m], ``roughness`` sigma [m] and ``density`` eta_a [m-2] are 1-D; all or none
     have particles.
     """
-    every = make_contact(diameter, roughness, density, parameters, SUMMIT_RTOL)
+    every = make_contact(diameter, roughness, density, parameters, SUMMIT_ERROR)
     separations = [
         _separations(*ends, sigma, every.particles, solid)
         for solid, (*ends, sigma) in enumerate(zip(low, high, roughness, strict=True))
@@ -167,5 +167,5 @@ def _errors(found, true, pressure):
     load_error = np.where(solids > 0.0, np.abs(load) / solids, 0.0)
     area_error = np.where(true_area > 0.0, np.abs(area / true_area - 1.0), 0.0)
     area_error += np.abs(log_summit_area - true_log_summit_area)
-    errors = SAFETY * np.stack([load_error, area_error], axis=1) + SUMMIT_RTOL
+    errors = SAFETY * np.stack([load_error, area_error], axis=1) + SUMMIT_ERROR
     return np.where(np.isfinite(errors), errors, np.inf)

@@ -94,8 +94,8 @@ def solve(
     ValueError
         For a negative, infinite or missing number, a zero load or roughness, a quantity of the
         wrong dimension, arrays that do not broadcast, more than 1e9 points, inputs that are not
-        ``Parameters``, an ``rtol`` out of range, an unknown variable, and a ``progress`` that is not a
-        bool.
+        ``Parameters``, an ``rtol`` out of range, an unknown variable, a ``progress`` that is not a
+        bool, and particles with an ``elastic_factor`` of ``Parameters`` above 1.
 
     Warns
     -----
