@@ -65,7 +65,9 @@ with logged(snakemake.log[0]):
             for name in (Path(table).stem for table in snakemake.input.tables)
         },
         "datasets": {Path(path).name: titles[Path(path).stem] for path in snakemake.input.datasets},
-        "score": judged["score"].replace("**", ""),
+        "score": judged["score"],
+        "held": judged["held"],
+        "judged": judged["judged"],
         "version": snakemake.params.version,
     }
     with atomic_write(snakemake.output.page, snakemake.output.captions) as parts:
