@@ -19,6 +19,8 @@ from thirdbody.study.courses import COURSES, passed_states, peak_height, sequenc
 if TYPE_CHECKING:
     from thirdbody.study.evidence import Evidence
 
+ROUNDING = 1e-9  # of the solver: curves that lie against an order by less are in order
+
 
 @dataclass(frozen=True, kw_only=True)
 class NumberClaim(Claim):
@@ -164,7 +166,11 @@ class Ordering(Claim):
         sign = -1.0 if self.direction == "decreasing" else 1.0
         gaps = [sign * gap for gap in self.gaps(evidence)]
         against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
-        text = f"against the order by {max(against, 0.0):.3g}, apart by {apart + 0.0:.3g}"
+        text = f"in order, apart by up to {apart:.3g}"
+        if against > ROUNDING:
+            text = (
+                f"with the order by up to {max(apart, 0.0):.3g}, against it by up to {against:.3g}"
+            )
         return self.missed(text, np.max([against, 2.0 * self.step - apart]))
 
 
@@ -178,7 +184,7 @@ class Coincidence(Claim):
 
     def check(self, evidence: "Evidence") -> Verdict:
         widest = np.max([np.abs(gap).max() for gap in self.gaps(evidence)])
-        return self.missed(f"apart by {widest:.3g} at most", widest)
+        return self.missed(f"apart by up to {widest:.3g}", widest)
 
 
 class CourseClaim(Claim):
@@ -193,8 +199,11 @@ class CourseClaim(Claim):
         misses = [self.miss(self.scaled(course)) for course in courses]
         worst = int(np.argmax(misses))
         course = courses[worst]
-        ends = f"{course[0]:.4g} to {course[-1]:.4g}"
-        text = f"{ends} within {course.min():.4g} and {course.max():.4g}"
+        points = course[0], course[-1], course.min(), course.max()
+        first, last, least, most = (f"{value:.4g}" for value in points)
+        text = f"from {first} to {last}"
+        if not {least, most} <= {first, last}:
+            text += f", between {least} and {most}"
         return course, self.missed(text, misses[worst])
 
 

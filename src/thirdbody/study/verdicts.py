@@ -22,6 +22,7 @@ from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.claim import Claim, Verdict
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.study.judge import Judge
+from thirdbody.typeset import html
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
@@ -367,4 +368,4 @@ ENVIRONMENT = Environment(
     undefined=StrictUndefined,
     keep_trailing_newline=True,
 )
-ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once, "cell": _cell}
+ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once, "cell": _cell, "typeset": html}
