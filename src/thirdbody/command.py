@@ -269,23 +269,13 @@ def bearing(
     json: Json = False,
 ) -> Asked:
     """Which inputs follow from another ball, speed, oil or material."""
+    given = locals()
     from thirdbody.answers.bearing import bearing as inputs_of
     from thirdbody.answers.bearing import derived
     from thirdbody.configuration.inputs import load_parameters
 
-    found = inputs_of(
-        load_parameters(),
-        ball_radius_mm=ball_radius_mm,
-        speed_m_per_s=speed_m_per_s,
-        oil_density_kg_per_m3=oil_density_kg_per_m3,
-        dynamic_viscosity_mPa_s=dynamic_viscosity_mPa_s,
-        viscosity_cSt=viscosity_cSt,
-        pressure_viscosity_per_GPa=pressure_viscosity_per_GPa,
-        apparent_area_mm2=apparent_area_mm2,
-        ball=ball,
-        flat=flat,
-        particle=particle,
-    )
+    changes = {name: given[name] for name in given.keys() - {"write", "json"}}
+    found = inputs_of(load_parameters(), **changes)
     if write is not None:
         import yaml
 

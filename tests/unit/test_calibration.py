@@ -27,7 +27,7 @@ from thirdbody.study.search import (
     scattered_starts,
     search,
 )
-from thirdbody.study.verdicts import fold_counts
+from thirdbody.study.verdicts import Candidate
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
@@ -283,14 +283,13 @@ def test_an_ensemble_over_interpretations_takes_those_that_predict_as_much():
 
 
 def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():
-    content = {"folds": [{"figures": figures} for figures in SETTINGS["folds"]]}
-    left_out = [fold.left_out for fold in make_folds(CLAIMS, SETTINGS["folds"])]
-    verdicts = {claim.id: Verdict("", 9.0, 0.0) for part in left_out for claim in part}
-    verdicts |= {claim.id: Verdict("", 0.0, 0.0) for claim in left_out[1]}
-    first, (held, tested), *others = fold_counts(CLAIMS, content, verdicts)
-    assert held == tested == len({claim.counted_as for claim in left_out[1] if not claim.aside})
+    folds = make_folds(CLAIMS, SETTINGS["folds"])
+    predicted = {claim.id: Verdict("", 9.0, 0.0) for claim in CLAIMS}
+    predicted |= {claim.id: Verdict("", 0.0, 0.0) for claim in folds[1].left_out}
+    found = Candidate(content={}, verdicts={}, predicted=predicted, folds=folds)
+    first, (held, tested), *others = found.fold_counts
+    assert held == tested == len({each.counted_as for each in folds[1].left_out if not each.aside})
     assert all(none == 0 < some for none, some in (first, *others))
-    assert fold_counts(CLAIMS, {}, verdicts) == []
 
 
 def test_the_choice_is_what_predicts_most_and_prices_what_it_misses(parameters):

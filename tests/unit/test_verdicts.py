@@ -62,6 +62,12 @@ def report(main, members=(), predicted=None, headline=()):
     )
 
 
+def candidate(content, verdict, predicted):
+    return verdicts.Candidate(
+        content=content, verdicts={"taken": verdict}, predicted={"taken": predicted}
+    )
+
+
 def test_the_word_for_a_verdict():
     words = [verdicts.outcome(TAKEN, verdict) for verdict in (HELD, MISSED, BEYOND)]
     assert words == [verdicts.HOLDS, verdicts.FAILS, verdicts.NOT_TESTED]
@@ -136,11 +142,10 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
     inputs = {name: unknown["usual"][0] for name, unknown in SETTINGS["unknowns"].items()}
     contents = [{"interpretation": name, "inputs": inputs} for name in names]
     contents[2] |= {"inputs": inputs | {"summit_parameter": 0.2}}  # unusual
-    held = {name: {"taken": HELD} for name in names} | {names[0]: {"taken": MISSED}}
+    predicted = [MISSED, HELD, HELD, HELD]
     judge = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
-    table = verdicts.rank_interpretations(
-        judge, contents, dict.fromkeys(names, {"taken": HELD}), held, settings
-    )
+    candidates = map(candidate, contents, [HELD] * 4, predicted)
+    table = verdicts.rank_interpretations(judge, candidates, settings)
     ranking = table["interpretation"].tolist()
     assert ranking[-1] == names[0] and ranking[-2] == names[2]
     assert table["inputs"].iloc[0] <= table["inputs"].iloc[1]
@@ -156,16 +161,14 @@ def test_what_is_required_of_the_default_comes_first(parameters):
         {"interpretation": name, "inputs": inputs | own}
         for name, own in zip(some, (steep, {}), strict=True)
     ]
-    contents = [each | {"folds": []} for each in contents]
     settings = SETTINGS | {"interpretations": some, "headline": ["taken"]}
     first, second = some
     judge = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
 
     def ranked(required, held):
-        verdicts_of = {name: {"taken": verdict} for name, verdict in zip(some, held, strict=True)}
-        given = contents, verdicts_of, dict.fromkeys(some, {"taken": HELD})
+        candidates = map(candidate, contents, held, [HELD] * 2)
         required = SETTINGS["required"] | required
-        table = verdicts.rank_interpretations(judge, *given, settings | {"required": required})
+        table = verdicts.rank_interpretations(judge, candidates, settings | {"required": required})
         return table["interpretation"].tolist(), table["eligible"].tolist()
 
     assert ranked({"headline": 1}, [HELD, HELD]) == ([second, first], [True, False])

@@ -13,7 +13,7 @@ from thirdbody.study.calibration import Interpretation, Objective
 from thirdbody.study.judge import Judge
 from thirdbody.study.results import rounded
 from thirdbody.study.search import search
-from thirdbody.study.verdicts import Verdicts, fold_counts, predict, rank_interpretations
+from thirdbody.study.verdicts import Candidate, rank_interpretations
 
 PRICED = 100  # number of best sets of a cost search that are evaluated again
 
@@ -23,22 +23,21 @@ def choose_default(
 ) -> tuple[dict[str, Any], pd.DataFrame]:
     """What the calibrated file of the default has beside its own content, and all interpretations in the
     order of the rule, from the ``contents`` of their calibrated files."""
-    by_name = {content["interpretation"]: content for content in contents}
-    verdicts = {name: judge(content["inputs"]) for name, content in by_name.items()}
-    predicted = {name: predict(judge, content) for name, content in by_name.items()}
-    table = rank_interpretations(judge, contents, verdicts, predicted, settings)
-    ranking = table["interpretation"].tolist()
+    candidates = {each["interpretation"]: Candidate.of(judge, each) for each in contents}
+    table = rank_interpretations(judge, candidates.values(), settings)
+    ranking = [candidates[name] for name in table["interpretation"]]
     fractions = {
-        name: [held / max(of, 1) for held, of in counts]
-        for name, content in by_name.items()
-        if (counts := fold_counts(judge.claims, content, predicted[name]))
+        each.name: [held / max(of, 1) for held, of in each.fold_counts]
+        for each in ranking
+        if each.folds
     }
     members, labels = mixed_ensemble(
-        [by_name[name] for name in ranking], fractions, settings["ensemble"]
+        [each.content for each in ranking], fractions, settings["ensemble"]
     )
+    best = ranking[0]
     chosen = {
-        "interpretation": ranking[0],
-        "fronts": price_fronts(judge, by_name[ranking[0]], verdicts[ranking[0]], settings),
+        "interpretation": best.name,
+        "fronts": price_fronts(judge, best, settings),
         "ensemble": members,
         "ensemble_interpretations": labels,
     }
@@ -46,17 +45,17 @@ def choose_default(
 
 
 def price_fronts(
-    judge: Judge, content: Mapping[str, Any], verdicts: Verdicts, settings: Mapping[str, Any]
+    judge: Judge, best: Candidate, settings: Mapping[str, Any]
 ) -> dict[str, list[list[float]]]:
-    """The ``price_front`` of each headline number that the inputs of a calibrated file miss, by the id of its
+    """The ``price_front`` of each headline number that the ``best`` interpretation misses, by the id of its
     statement, from a search in which it has ``price_weight`` times its weight."""
-    interpretation = Interpretation.of(content["interpretation"], settings)
+    interpretation = Interpretation.of(best.name, settings)
     objective = Objective.of(judge.claims, settings, judge.base)
     names = *(unknown.name for unknown in interpretation.unknowns), *interpretation.opposites
-    inputs = {name: content["inputs"][name] for name in names}
+    inputs = {name: best.content["inputs"][name] for name in names}
     start = interpretation.positions(inputs)
     fronts = {}
-    for name, verdict in verdicts.items():
+    for name, verdict in best.verdicts.items():
         if name not in settings["headline"] or verdict.holds:
             continue
         emphasis = np.where(objective.repeating(name), settings["price_weight"], 1.0)

@@ -18,7 +18,7 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.quantities import spread
 from thirdbody.data.tables import TABLES
 from thirdbody.places import part_of_paper
-from thirdbody.study.calibration import Interpretation, Objective, make_folds
+from thirdbody.study.calibration import Fold, Interpretation, Objective, make_folds
 from thirdbody.study.claim import Claim, Verdict
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.study.judge import Judge
@@ -65,13 +65,11 @@ class Report:
         inputs = judge.base | default["inputs"]
         evidence = judge.evidence(inputs, FULL_EFFORT, judge.claims)
         verdicts = {claim.id: claim.verdict(evidence) for claim in judge.claims}
-        interpretations = {
-            each["interpretation"]: (
-                verdicts if judge.base | each["inputs"] == inputs else judge(each["inputs"])
-            )
+        candidates = [
+            Candidate.of(judge, each, verdicts if judge.base | each["inputs"] == inputs else None)
             for each in contents
-        }
-        predicted = {each["interpretation"]: predict(judge, each) for each in contents}
+        ]
+        predicted = {each.name: each.predicted for each in candidates}
         return cls(
             claims=judge.claims,
             settings=settings,
@@ -82,9 +80,9 @@ class Report:
             members=tuple(
                 judge({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]
             ),
-            interpretations=interpretations,
+            interpretations={each.name: each.verdicts for each in candidates},
             predicted=predicted.get(default["interpretation"], {}),
-            comparison=rank_interpretations(judge, contents, interpretations, predicted, settings),
+            comparison=rank_interpretations(judge, candidates, settings),
         )
 
     @cached_property
@@ -117,58 +115,63 @@ class Report:
         return pd.DataFrame(rows)[[column.name for column in TABLES["claims"]]]
 
 
-def predict(judge: Judge, content: Mapping[str, Any]) -> Verdicts:
-    """Evaluate each statement for the inputs of a calibrated file that were found without its figure."""
-    entries = content.get("folds", ())
-    found = {}
-    for claims, entry in zip(_left_out(judge.claims, entries), entries, strict=True):
-        found |= judge(entry["inputs"], claims=claims)
-    return found
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """An interpretation that may be the default: the ``content`` of its calibrated file, the ``verdicts`` for its
+    inputs, and those ``predicted``, of each statement for the inputs found in the fold that leaves it out."""
 
+    content: Mapping[str, Any]
+    verdicts: Verdicts
+    predicted: Verdicts
+    folds: Sequence[Fold] = ()
 
-def fold_counts(
-    claims: Sequence[Claim], content: Mapping[str, Any], predicted: Verdicts
-) -> list[tuple[int, int]]:
-    """Numbers of statements left out of each fold of a calibrated file that hold and are tested."""
-    return [count_once(part, predicted) for part in _left_out(claims, content.get("folds", ()))]
+    @classmethod
+    def of(cls, judge: Judge, content: Mapping[str, Any], verdicts: Verdicts | None = None) -> Self:
+        """Evaluate all statements for a calibrated file; ``verdicts`` are those for its inputs, if known."""
+        entries = content.get("folds", ())
+        folds = make_folds(judge.claims, [each["figures"] for each in entries])
+        predicted = {}
+        for fold, entry in zip(folds, entries, strict=True):
+            predicted |= judge(entry["inputs"], claims=fold.left_out)
+        own = verdicts or judge(content["inputs"])
+        return cls(content=content, verdicts=own, predicted=predicted, folds=folds)
 
+    @property
+    def name(self) -> str:
+        """The name of the interpretation in ``config/calibration.yaml``."""
+        return self.content["interpretation"]
 
-def _left_out(claims, entries) -> list[tuple[Claim, ...]]:
-    """The statements left out of each of the folds in a calibrated file."""
-    return [fold.left_out for fold in make_folds(claims, [each["figures"] for each in entries])]
+    @property
+    def fold_counts(self) -> list[tuple[int, int]]:
+        """Numbers of statements left out of each fold that hold and are tested."""
+        return [count_once(fold.left_out, self.predicted) for fold in self.folds]
 
 
 def rank_interpretations(
-    judge: Judge,
-    contents: Sequence[Mapping[str, Any]],
-    interpretations: Mapping[str, Verdicts],
-    predicted: Mapping[str, Verdicts],
-    settings: Mapping[str, Any],
+    judge: Judge, candidates: Iterable[Candidate], settings: Mapping[str, Any]
 ) -> pd.DataFrame:
     """Compare the interpretations, in the order of the rule that chooses the default: what is ``required``
     is reached, most statements predicted when their figure is left out, the most plausible inputs, the fewest
     unknowns."""
     objective = Objective.of(judge.claims, settings, judge.base)
     rows = []
-    for content in contents:
-        name = content["interpretation"]
-        interpretation = Interpretation.of(name, settings)
-        verdicts = interpretations[name]
-        penalty = interpretation.penalty(content["inputs"])
+    for candidate in candidates:
+        inputs, verdicts = candidate.content["inputs"], candidate.verdicts
+        interpretation = Interpretation.of(candidate.name, settings)
+        penalty = interpretation.penalty(inputs)
         scores = [verdicts[claim.id].score for claim in objective.claims]
-        right, of = count_once(judge.claims, predicted[name])
+        right, of = count_once(judge.claims, candidate.predicted)
         required = settings["required"]
         reached = [id for id in settings["headline"] if id in verdicts and verdicts[id].holds]
-        summits = largest_summit_parameter(judge.base | content["inputs"], required)
+        summits = largest_summit_parameter(judge.base | inputs, required)
         suits = len(reached) >= required["headline"] and summits < required["summit_parameter"]
-        shares = fold_counts(judge.claims, content, predicted[name])
         rows.append(
             {
-                "interpretation": name,
+                "interpretation": candidate.name,
                 "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
                 "fitted": "{}/{}".format(*count_once(judge.claims, verdicts)),
-                "folds": ", ".join(f"{held}/{tested}" for held, tested in shares),
+                "folds": ", ".join(f"{held}/{tested}" for held, tested in candidate.fold_counts),
                 "headline": f"{len(reached)}/{len(settings['headline'])}",
                 "summit_parameter": f"{summits:.3f}",
                 "eligible": suits and of > 0,
