@@ -119,7 +119,7 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
     own = tmp_path / "own.nc"
     own.write_text("no netCDF")
     with pytest.raises(
-        OSError, match=r"own.nc cannot be read \(OSError\)$"
+        OSError, match=r"own.nc cannot be read \(NetCDF: Unknown file format\)$"
     ):  # no command remakes it
         tb.plot(own)
 
