@@ -212,8 +212,17 @@ def test_a_curve_of_an_interface_is_drawn_with_its_range(along):
     assert tb.plot(curve, variables="solid_load_fraction", ax=one) is own
     assert panels(own) == ["solid_load_fraction"]
     pyplot.close("all")
-    with pytest.raises(ValueError, match=f"like is 'fig03', of a curve along {curve.along}"):
-        tb.plot(curve, like="fig03")
+    for name, value in {
+        "like": "fig03",
+        "over": "roughness",
+        "band": tb.grid(
+            load=1e-5, viscosity=0, particle_diameter=0, roughness=3e-7, particle_density=0
+        ),
+        "turning_points": [{"load": 1e-5}],
+    }.items():
+        message = f"^{name} is .*, for a curve along {curve.along}; allowed: None"
+        with pytest.raises(ValueError, match=message):
+            tb.plot(curve, **{name: value})
 
 
 def test_a_band_is_drawn_over_newtons(grid):
