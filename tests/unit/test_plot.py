@@ -95,6 +95,13 @@ def test_any_axis_can_be_along_x(grid, over, values, label):
     assert texts[0].startswith("Fₜ* = 10⁻⁷ (") and len(texts) == 2
 
 
+def test_one_curve_over_another_axis_has_no_key(grid):
+    data = grid(load=[1e-6])
+    figure = tb.plot(data, over="viscosity")
+    assert not figure.legends
+    np.testing.assert_array_equal(figure.axes[0].lines[0].get_xdata(), AXES["viscosity"])
+
+
 def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
     data, sizes = grid(), {"particle_diameter": [1e-7, 3e-7]}
     for given, options, message in (

@@ -196,7 +196,8 @@ def _plot_over(
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
     looks = level_styles(len(curves))
-    looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
+    if varying:
+        looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
     return draw_panels(panels, looks, common=common, axes=axes)
 
