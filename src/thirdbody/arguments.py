@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.messages import did_you_mean, format_value
+from thirdbody.messages import did_you_mean, format_row, format_value
 from thirdbody.model.floats import LEAST
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import (
@@ -139,7 +139,7 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
         allowed, most = allowed & (array <= LARGEST), f" up to {LARGEST:g}"
     wrong = array[~allowed]
     if wrong.size:
-        row = "" if rows is None else f" in row {rows[np.argmin(allowed)]}"
+        row = "" if rows is None else f" in row {format_row(rows[np.argmin(allowed)])}"
         raise ValueError(f"{key} is {wrong[0]:g}{row}; allowed: {sign} finite numbers{most}")
     return own, np.array(own.to_si(array, newtons_per_load))
 
@@ -151,7 +151,7 @@ def _cells(key: str, column: Any) -> Any:
     if column.dtype.kind == "O":
         for row, cell in column.items():
             if not (_is_number(cell) or has_unit(cell)):
-                message = f"{key} is {format_value(cell)} in row {row}"
+                message = f"{key} is {format_value(cell)} in row {format_row(row)}"
                 raise ValueError(f"{message}; allowed: numbers")
     return column.to_numpy()
 

@@ -16,6 +16,11 @@ def format_value(value: Any) -> str:
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
+def format_row(row: Any) -> str:
+    """The label of a row of a table; of several levels with commas between them."""
+    return ", ".join(map(str, row)) if isinstance(row, tuple) else str(row)
+
+
 def did_you_mean(given: Any, known: Iterable[str]) -> str:
     """The end of a message about an unknown name: the ``known`` one nearest to it, if there is one."""
     by_letters = {name.lower(): name for name in known if name != str(given)}

@@ -247,6 +247,16 @@ def test_the_file_of_a_solution_is_compared_as_it_is(tmp_path):
         assert any("film_thickness [1]" in note for note in again.notes)
 
 
+def test_a_bad_row_of_an_index_of_two_levels_is_named():
+    index = pd.MultiIndex.from_product([["rig"], [1, 2]])
+    bad = pd.Series([5.0, -1.0], index)
+    message = "is -1.* in row rig, 2; allowed: positive"
+    with pytest.raises(ValueError, match=f"load_N {message}"):
+        tb.solve(load_N=bad, viscosity_cSt=90, **REST)
+    with pytest.raises(ValueError, match=rf"load \[N\] {message}"):
+        tb.compare(bad.to_frame("load [N]").assign(separation_nm=900.0), **OIL, **REST)
+
+
 @pytest.mark.parametrize("cell", ["ten", None, True])
 def test_a_cell_that_is_no_number_is_named_with_its_row(cell):
     bad = TABLE["load"].astype(object)

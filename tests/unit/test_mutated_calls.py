@@ -99,7 +99,10 @@ def calls(parameters):
         "points": (tb.oil_viscosity, {"temperature_C": 60.0, "points": {40: 46, 100: 7}}),
         "cleanliness": (tb.cleanliness, {"code": "18/16/13", "gap_nm": 500.0, "enrichment": 1.0}),
         "Assumed": (Assumed, {"boundary_friction": 0.1, "resistivity_ohm_m": 1e-7}),
-        "compare_data": (compare_data, WITHOUT_LOAD | inputs | {"speed_m_per_s": 2.0, "load": 5.0}),
+        "compare_data": (
+            compare_data,
+            WITHOUT_LOAD | inputs | {"speed_m_per_s": 2.0, "load": 5.0, "assumed": Assumed()},
+        ),
         "open_atlas": (tb.open_atlas, {"path": "catalogue.json"}),
         "plot": (
             tb.plot,

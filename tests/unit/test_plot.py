@@ -95,6 +95,13 @@ def test_any_axis_can_be_along_x(grid, over, values, label):
     assert texts[0].startswith("Fₜ* = 10⁻⁷ (") and len(texts) == 2
 
 
+def test_one_curve_over_another_axis_has_no_key(grid):
+    data = grid(load=[1e-6])
+    figure = tb.plot(data, over="viscosity")
+    assert not figure.legends
+    np.testing.assert_array_equal(figure.axes[0].lines[0].get_xdata(), AXES["viscosity"])
+
+
 def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
     data, sizes = grid(), {"particle_diameter": [1e-7, 3e-7]}
     for given, options, message in (
@@ -119,7 +126,7 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
     own = tmp_path / "own.nc"
     own.write_text("no netCDF")
     with pytest.raises(
-        OSError, match=r"own.nc cannot be read \(OSError\)$"
+        OSError, match=r"own.nc cannot be read \(NetCDF: Unknown file format\)$"
     ):  # no command remakes it
         tb.plot(own)
 
@@ -212,8 +219,17 @@ def test_a_curve_of_an_interface_is_drawn_with_its_range(along):
     assert tb.plot(curve, variables="solid_load_fraction", ax=one) is own
     assert panels(own) == ["solid_load_fraction"]
     pyplot.close("all")
-    with pytest.raises(ValueError, match=f"like is 'fig03', of a curve along {curve.along}"):
-        tb.plot(curve, like="fig03")
+    for name, value in {
+        "like": "fig03",
+        "over": "roughness",
+        "band": tb.grid(
+            load=1e-5, viscosity=0, particle_diameter=0, roughness=3e-7, particle_density=0
+        ),
+        "turning_points": [{"load": 1e-5}],
+    }.items():
+        message = f"^{name} is .*, for a curve along {curve.along}; allowed: None"
+        with pytest.raises(ValueError, match=message):
+            tb.plot(curve, **{name: value})
 
 
 def test_a_band_is_drawn_over_newtons(grid):

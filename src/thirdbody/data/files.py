@@ -65,10 +65,8 @@ def _prepare(place, part):
 def _is_alive(process):
     try:
         os.kill(process, 0)  # sends nothing
-    except ProcessLookupError:
-        return False
-    except (OSError, OverflowError):  # of another user; no number of a process
-        pass
+    except OSError as error:
+        return error.errno != errno.ESRCH  # it may be of another user
     return True
 
 

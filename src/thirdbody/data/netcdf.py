@@ -131,7 +131,8 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
                 variables[name] = Variable(stored.dimensions, values, attributes)
             attributes = dict(file.__dict__)
     except Exception as error:  # netCDF4 raises different exceptions for different damage
-        raise unreadable(path, type(error).__name__) from None
+        reason = getattr(error, "strerror", None) or type(error).__name__
+        raise unreadable(path, reason) from None
     for name in needed:
         if name not in variables:
             raise unreadable(path, f"no {name}")

@@ -116,13 +116,12 @@ def plot(
     axes = _checked_axes(ax)
     turning_points = _checked_turning_points(turning_points)
     if hasattr(data, "along") and hasattr(data, "points"):  # figures do not import ``Curve``
-        for name, value in (("over", over), ("like", like), ("band", band)):
-            if value not in (None, data.along):
-                message = f"{name} is {format_value(value)}, of a curve along {data.along}"
-                raise ValueError(f"{message}; allowed: None")
+        over = None if over == data.along else over
+        _refuse(data, over=over, like=like, band=band, turning_points=turning_points or None)
         return plot_curve(data, variables, axes)
     complete = _with_all_dimensions("data", data)
-    unit = UNITS[over or complete["load"].attrs.get(GIVEN_AS, "load")]
+    in_newtons = GIVEN_AS in complete["load"].attrs and NORMAL_LOAD.name in complete
+    unit = UNITS[over or ("load_N" if in_newtons else "load")]
     if complete.sizes[unit.condition] < 2:
         message = (
             f"data has one {unit.condition}; allowed: two or more, which curves are drawn over"
@@ -147,6 +146,14 @@ def plot(
 def is_solution(data: Any) -> bool:
     """Whether ``data`` is a ``Solution``, which figures do not import."""
     return hasattr(data, "conditions") and hasattr(data, "to_dataset")
+
+
+def _refuse(curve, **given):
+    """``ValueError`` for arguments that are not for a curve, if they are given."""
+    for name, value in given.items():
+        if value is not None:
+            message = f"{name} is {format_value(value)}, for a curve along {curve.along}"
+            raise ValueError(f"{message}; allowed: None")
 
 
 def _checked_turning_points(given) -> Sequence[Mapping]:
@@ -189,7 +196,8 @@ def _plot_over(
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
     looks = level_styles(len(curves))
-    looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
+    if varying:
+        looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
     return draw_panels(panels, looks, common=common, axes=axes)
 

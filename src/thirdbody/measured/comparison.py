@@ -29,6 +29,7 @@ from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.measured.reading import read_measured
+from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 from thirdbody.tabular import Tabular
@@ -137,6 +138,8 @@ def compare(
     """
     parameters = checked_parameters(parameters)
     assumed = Assumed() if assumed is None else assumed
+    if not isinstance(assumed, Assumed):
+        raise ValueError(f"assumed is {format_value(assumed)}; allowed: a thirdbody.Assumed")
     columns, notes = read_measured(measured)
     observed = {MEASURED[name][0]: each for name, each in columns.items() if name in MEASURED}
     bearing_given = {

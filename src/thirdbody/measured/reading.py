@@ -17,7 +17,7 @@ from thirdbody.answers.bearing import USUAL_BEARING
 from thirdbody.arguments import NEVER_ZERO, warn_outside
 from thirdbody.data.files import readable_file
 from thirdbody.measured.estimates import MEASURED
-from thirdbody.messages import format_path, format_value
+from thirdbody.messages import format_path, format_row, format_value
 from thirdbody.units import ENGINEERING, UNITS, registry
 
 # a unit of each condition, and the usual range of the numbers, by the name in headings
@@ -214,8 +214,8 @@ def _numbers(name, heading, column, notes):
         wrong = numbers <= 0.0 if name in NEVER_ZERO else numbers < 0.0
         allowed = f"{'' if name in NEVER_ZERO else 'zero or '}positive numbers"
     for index in np.flatnonzero(wrong):
-        message = f"{heading} is {format_value(column.iloc[index])} in row {column.index[index]}"
-        raise ValueError(f"{message}; allowed: {allowed}")
+        row, cell = format_row(column.index[index]), format_value(column.iloc[index])
+        raise ValueError(f"{heading} is {cell} in row {row}; allowed: {allowed}")
     if np.isnan(numbers).all():
         raise ValueError(f"{heading} has no numbers; allowed: one or more")
     return numbers
