@@ -253,7 +253,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   });
   const limits = spec.limits.flatMap(({ at: [x], ends: [[low], [high]] }) => {
     const width = toX(high) - toX(low);
-    return [`<rect class="span" x="${inX(low)}" y="${upwards[1]}" width="${width}" height="${upwards[0] - upwards[1]}"/>`, upright("limit")(x)];
+    return [`<rect fill="var(--rule)" x="${inX(low)}" y="${upwards[1]}" width="${width}" height="${upwards[0] - upwards[1]}"/>`, upright("limit")(x)];
   });
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
   const levels = spec.levels.map((level) => `<path ${classOf("level", level)} d="M${across[0]},${inY(level.at[1])}H${across[1]}" stroke="${level.color}"/>`);

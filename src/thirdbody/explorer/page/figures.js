@@ -75,7 +75,8 @@ export function isFree(name) {
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", dry };
-  if (isTwoBody(condition)) return name === "viscosity" && dry ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--ink)", dry };
+  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)", dry };
+  if (isTwoBody(condition) && dry) return { color: "var(--soft)", dash: "1.5 2.5" };
   const { color, marker } = levelStyle(levelOf(name, condition), levels);
   return dry ? { color, dry } : { color, marker };
 }

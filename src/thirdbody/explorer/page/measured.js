@@ -1,13 +1,12 @@
 // Measured values from a CSV file, which are drawn over the curves.
 
-import { conditionAxes } from "./state.js";
+import { axes, conditionAxes, content } from "./state.js";
 import { VARIABLES, ofCondition, spaced } from "./names.js";
 import { numberIn } from "./text.js";
 
-const NAMES = ["load", "viscosity", "particle_diameter", "roughness", "particle_density", "separation"];
-const FRACTIONS = ["total_contact_area", "particle_contact_area_ratio", "solid_load_fraction", "fluid_load_fraction"];
 // headings of a file, such as "load [N]", and their variables; units are those of the page
-const COLUMNS = Object.fromEntries([...NAMES, ...FRACTIONS].map((name) => [headingOf(name), ofCondition(name)]));
+const NAMES = [...axes.map(({ name }) => name), ...content.quantities].filter((name) => name !== "film_thickness");
+const COLUMNS = Object.fromEntries(NAMES.map((name) => [headingOf(name), ofCondition(name)]));
 export const FORMS = `A table of numbers as CSV in UTF-8, with at least two of these headings:
   ${Object.keys(COLUMNS).join(", ")}. The command thirdbody compare reads other units and forms.`;
 
