@@ -8,7 +8,7 @@ const MARKERS = [
   [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
   [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
 ];
-const SHADES = [[0.05, 0.6], [0.35, 1]]; // in the light and in the dark, each with enough contrast
+const SHADES = [[0.05, 0.59], [0.35, 1]]; // in the light and in the dark, each with enough contrast
 const SHAPES = {
   star: d3.symbol(d3.symbolStar, 90)(),
   slight: d3.symbol(d3.symbolStar, 60)(),
@@ -66,7 +66,7 @@ export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
 // Entries of the key for what charts show beside their curves, by the lists of a spec.
 const KEY = {
   stars: { text: "turning point (TPCA)", mark: "star" },
-  slight: { text: "maximum that does not count", mark: "slight" },
+  slight: { text: "peak below 0.02, does not count", mark: "slight" },
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level" },

@@ -75,10 +75,9 @@ export function isFree(name) {
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", dry };
-  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)", dry };
-  if (isTwoBody(condition) && dry) return { color: "var(--soft)", dash: "1.5 2.5" };
-  const { color, marker } = levelStyle(levelOf(name, condition), levels);
-  return dry ? { color, dry } : { color, marker };
+  if (dry) return isTwoBody(condition) && name === "viscosity" ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--soft)", dry };
+  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)" };
+  return levelStyle(levelOf(name, condition), levels);
 }
 
 function labelOf({ name }, condition) {
@@ -121,7 +120,7 @@ export function figureView() {
   const specs = figure.panels.map((panel) => {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
-    const own = sharedWords(shown).filter((word) => !notes.includes(word));
+    const own = sharedWords(shown).filter((word) => !notes.includes(word)).map((word) => word.replaceAll(" ", "\u00a0"));
     return panelSpec(panel, shown, engine, { claim, own, paper: figure.curves });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
@@ -233,6 +232,6 @@ function keyEntries(drawn, parameter, comparesMedia) {
   return [
     ...entries,
     { text: valueText("viscosity", oil), color: "var(--ink)" },
-    { text: "dry", color: "var(--ink)", dry: true },
+    { text: "dry", color: "var(--soft)", dry: true },
   ];
 }
