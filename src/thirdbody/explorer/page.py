@@ -166,19 +166,19 @@ def _panel(letter, panel, labels):
             if outline
         },
         "printed": [*_marks(PRINTED, drawn)],
-        "levels": [*_marks(LEVEL, drawn)][::2],  # the first of both ends
+        "levels": [*_marks(LEVEL, drawn, step=2)],  # the first of both ends
         "turning_points": "turning points" in drawn,
         "locus": "locus of the turning points" in drawn,
     }
 
 
-def _marks(kind, drawn):
-    """The printed numbers of one kind: each a point with both ends of its tolerance."""
+def _marks(kind, drawn, step=1):
+    """The printed numbers of one kind: each the first of ``step`` points, with both ends of its tolerance."""
     for label in drawn:
         if label.startswith(kind):
             name = label.removeprefix(kind)
             ends = _rounded(drawn[TOLERANCE + name])
-            for place, point in enumerate(_rounded(drawn[label])):
+            for place, point in enumerate(_rounded(drawn[label][::step])):
                 yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
 
 

@@ -212,7 +212,7 @@ function windowSpec(figure, panel, engine, surface) {
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color, points }],
     windows: ends.filter(Number.isFinite),
-    limits: panel.printed,
+    limits: panel.printed.map((mark) => ({ ...mark, kind: mark.id.startsWith(figure.name) ? "limit" : "limit all" })),
     stars: points.filter(({ y }) => Number.isFinite(y)),
   });
 }
