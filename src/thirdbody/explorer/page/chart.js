@@ -303,7 +303,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, measured, x, y }, rows) {
+function described({ stars, printed, limits, measured, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -312,8 +312,8 @@ function described({ stars, printed, measured, x, y }, rows) {
     return `${label} runs from ${first} to ${last}`;
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
-  const what = `${rows.length} curves of ${words} ${plain(symbol)} over ${VARIABLES[x.name].words} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": printed, "points of your file": measured };
+  const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...limits], "points of your file": measured };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }

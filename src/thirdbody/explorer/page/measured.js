@@ -24,7 +24,7 @@ export function readMeasured(file, text) {
   const table = d3.dsvFormat(separator).parse(text.replace(/^#.*\n/gm, ""));
   const used = table.columns.filter((heading) => heading in COLUMNS);
   if (new Set(used).size < Math.max(used.length, 2)) return `${file} is not read. ${FORMS}`;
-  const cells = table.flatMap((row) => used.map((heading) => row[heading])).filter((cell) => /\d/.test(cell));
+  const cells = table.flatMap((row) => used.map((heading) => row[heading])).filter((cell) => /\d|inf/i.test(cell));
   const [comma, point] = [",", "."].map((sign) => cells.some((cell) => cell.includes(sign)));
   if (comma && point) return `${file} is not read: it has decimal commas and decimal points`;
   const wrong = cells.find((cell) => !Number.isFinite(numberIn(cell)));
