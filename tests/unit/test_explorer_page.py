@@ -4,11 +4,14 @@ import hashlib
 import json
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
+from thirdbody.configuration.schema import config_directory
 from thirdbody.explorer import page as building
-from thirdbody.explorer.page import figure_content, page_text
+from thirdbody.explorer.page import figure_content, page_text, plain_text
+from thirdbody.study.claims import load_claims
 
 HERE = Path(building.__file__).parent
 CURVE = "nu = 90 cSt; x_a = 300 nm; sigma = 300 nm; eta_a = 1e+11 m-2"
@@ -24,17 +27,20 @@ A,printed at every load; fig99-level,load,1e-6,separation,3e-7
 A,printed at every load; fig99-level,load,1e-5,separation,3e-7
 A,tolerance; fig99-level,load,1e-6,separation,2e-7
 A,tolerance; fig99-level,load,1e-6,separation,4e-7
+A,printed at every load; fig99-level,load,1e-6,separation,6e-7
+A,printed at every load; fig99-level,load,1e-5,separation,6e-7
+A,tolerance; fig99-level,load,1e-6,separation,5e-7
+A,tolerance; fig99-level,load,1e-6,separation,7e-7
 A,turning points,load,1e-5,separation,3e-7
 """
-CAPTION = "**Figure 99. A title.** What it tells.\n\n**Alternative text.** What is seen.\n"
+CAPTION = SimpleNamespace(title="Figure 99. A title", text="What it tells.")
 
 
 @pytest.fixture
 def figure(tmp_path):
     """The content of a small figure."""
     (tmp_path / "fig99.csv").write_text(DRAWN, encoding="utf-8")
-    (tmp_path / "fig99.md").write_text(CAPTION, encoding="utf-8")
-    return figure_content(tmp_path / "fig99.csv", tmp_path / "fig99.md")
+    return figure_content(tmp_path / "fig99.csv", CAPTION)
 
 
 def test_a_figure_has_its_conditions_marks_and_caption(figure):
@@ -52,9 +58,17 @@ def test_a_figure_has_its_conditions_marks_and_caption(figure):
         "at": [1e-5, 3.1235e-7],
         "ends": [[1e-5, 2e-7], [1e-5, 4e-7]],
     }
-    (level,) = panel["levels"]
-    assert level["id"] == "fig99-level" and level["at"][1] == 3e-7
+    first, second = panel["levels"]
+    assert first["id"] == "fig99-level" and first["at"][1] == 3e-7
+    assert second["at"][1] == 6e-7 and [y for _, y in second["ends"]] == [5e-7, 7e-7]
     assert panel["ranges"] == {0: [[1e-6, 3e-7], [1e-5, 4e-7]]}
+
+
+def test_quotes_are_read_without_latex():
+    quote = r"For $\sigma = 500 nm$, $A_{sa,t}^*$ is 0 (at $F_{TPCA}^* = 3.27 \times 10^{-6}$)."
+    assert plain_text(quote) == "For σ = 500 nm, A_sa,t* is 0 (at F_TPCA* = 3.27×10⁻⁶)."
+    quotes = [plain_text(claim.quote) for claim in load_claims(config_directory() / "claims.yaml")]
+    assert [quote for quote in quotes if re.search(r"[\\${}^]|</", quote)] == []
 
 
 def test_content_cannot_end_its_script():

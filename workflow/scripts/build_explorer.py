@@ -7,6 +7,7 @@ from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import atomic_write
 from thirdbody.explorer.page import page_content, page_text
+from thirdbody.figures.captions import read_caption
 from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims
 
@@ -20,7 +21,7 @@ with logged(snakemake.log[0]):
         for name, entry in entries.items()
     }
     content = page_content(
-        zip(snakemake.input.points, snakemake.input.captions, strict=True),
+        zip(snakemake.input.points, map(read_caption, snakemake.input.captions), strict=True),
         load_claims(snakemake.params.claims),
         json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8")),
         inputs,

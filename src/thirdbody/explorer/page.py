@@ -27,8 +27,23 @@ DIGITS = 5  # of coordinates in panels
 RANGE_STEP = 2  # every second point of the outline of an ensemble range is kept
 CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
 PRINTED, LEVEL, TOLERANCE, RANGE = "printed; ", "printed at every load; ", "tolerance; ", "band; "
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+# what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
+MARKUP = {
+    r"\\text\s*\{([^}]*)\}": r"\1",
+    r"\\(sigma|nu|eta)(?![a-z])": lambda found: {"sigma": "σ", "nu": "ν", "eta": "η"}[found[1]],
+    r"\s*\\times\s*": "×",
+    r"\\cdot": "·",
+    r"\\rightarrow": "→",
+    r"\\star|\\\*": "*",
+    r"\\([ %])": r"\1",
+    r"\^\{?\*\}?": "*",
+    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda found: found[1].translate(SUPERSCRIPTS),
+    r"_\{(\w+(?:,t)?)\}": r"_\1",
+    r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
+}
 STATED = (  # fields of a statement that the page needs to evaluate and show it
-    *("id", "place", "statement", "quote", "kind", "quantity", "published", "direction", "along"),
+    *("id", "place", "statement", "kind", "quantity", "published", "direction", "along"),
     *(
         "extreme",
         "against",
@@ -44,7 +59,7 @@ STATED = (  # fields of a statement that the page needs to evaluate and show it
 
 
 def page_content(
-    figures: Iterable[tuple[str | PathLike, str | PathLike]],
+    figures: Iterable[tuple[str | PathLike, Any]],
     claims: Iterable[Any],
     verdicts: Mapping[str, Any],
     inputs: Mapping[str, Any],
@@ -54,7 +69,7 @@ def page_content(
 ) -> dict[str, Any]:
     """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
 
-    ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves,
+    ``figures`` are the points drawn (.csv) and the caption, with ``title`` and ``text``, of each figure of curves,
     ``verdicts`` the content of ``claims.json``.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
     ``interpretations`` are inputs by the name of each calibrated interpretation, ``ensemble`` the
@@ -99,6 +114,7 @@ def _claim(claim, verdict):
         for curve in claim.curves
     ]
     return {key: getattr(claim, key) for key in STATED} | {
+        "quote": plain_text(claim.quote),
         "curves": curves,
         "references": [curve | reference for curve in curves] if reference else [],
         "part": part_of_paper(claim.place),
@@ -107,8 +123,15 @@ def _claim(claim, verdict):
     }
 
 
-def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str, Any]:
-    """Data of a figure from its ``points`` drawn (.csv) and its ``caption`` (.md): the conditions [SI]
+def plain_text(quote: str) -> str:
+    """A quote of the paper without LaTeX and Markdown: x_a = 300 nm, 3.27×10⁻⁶."""
+    for pattern, plain in MARKUP.items():
+        quote = re.sub(pattern, plain, quote)
+    return quote
+
+
+def figure_content(points: str | PathLike, caption: Any) -> dict[str, Any]:
+    """Data of a figure from its ``points`` drawn (.csv) and its ``caption``: the conditions [SI]
     of all ``curves``; for each of the ``panels`` their indices, ensemble ranges and printed numbers."""
     panels: dict[str, dict] = {}
     for row in read_csv(points, DRAWN_POINTS):
@@ -117,12 +140,10 @@ def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str,
         panel["drawn"].setdefault(row["curve"], []).append((row["x"], row["y"]))
     drawn = dict.fromkeys(label for panel in panels.values() for label in panel["drawn"])
     curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
-    first, _, _ = Path(caption).read_text(encoding="utf-8").strip().partition("\n\n")
-    title, _, text = first.removeprefix("**").partition("** ")
     return {
         "name": Path(points).stem,
-        "title": title.rstrip("."),
-        "caption": text,
+        "title": caption.title,
+        "caption": caption.text,
         "curves": [
             {axis.name: axis.to_si(float(n)) for axis, n in zip(CONDITION_AXES, found.groups())}
             for found in curves.values()
@@ -145,19 +166,19 @@ def _panel(letter, panel, labels):
             if outline
         },
         "printed": [*_marks(PRINTED, drawn)],
-        "levels": [*_marks(LEVEL, drawn)][::2],  # the first of both ends
+        "levels": [*_marks(LEVEL, drawn, step=2)],  # the first of both ends
         "turning_points": "turning points" in drawn,
         "locus": "locus of the turning points" in drawn,
     }
 
 
-def _marks(kind, drawn):
-    """The printed numbers of one kind: each a point with both ends of its tolerance."""
+def _marks(kind, drawn, step=1):
+    """The printed numbers of one kind: each the first of ``step`` points, with both ends of its tolerance."""
     for label in drawn:
         if label.startswith(kind):
             name = label.removeprefix(kind)
             ends = _rounded(drawn[TOLERANCE + name])
-            for place, point in enumerate(_rounded(drawn[label])):
+            for place, point in enumerate(_rounded(drawn[label][::step])):
                 yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
 
 

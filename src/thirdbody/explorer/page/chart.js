@@ -8,7 +8,7 @@ const MARKERS = [
   [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
   [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
 ];
-const SHADES = [[0.05, 0.6], [0.35, 1]]; // in the light and in the dark, each with enough contrast
+const SHADES = [[0.05, 0.59], [0.35, 1]]; // in the light and in the dark, each with enough contrast
 const SHAPES = {
   star: d3.symbol(d3.symbolStar, 90)(),
   slight: d3.symbol(d3.symbolStar, 60)(),
@@ -66,12 +66,12 @@ export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
 // Entries of the key for what charts show beside their curves, by the lists of a spec.
 const KEY = {
   stars: { text: "turning point (TPCA)", mark: "star" },
-  slight: { text: "maximum that does not count", mark: "slight" },
+  slight: { text: "peak below 0.02, does not count", mark: "slight" },
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level" },
   windows: { text: "limits of turning points", color: "var(--accent)", kind: "window" },
-  limits: { text: "printed limits, tolerance in grey", color: "var(--ink)", kind: "limit" },
+  limits: { text: "printed limits (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit" },
   ranges: { text: "ensemble range", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
   here: { text: "at your conditions", color: "var(--accent)", kind: "here" },
@@ -251,19 +251,19 @@ function marksOf(spec, { x: toX, y: toY }) {
     const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
-  const limits = spec.limits.flatMap(({ at: [x], ends: [[low], [high]] }) => {
+  const limits = spec.limits.flatMap(({ kind, at: [x], ends: [[low], [high]] }) => {
     const width = toX(high) - toX(low);
-    return [`<rect class="span" x="${inX(low)}" y="${upwards[1]}" width="${width}" height="${upwards[0] - upwards[1]}"/>`, upright("limit")(x)];
+    return [`<rect fill="var(--ink)" fill-opacity="0.08" x="${inX(low)}" y="${upwards[1]}" width="${width}" height="${upwards[0] - upwards[1]}"/>`, upright(kind)(x)];
   });
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
   const levels = spec.levels.map((level) => `<path ${classOf("level", level)} d="M${across[0]},${inY(level.at[1])}H${across[1]}" stroke="${level.color}"/>`);
   const lines = spec.lines.map((curve) => {
     return `<path ${classOf(kindOf(curve), curve)} data-label="${escaped(curve.label)}" d="${path(curve.points) ?? ""}" ${strokeOf(curve)}/>`;
   });
+  const bar = (mark) => `<path ${classOf("tolerance", mark)} d="M${mark.ends.map(([x, y]) => `${inX(x)},${inY(y)}`).join("L")}" stroke="${mark.color}"/>`;
   const printed = spec.printed.map((mark) => {
-    const [from, to] = mark.ends.map(([x, y]) => `${inX(x)},${inY(y)}`);
-    return `<g><path ${classOf("tolerance", mark)} d="M${from}L${to}" stroke="${mark.color}"/>
-      ${shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] })}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
+    const diamond = shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] });
+    return `<g>${bar(mark)}${diamond}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
   });
   const stars = spec.stars.filter(isShown);
   const locus = `<path class="locus" d="${path(spec.locus) ?? ""}"/>`;
@@ -274,7 +274,7 @@ function marksOf(spec, { x: toX, y: toY }) {
     ...spec.measured.filter(isShown).map(shape("measured")),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, spec.here.map(upright("here")), locus, marks, printed, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
+  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
 }
 
 // Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
@@ -303,7 +303,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, measured, x, y }, rows) {
+function described({ stars, printed, limits, measured, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -312,8 +312,8 @@ function described({ stars, printed, measured, x, y }, rows) {
     return `${label} runs from ${first} to ${last}`;
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
-  const what = `${rows.length} curves of ${words} ${plain(symbol)} over ${VARIABLES[x.name].words} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": printed, "points of your file": measured };
+  const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...limits], "points of your file": measured };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }

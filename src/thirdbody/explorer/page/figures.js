@@ -75,9 +75,9 @@ export function isFree(name) {
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", dry };
-  if (isTwoBody(condition)) return name === "viscosity" && dry ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--ink)", dry };
-  const { color, marker } = levelStyle(levelOf(name, condition), levels);
-  return dry ? { color, dry } : { color, marker };
+  if (dry) return isTwoBody(condition) && name === "viscosity" ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--soft)", dry };
+  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)" };
+  return levelStyle(levelOf(name, condition), levels);
 }
 
 function labelOf({ name }, condition) {
@@ -120,7 +120,7 @@ export function figureView() {
   const specs = figure.panels.map((panel) => {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
-    const own = sharedWords(shown).filter((word) => !notes.includes(word));
+    const own = sharedWords(shown).filter((word) => !notes.includes(word)).map((word) => word.replaceAll(" ", "\u00a0"));
     return panelSpec(panel, shown, engine, { claim, own, paper: figure.curves });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
@@ -212,7 +212,7 @@ function windowSpec(figure, panel, engine, surface) {
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color, points }],
     windows: ends.filter(Number.isFinite),
-    limits: panel.printed,
+    limits: panel.printed.map((mark) => ({ ...mark, kind: mark.id.startsWith(figure.name) ? "limit" : "limit all" })),
     stars: points.filter(({ y }) => Number.isFinite(y)),
   });
 }
@@ -232,6 +232,6 @@ function keyEntries(drawn, parameter, comparesMedia) {
   return [
     ...entries,
     { text: valueText("viscosity", oil), color: "var(--ink)" },
-    { text: "dry", color: "var(--ink)", dry: true },
+    { text: "dry", color: "var(--soft)", dry: true },
   ];
 }

@@ -43,7 +43,7 @@ function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   const { offsetWidth: width, offsetHeight: height } = tooltip;
   tooltip.style.left = `${Math.max(Math.min(at[0] + 16, innerWidth - width - 4), 4)}px`;
   tooltip.style.top = `${Math.max(Math.min(at[1] + 12, innerHeight - height - 4), 4)}px`;
-  if (event.type === "keydown") $("live").textContent = plain([label, ...texts].join(", "));
+  if (event.type === "keydown") $("live").textContent = plain([label, ...texts].filter(Boolean).join(", "));
 }
 
 const valueText = (name, value) => `${VARIABLES[name].symbol} = ${numberText(name, value)}`;
@@ -131,8 +131,7 @@ function ask() {
 }
 
 const FIGURES = Object.fromEntries(content.figures.map(({ name, title }) => [name, title.split(". ")[0]]));
-const SCALES = { auto: "as usual", log: "logarithmic", linear: "linear" };
-const TEXTS = { ...FIGURES, ...SCALES, ...SHOWN };
+const TEXTS = { ...FIGURES, ...SHOWN, auto: "as usual", log: "logarithmic", linear: "linear" };
 for (const select of document.querySelectorAll("select[name]")) {
   const text = (value) => TEXTS[value] ?? wordOf(value);
   select.replaceChildren(...CHOICES[select.name].map((value) => new Option(text(value), value)));

@@ -5,7 +5,7 @@ import { currentEngine, inSlices, shownRange } from "./engine.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./chart.js";
 import { LIMITS, remembered } from "./model.js";
-import { FULL_FILM, MODE_TEXT, VARIABLES, ofCondition, scaleFor, wordOf } from "./names.js";
+import { FULL_FILM, MODE_TEXT, VARIABLES, ofCondition, scaleFor, valueText, wordOf } from "./names.js";
 
 const SIZE = 64; // places along each axis, counted from 0; between them, fractions are conditions too
 const STEPS = 7; // of the search for a border between two places
@@ -67,13 +67,15 @@ function* mapSteps(done) {
   }
   const turns = ringsAround(above, 0).map((ring) => ring.map(cornerAt));
   const axisOver = (name, scale) => ({ name: ofCondition(name), log: VARIABLES[name].log, domain: scale.domain() });
+  const rangeOf = (name, scale) =>
+    `${wordOf(name).toLowerCase()} from ${scale.domain().map((end) => valueText(name, end, 2)).join(" to ")}`;
   const share = (isIt) => `${Math.round((100 * cells.filter(isIt).length) / cells.length)} % of the map`;
   const parts = MODE_TEXT.map((text, mode) => `${text} in ${share((cell) => cell.mode === mode && cell.regime !== FULL_FILM)}`);
   const film = `full film in ${share(({ regime }) => regime === FULL_FILM)}`;
   const points = CELLS.map((cell, k) => ({ ...cornerAt(cell), state: cells[k] }));
   const spec = specOf({
     title: mapTitle(),
-    description: `Over ${wordOf(x)} and ${wordOf(y)}: ${[...parts, film].join(", ")}.`,
+    description: `Over ${rangeOf(x, xScale)} and ${rangeOf(y, yScale)}: ${[...parts, film].join(", ")}.`,
     x: axisOver(x, xScale),
     y: axisOver(y, yScale),
     areas: layers.slice(0, AREAS.length),

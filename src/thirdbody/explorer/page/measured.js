@@ -1,13 +1,12 @@
 // Measured values from a CSV file, which are drawn over the curves.
 
-import { conditionAxes } from "./state.js";
+import { axes, conditionAxes, content } from "./state.js";
 import { VARIABLES, ofCondition, spaced } from "./names.js";
 import { numberIn } from "./text.js";
 
-const NAMES = ["load", "viscosity", "particle_diameter", "roughness", "particle_density", "separation"];
-const FRACTIONS = ["total_contact_area", "particle_contact_area_ratio", "solid_load_fraction", "fluid_load_fraction"];
 // headings of a file, such as "load [N]", and their variables; units are those of the page
-const COLUMNS = Object.fromEntries([...NAMES, ...FRACTIONS].map((name) => [headingOf(name), ofCondition(name)]));
+const NAMES = [...axes.map(({ name }) => name), ...content.quantities].filter((name) => name !== "film_thickness");
+const COLUMNS = Object.fromEntries(NAMES.map((name) => [headingOf(name), ofCondition(name)]));
 export const FORMS = `A table of numbers as CSV in UTF-8, with at least two of these headings:
   ${Object.keys(COLUMNS).join(", ")}. The command thirdbody compare reads other units and forms.`;
 
@@ -25,7 +24,7 @@ export function readMeasured(file, text) {
   const table = d3.dsvFormat(separator).parse(text.replace(/^#.*\n/gm, ""));
   const used = table.columns.filter((heading) => heading in COLUMNS);
   if (new Set(used).size < Math.max(used.length, 2)) return `${file} is not read. ${FORMS}`;
-  const cells = table.flatMap((row) => used.map((heading) => row[heading])).filter((cell) => /\d/.test(cell));
+  const cells = table.flatMap((row) => used.map((heading) => row[heading])).filter((cell) => /\d|inf/i.test(cell));
   const [comma, point] = [",", "."].map((sign) => cells.some((cell) => cell.includes(sign)));
   if (comma && point) return `${file} is not read: it has decimal commas and decimal points`;
   const wrong = cells.find((cell) => !Number.isFinite(numberIn(cell)));

@@ -22,7 +22,7 @@ export const VARIABLES = {
   fluid_load_fraction: { symbol: "L_f", words: "Load percentage of fluid", ...PERCENT },
   separation: { symbol: "d", words: "Separation", unit: "nm", factor: 1e9, log: false },
   film_thickness: { symbol: "H_c", words: "Film thickness", unit: "10⁻⁴", factor: 1e4, log: false },
-  total_contact_area_over_two_body: { symbol: "A_t*", words: "Area over that of dry two-body contact", log: false },
+  total_contact_area_over_two_body: { symbol: "A_t* over dry two-body", words: "Area over that of dry two-body contact", log: false },
   load: { symbol: "F_t*", words: "Dimensionless normal load", log: true },
   normal_load: { symbol: "F_t", words: "Normal load", unit: "N", log: true },
   viscosity: { symbol: "ν", words: "Viscosity", unit: "cSt", factor: 1e6, log: false },

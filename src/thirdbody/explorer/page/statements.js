@@ -5,7 +5,7 @@ import { currentEngine, engineOf, inSlices } from "./engine.js";
 import { evidenceOf, judge } from "./judge.js";
 import { verdicts } from "./figures.js";
 import { spaced } from "./names.js";
-import { escaped, readable, typeset } from "./text.js";
+import { readable, typeset } from "./text.js";
 
 const [list, tally] = ["claims", "tally"].map((id) => document.getElementById(id));
 const PAUSE = 150; // milliseconds without a move, after which statements are judged
@@ -93,7 +93,7 @@ function details(claim) {
     `Tolerance: ${tolerance}, ${claim.reason}`,
   ];
   const paragraphs = lines.filter(Boolean).map((line) => `<p>${typeset(line)}</p>`);
-  return `<div class="more"><blockquote>${escaped(claim.quote)}</blockquote>${paragraphs.join("")}</div>`;
+  return `<div class="more"><blockquote>${typeset(claim.quote)}</blockquote>${paragraphs.join("")}</div>`;
 }
 
 const printedText = (published) =>
