@@ -190,7 +190,7 @@ def broadcast_by_name(
 
 
 def checked_parameters(parameters: Any) -> Parameters:
-    """``parameters``, by default the published ones; ``ValueError`` unless they are ``Parameters``."""
+    """``parameters``, by default the calibrated ones; ``ValueError`` unless they are ``Parameters``."""
     if parameters is None:
         return _published_parameters()
     if not isinstance(parameters, Parameters):

@@ -34,7 +34,8 @@ class Unit:
     is_force: bool = False
 
     def to_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m."""
+        """``values`` in the unit of ``solve``, SI or F_t* of a load: the floats nearest to the decimal result,
+        300 nm is 3e-07 m."""
         numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
         return np.multiply(numbers, 1.0 / newtons_per_load) if self.is_force else numbers
 
@@ -48,10 +49,18 @@ FORCE = "N", "a force, e.g. in N"  # another dimension of the load
 PLAIN = "plain numbers, such as the nominal value"
 CONDITIONS = toml_beside(__file__)
 ENGINEERING = {name: each["engineering"] for name, each in CONDITIONS.items()}
-UNITS = {name: Unit(name, name, each["unit"]) for name, each in CONDITIONS.items()}
+UNITS = {
+    name: Unit(key=name, condition=name, text=each["unit"]) for name, each in CONDITIONS.items()
+}
 for name, each in CONDITIONS.items():
     key, is_force = each["engineering"], name == "load"
-    UNITS[key] = Unit(key, name, each["engineering_unit"], each["scale"], is_force)
+    UNITS[key] = Unit(
+        key=key,
+        condition=name,
+        text=each["engineering_unit"],
+        scale=each["scale"],
+        is_force=is_force,
+    )
 SI = {name: UNITS[name] for name in CONDITIONS}
 # other arguments of functions that take conditions
 OPTIONS = "parameters", "variables", "rtol", "progress"

@@ -48,7 +48,7 @@ def test_summits_keep_their_digits_however_deep_they_are_pressed(oracle):
     t = np.linspace(-14.0, 8.0, 221)
     for ratio, first in itertools.product((1.0, 54.0, 1e4), (1e-3, 1.0, 6.0, 15.0, 300.0)):
         summits = SummitPopulation(
-            summit_parameter=0.05,
+            scaled_density=0.05,
             sharpness=(0.3 * np.pi * HARDNESS) ** 2 / first,
             hardness_ratio=HARDNESS,
             yield_ratio=PUBLISHED["k"],

@@ -27,7 +27,7 @@ def test_the_ranges_of_figure_11c_end_at_one_load(parameters):
 
     def newtons(thickness):
         stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius**2
-        return stiffness * np.exp(oils.load_parameter_and_slope(thickness)[0])
+        return stiffness * np.exp(oils.log_W_and_slope(thickness)[0])
 
     printed = np.array([1.15e-4, 1.63e-4])
     least, most = newtons(printed + rounded), newtons(printed - rounded)

@@ -117,7 +117,7 @@ def bearing(
     Parameters
     ----------
     parameters : Parameters, optional
-        Inputs to start from, by default the published ones.
+        Inputs to start from, by default the calibrated ones.
     ball_radius_mm, speed_m_per_s : float, optional
         R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls; and the rolling speed u [m/s].
     oil_density_kg_per_m3, dynamic_viscosity_mPa_s, viscosity_cSt : float, optional

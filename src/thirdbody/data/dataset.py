@@ -59,7 +59,7 @@ def grid(
     Parameters
     ----------
     parameters : Parameters, optional
-        Inputs of the model, by default the published ones.
+        Inputs of the model, by default the calibrated ones.
     rtol : float, optional
         Requested relative error of every variable [1].  From 1e-3 on, large grids are interpolated
         over the separation, in a fifth of the time; below, every point is solved individually.

@@ -176,7 +176,7 @@ def cleanliness(
     or "*" means not counted.  Smaller ones, such as those of the paper (20 to 1000 nm), are never
     counted; there are more of them.  ``gap_nm`` is the thickness of the film, or the separation of the
     surfaces [nm]; ``enrichment`` the ratio of the concentration in the contact to that in the sample
-    [1]; of ``parameters``, by default the published ones, A_n is used.  Entrainment into the contact,
+    [1]; of ``parameters``, by default the calibrated ones, A_n is used.  Entrainment into the contact,
     exclusion of large particles, and wear debris are not considered.  Raises ``ValueError`` for an
     invalid code, and numbers that are not positive.
 

@@ -42,7 +42,7 @@ class MeasuredSurface(Tabular):
     scale: float
 
     def parameters(self, parameters: Parameters | None = None) -> Parameters:
-        """Inputs of the model, by default the published ones, with the summits of this surface.
+        """Inputs of the model, by default the calibrated ones, with the summits of this surface.
 
         At another roughness than this one, summits follow the power laws of the inputs.
         """

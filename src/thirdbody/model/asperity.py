@@ -6,9 +6,10 @@ has eta_s summits per square metre, with normally distributed heights z (first h
 
     F_ss/A_n = eta_s * integral of F(omega) phi(z),   A_ss/A_n = eta_s * integral of A(omega) phi(z)
 
-over all z above d, with omega = z - d; both heights are measured from the plane of the summits.
-Scaled by the standard deviation of the heights, they depend on t = (d - y_s)/sigma_s alone, and the
-interference is w = omega/sigma_s.
+over all z above d - y_s, with omega = z - (d - y_s): z is measured from the plane of the summits, which
+lies y_s above the mean plane, and d is the separation of the mean planes.  Scaled by the standard
+deviation of the heights, both depend on t = (d - y_s)/sigma_s alone, and the interference is
+w = omega/sigma_s.
 """
 
 from __future__ import annotations
@@ -45,6 +46,18 @@ def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float
     return yield_ratio + (1.0 - yield_ratio) * np.log(within) / np.log(plastic_ratio)
 
 
+def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
+    """``count`` Gauss-Legendre nodes and weights [1] on the interval from 0 to 1, each 1-D."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    return 0.5 * (nodes + 1.0), 0.5 * weights
+
+
+# Errors of ln F_ss and ln A_ss are below 4e-14 for any material.
+NODES, WEIGHTS = gauss_legendre(48)
+# Beyond this v the height density is below exp(-37) of its maximum: negligible in float64.
+WIDEST = np.sqrt(2.0 * 37.0)
+# Summits so far below the mean height are a fraction of 6e-16; a wider range has too few nodes.
+DEEPEST = 8.0
 ELASTIC, ELASTOPLASTIC, PLASTIC = range(3)  # places of the three kinds of summits
 
 
@@ -66,9 +79,8 @@ class _Nodes(NamedTuple):
 class SummitPopulation:
     """Load and area of a Gaussian population of equal summits, per apparent area.
 
-    The fields are eta_s R sigma_s and sigma_s/R (scalars, or arrays with an element per point),
-    H/E_ss, k and omega_2/omega_1 [1].  Elastic, elastoplastic and plastic summits are each
-    integrated by Gauss-Legendre quadrature.
+    Elastic, elastoplastic and plastic summits are each integrated by Gauss-Legendre quadrature.  The
+    fields, all [1], are scalars, or arrays with an element per point.
 
     Examples
     --------
@@ -80,18 +92,18 @@ class SummitPopulation:
     (True, True)
     """
 
-    summit_parameter: float | NDArray
-    sharpness: float | NDArray
-    hardness_ratio: float
-    yield_ratio: float
-    plastic_ratio: float
+    scaled_density: float | NDArray  # eta_s R sigma_s
+    sharpness: float | NDArray  # sigma_s/R
+    hardness_ratio: float  # H/E_ss
+    yield_ratio: float  # k
+    plastic_ratio: float  # omega_2/omega_1
 
     @classmethod
     def of(cls, surface: Surface, parameters: Parameters) -> SummitPopulation:
         """The population of a ``surface`` with the materials of ``parameters``."""
         density_radius = surface.summit_density * surface.summit_radius
         return cls(
-            summit_parameter=density_radius * surface.summit_deviation,
+            scaled_density=density_radius * surface.summit_deviation,
             sharpness=surface.summit_deviation / surface.summit_radius,
             hardness_ratio=parameters.softer_hardness / parameters.elastic_modulus_surfaces,
             yield_ratio=parameters.yield_pressure_ratio,
@@ -102,7 +114,7 @@ class SummitPopulation:
         """The populations of the points selected by an index or mask ``chosen``."""
         return replace(
             self,
-            summit_parameter=self.summit_parameter[chosen],
+            scaled_density=self.scaled_density[chosen],
             sharpness=self.sharpness[chosen],
         )
 
@@ -137,20 +149,20 @@ class SummitPopulation:
         start = np.maximum(-below - DEEPEST, 0.0)
         end = WIDEST**2 / (above + np.hypot(above, WIDEST)) - below
         changes = w_1[..., None] * [0.0, 1.0, self.plastic_ratio, np.inf]
-        # with w = root^2, half powers of w are smooth
+        # with the square root of w as the variable, half powers of w are smooth
         edges = np.sqrt(np.minimum(np.maximum(changes, start[..., None]), end[..., None]))
         width = (edges[..., 1:] - edges[..., :-1])[..., None]
-        root = edges[..., :-1, None] + width * NODES
-        w = root * root
+        sqrt_w = edges[..., :-1, None] + width * NODES
+        w = sqrt_w * sqrt_w
         v = w + below[..., None, None]
         weight = np.exp(-v * (above[..., None, None] + 0.5 * v))
-        area = weight * w * root * (2.0 * width * WEIGHTS)
+        area = weight * w * sqrt_w * (2.0 * width * WEIGHTS)  # dw = 2 sqrt(w) d(sqrt(w))
         ratio = w[..., ELASTOPLASTIC, :] / w_1[..., None]
         area[..., ELASTOPLASTIC, :] *= area_growth(ratio, self.plastic_ratio)
         area[..., PLASTIC, :] *= 2.0
         pressure = np.ones_like(w)
         elastic = self.yield_ratio / np.sqrt(w_1)[..., None]
-        pressure[..., ELASTIC, :] = elastic * root[..., ELASTIC, :]
+        pressure[..., ELASTIC, :] = elastic * sqrt_w[..., ELASTIC, :]
         yielding = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
         pressure[..., ELASTOPLASTIC, :] = yielding
         return _Nodes(above=above, v=v, area=area, pressure=pressure)
@@ -165,19 +177,5 @@ class SummitPopulation:
         mean = moments.sum(-1) / total
         moments *= v
         square = moments.sum(-1) / total
-        value = np.log(total * (unit * np.sqrt(0.5 * np.pi))) + np.log(self.summit_parameter)
+        value = np.log(total * (unit * np.sqrt(0.5 * np.pi))) + np.log(self.scaled_density)
         return value - 0.5 * above**2, -(above + mean), square - mean**2 - 1.0
-
-
-def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
-    """``count`` Gauss-Legendre nodes and weights [1] on the interval from 0 to 1, each 1-D."""
-    nodes, weights = np.polynomial.legendre.leggauss(count)
-    return 0.5 * (nodes + 1.0), 0.5 * weights
-
-
-# Errors of ln F_ss and ln A_ss are below 4e-14 for any material.
-NODES, WEIGHTS = gauss_legendre(48)
-# Beyond this v the height density is below exp(-37) of its maximum: negligible in float64.
-WIDEST = np.sqrt(2.0 * 37.0)
-# Summits so far below the mean height are a fraction of 6e-16; a wider range has too few nodes.
-DEEPEST = 8.0

@@ -19,15 +19,17 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, log_bare_fraction
 
 FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
-NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* whose area is zero too
+NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* below which the area underflows too
+# rounding of ln F_ss*, in EPSILON: a constant, one per size of the logarithm, and one per change with d
+ROUNDINGS, ROUNDINGS_PER_SIZE, ROUNDINGS_OF_D = 24.0, 4.0, 2.0
 
 
 class ErrorTerms(NamedTuple):
     """How far loads and areas at a separation d may be wrong: arrays of its shape.
 
-    |d ln v/dd| [m-1] is at most ``steepest`` for each contribution v to loads and areas that is not
-    zero in float64.  Rounding and errors of tables, but not those of d, change each such v by at most
-    ``rounding`` [1], relative, and ln of the sum of loads by at most ``noise`` [1].
+    v is a contribution to loads and areas that is not zero in float64.  ``steepest`` is the largest
+    |d ln v/dd| [m-1].  ``rounding`` [1] is the largest relative error of a v from rounding and tables,
+    ``noise`` [1] that of the sum of loads.  Errors of d are not included.
     """
 
     steepest: NDArray
@@ -96,10 +98,12 @@ class Contact:
         return replace(self, summits=self.summits.take(chosen), particles=particles)
 
     def at(self, separation: NDArray, with_areas: bool = False) -> SolidState:
-        """Loads of summits and particles (Eqs. 2 and 4), and their areas (Eq. 5) if requested."""
+        """Loads of summits and particles (Eqs. 2 and 4), the area of the particles, and if requested that of
+        the summits (Eq. 5)."""
         log_load, log_area = self._summits_alone(separation, with_areas)
         rounding_of_d = np.abs(log_load.slope) * (separation + self.summits.offset)
-        rounding = EPSILON * (24.0 + 4.0 * np.abs(log_load.value) + 2.0 * rounding_of_d)
+        size = ROUNDINGS_PER_SIZE * np.abs(log_load.value)
+        rounding = EPSILON * (ROUNDINGS + size + ROUNDINGS_OF_D * rounding_of_d)
         if self.particles is None:
             return _without_particles(log_load, log_area, rounding)
         return self._with_particles(separation, log_load, log_area, rounding)

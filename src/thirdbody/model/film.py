@@ -64,7 +64,7 @@ def film_load(
     """
     wet = has_film(viscosity)
     film = Film.of(np.where(wet, viscosity, 1.0), roughness, parameters)
-    log_parameter, slope = film.load_parameter_and_slope(separation / parameters.ball_radius)
+    log_parameter, slope = film.log_W_and_slope(separation / parameters.ball_radius)
     load = np.exp(log_parameter - log_load_parameter(0.0, parameters))
     return np.where(wet, load, 0.0), np.where(wet, slope / separation, 0.0)
 
@@ -77,7 +77,7 @@ class Film:
     are s and r, of the shape of the points.  Rounding grows with ``smooth_size``, the sum of the
     absolute logarithms in s, and ``rough_size``, the sum of those that r adds.  ``exponents`` are a
     and b.  ``turning_ratio`` is the second term over the first where H_c is least over the speed U.
-    ``greatest`` is ln W at which the mean film pressure reaches the softer hardness, as Eq. 7
+    ``greatest_log_W`` is ln W at which the mean film pressure reaches the softer hardness, as Eq. 7
     assumes elastic bodies.  All are dimensionless.
     """
 
@@ -87,7 +87,7 @@ class Film:
     rough_size: NDArray
     exponents: tuple[float, float]
     turning_ratio: float
-    greatest: float
+    greatest_log_W: float
 
     @classmethod
     def of(cls, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters) -> Film:
@@ -100,7 +100,7 @@ class Film:
         >>> thickness, slope = film.thickness(np.log(1e-6))
         >>> f"{thickness[0]:.3e}"
         '1.783e-04'
-        >>> film.load_parameter_and_slope(thickness)[0]
+        >>> film.log_W_and_slope(thickness)[0]
         array([-13.81551056])
         """
         kappa = parameters.ellipticity
@@ -116,7 +116,7 @@ class Film:
         rough = rough - 0.884 * ln_U - 0.977 * ln_G
         size_U = abs(ln_speed) + np.abs(ln_viscosity)
         rough_size = 0.884 * size_U + 1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V)
-        hardest = parameters.softer_hardness / parameters.elastic_modulus_surfaces  # F_f*
+        softer = parameters.softer_hardness / parameters.elastic_modulus_surfaces  # F_f*
         return cls(
             smooth=smooth,
             rough=smooth + rough,
@@ -124,7 +124,7 @@ class Film:
             rough_size=rough_size + 0.977 * abs(ln_G),
             exponents=(of_W, of_W - 0.133),
             turning_ratio=of_U / (0.884 - of_U),
-            greatest=log_load_parameter(math.log(hardest), parameters),
+            greatest_log_W=log_load_parameter(math.log(softer), parameters),
         )
 
     def take(self, chosen) -> Film:
@@ -137,22 +137,22 @@ class Film:
             rough_size=self.rough_size[chosen],
         )
 
-    def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
+    def thickness(self, log_W: ArrayLike) -> tuple[NDArray, NDArray]:
         """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an array over the points."""
         a, b = self.exponents
-        smooth = np.exp(self.smooth + a * log_load_parameter)
-        rough = np.exp(self.rough + b * log_load_parameter)
+        smooth = np.exp(self.smooth + a * log_W)
+        rough = np.exp(self.rough + b * log_W)
         return smooth + rough, a * smooth + b * rough  # Eq. 7
 
-    def rounding(self, log_load_parameter: ArrayLike, slope: ArrayLike) -> NDArray:
+    def rounding(self, log_W: ArrayLike, slope: ArrayLike) -> NDArray:
         """Relative rounding error [1] of H_c, an exponential of logarithms, at ln W [1], where
         ``slope`` is d ln H_c/d ln W [1]."""
         a, b = self.exponents
-        rough = (slope - a) / (b - a)  # fraction of the second term
-        size = self.smooth_size + rough * self.rough_size + np.abs(slope * log_load_parameter)
+        rough_share = (slope - a) / (b - a)  # of the second term
+        size = self.smooth_size + rough_share * self.rough_size + np.abs(slope * log_W)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
-    def load_parameter_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
+    def log_W_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
         """ln W [1] at which the film has a positive ``thickness`` H_c [1], the inverse of Eq. 7,
         and d ln W/d ln H_c [1].
 
@@ -172,7 +172,7 @@ class Film:
             value[~inside], slope[~inside] = _inverse(x[~inside], *self.exponents)[:2]
         return value + log_parameter, slope
 
-    def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
+    def is_meaningful(self, log_W: ArrayLike) -> NDArray:
         """Whether H_c increases with viscosity at ln W [1], and surfaces can carry the film.
 
         By Eq. 7 the film grows without bound as U goes to zero; it is not valid where dH_c/dU < 0.
@@ -180,7 +180,7 @@ class Film:
         """
         a, b = self.exponents
         turning = (np.log(self.turning_ratio) + self.smooth - self.rough) / (b - a)
-        return (log_load_parameter > turning) & (log_load_parameter <= self.greatest)
+        return (log_W > turning) & (log_W <= self.greatest_log_W)
 
 
 def _inverse(x, a, b):
@@ -189,9 +189,9 @@ def _inverse(x, a, b):
     y = np.maximum(x / a, x / b)
     for _ in range(INVERSE_STEPS):
         y = y - (np.logaddexp(a * y, b * y) - x) / (b + (a - b) * scipy.special.expit((a - b) * y))
-    rough = scipy.special.expit((b - a) * y)  # the fraction of the second term
-    slope = 1.0 / (a + (b - a) * rough)
-    return y, slope, -rough * (1.0 - rough) * (b - a) ** 2 * slope**3
+    rough_share = scipy.special.expit((b - a) * y)  # of the second term
+    slope = 1.0 / (a + (b - a) * rough_share)
+    return y, slope, -rough_share * (1.0 - rough_share) * (b - a) ** 2 * slope**3
 
 
 @lru_cache(maxsize=64)

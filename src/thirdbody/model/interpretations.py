@@ -34,8 +34,8 @@ class SizeDistribution:
 
 @dataclass(frozen=True)
 class ParticlePlane:
-    """Plane from which the separation at the particles is measured: the summit plane, d = h - y_s,
-    as the paper has one d in both integrals; or the mean plane, h = R_x H_c."""
+    """Plane from which the separation at the particles is measured: that of the summits,
+    d - y_s, as the paper has one separation in both integrals; or that of the mean planes, d = R_x H_c."""
 
     is_summit_plane: bool
 
@@ -73,9 +73,18 @@ class FilmLoad:
 # --- all of them ---
 
 INTERPRETATIONS = {
-    "size_distribution": {"uncentred": SizeDistribution(False), "centred": SizeDistribution(True)},
-    "particle_plane": {"surface": ParticlePlane(False), "summit": ParticlePlane(True)},
-    "film_load": {"fluid": FilmLoad(True), "total": FilmLoad(False)},
+    "size_distribution": {
+        "uncentred": SizeDistribution(is_centred=False),
+        "centred": SizeDistribution(is_centred=True),
+    },
+    "particle_plane": {
+        "surface": ParticlePlane(is_summit_plane=False),
+        "summit": ParticlePlane(is_summit_plane=True),
+    },
+    "film_load": {
+        "fluid": FilmLoad(depends_on_shares=True),
+        "total": FilmLoad(depends_on_shares=False),
+    },
 }
 
 

@@ -80,7 +80,7 @@ class ParticleLayer:
         moment = _moment(*parameters.sizes(1.0), parameters.truncation)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         factor = np.pi * parameters.participation / hardness * density * (mean**2 + spread**2)
-        every = factor * moment.of_all  # I(X_min, X_max)
+        every = factor * moment.of_all  # coverage by all sizes, over the hardness
         summit_offset = parameters.surface(roughness).summit_offset
         return cls(
             mean=mean + parameters.interpretation.particle_plane.height(summit_offset),
@@ -105,7 +105,8 @@ class ParticleLayer:
 
     @property
     def reach(self) -> NDArray:
-        """Separation [m] beyond which no particle touches: X_max + h_e, as printed."""
+        """Separation [m] beyond which no particle touches: X_max + h_e, plus y_s if particles meet the
+        separation of the summit planes."""
         return self.mean + (self.parameters.truncation + self.depth) * self.spread
 
     @property
@@ -120,14 +121,14 @@ class ParticleLayer:
         """
         alpha, elastic = (separation - self.mean) / self.spread, self.parameters.elastic_factor
 
-        def bracket(above, touching):
-            return (1.0 - elastic) * above + elastic * touching  # of Eq. 5
+        def weighted(above, touching):
+            return (1.0 - elastic) * above + elastic * touching  # the bracket of Eq. 5
 
         moments, slopes = self.moment(np.array([alpha, alpha - self.depth]))  # above d and d - h_e
         area_factor = self.factor * self.parameters.hardness_surface_2
         area = WithSlope(
-            value=area_factor * bracket(*moments),
-            slope=area_factor / self.spread * bracket(*slopes),
+            value=area_factor * weighted(*moments),
+            slope=area_factor / self.spread * weighted(*slopes),
         )
         covering_factor = self.factor * self.parameters.hardness_surface_1
         coverage = WithSlope(

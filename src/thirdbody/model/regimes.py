@@ -10,7 +10,7 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
-# in the order of their codes in data files
+# in the order of their codes in data files; ``MILDEST_FIRST`` has them by gravity
 SOLUTION_STATUSES = (
     "converged",
     "outside_film_formula",

@@ -1,6 +1,6 @@
 """The force balance, solved for any number of points.
 
-Imports ``thirdbody.model`` and ``thirdbody.arguments``.  Start with ``solve``, the public
+Imports ``thirdbody.model``, ``thirdbody.arguments`` and small modules beside it.  Start with ``solve``, the public
 function.  A number goes this way:
 
 1. ``solve.solve_arrays`` solves points of one kind together.

@@ -18,15 +18,19 @@ from thirdbody.model.floats import EPSILON
 from thirdbody.solver.brackets import Brackets
 from thirdbody.solver.points import Forces, Points
 
-STEP_LEFT = 1.0  # of the tolerance: error expected, with a large margin, after the next Newton step
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 GROWTH = 4.0  # growth of an interval whose signs rounding hides
+SETTLED = 2.0  # of the noise: an excess below it cannot be halved for certain
+WIDTH, NOISE_WIDTH = (
+    0.125,
+    1.2,
+)  # half widths of the interval, in what the tolerance and the noise allow
 
 
 class Balance(NamedTuple):
-    """Solved ``points``, their ``places`` among all, and the ``forces`` at two separations around the
-    root of each, of shape (2, points).  ``certain`` is whether their sum changes its sign despite
-    rounding."""
+    """Solved ``points``, their ``places`` among those given to ``enclose``, and the ``forces`` at two
+    separations around the root of each, of shape (2, points).  ``certain`` is whether their sum changes
+    its sign despite rounding, or no change is needed."""
 
     points: Points
     places: NDArray
@@ -64,12 +68,12 @@ def _fixed(points, brackets, places):
     return Balance(
         points=chosen,
         places=places,
-        forces=_held_by_film(forces),
+        forces=_rest_to_film(forces),
         certain=np.ones(places.shape, bool),
     )
 
 
-def _held_by_film(forces):
+def _rest_to_film(forces):
     """The forces where a film of known thickness carries the load that the solids leave."""
     log_solid = forces.log_solid.value
     fluid = -np.expm1(np.minimum(log_solid, 0.0))
@@ -93,9 +97,9 @@ class Interval(NamedTuple):
 class Search:
     """Newton's method at many points; those that are solved leave.
 
-    ``places`` are the indices of the points among all.  The root is between ``low`` and ``high``
-    [m], and forces are next evaluated at ``separation``.  ``last`` is the size of the excess before
-    the last step, infinite unless it was one of Newton's, and ``widening`` multiplies the width of
+    ``places`` are the indices of the points among those given to ``enclose``.  The root is between ``low`` and ``high``
+    [m], and forces are next evaluated at ``separation``.  ``previous`` is the size of the excess
+    before the last step, infinite unless it was one of Newton's, and ``widening`` multiplies the width of
     the interval whose signs are checked.
     """
 
@@ -104,7 +108,7 @@ class Search:
     separation: NDArray
     low: NDArray
     high: NDArray
-    last: NDArray
+    previous: NDArray
     widening: NDArray
 
     @classmethod
@@ -116,7 +120,7 @@ class Search:
             separation=brackets.guess[places],
             low=brackets.low[places],
             high=brackets.high[places],
-            last=np.full(places.shape, np.inf),
+            previous=np.full(places.shape, np.inf),
             widening=np.ones(places.shape),
         )
 
@@ -136,17 +140,20 @@ class Search:
         noise, steepest = forces.errors.noise, forces.errors.steepest
         self.low = np.where(excess > noise, self.separation, self.low)
         self.high = np.where(excess < -noise, self.separation, self.high)
-        size, settled = np.abs(excess), np.abs(excess) <= 2.0 * noise
+        size, settled = np.abs(excess), np.abs(excess) <= SETTLED * noise
         new = self.separation - excess / slope
-        is_newton = (new >= self.low) & (new <= self.high) & (settled | (size <= 0.5 * self.last))
-        # of the contribution that changes fastest, over the sum of forces
+        is_newton = (
+            (new >= self.low) & (new <= self.high) & (settled | (size <= 0.5 * self.previous))
+        )
+        # the slope of the contribution that changes fastest, over that of the sum of forces
         ratio = steepest / np.abs(slope)
-        left = (size * ratio) ** 2 * (1.0 + ratio)  # error of the variables after the step
-        converges = is_newton & (settled | (left <= STEP_LEFT * tolerance))
+        # error of the variables after the step: the step squared, and it grows with the ratio
+        left = (size * ratio) ** 2 * (1.0 + ratio)
+        converges = is_newton & (settled | (left <= tolerance))
         is_final = (self.high - self.low <= NARROW * self.separation) | is_last
         self.separation = np.where(is_newton, new, 0.5 * (self.low + self.high))
-        self.last = np.where(is_newton, size, np.inf)
-        width = np.maximum(tolerance / (8.0 * steepest), 1.2 * noise / np.abs(slope))
+        self.previous = np.where(is_newton, size, np.inf)
+        width = np.maximum(WIDTH * tolerance / steepest, NOISE_WIDTH * noise / np.abs(slope))
         width = self.widening * np.maximum(width, NARROW * self.separation)
         return self._interval(np.flatnonzero(converges | is_final), width, is_final)
 

@@ -61,7 +61,7 @@ def bracket(points: Points) -> Brackets:
 def _film_alone(points):
     """Where the film carries all of F_t."""
     if points.film is None:
-        nothing = np.zeros(points.log_load.shape)
+        nothing = np.zeros(points.log_total.shape)
         return FilmAlone(separation=nothing, low=nothing, high=nothing)
     separation, rounding = points.film_separation()
     return FilmAlone(
@@ -75,13 +75,13 @@ def first_separation(points: Points) -> NDArray:
     """Approximate separation d [m] at which the solids alone carry the load.
 
     It is the larger of the separations for summits alone and for particles alone, at which the
-    solids carry one to three times the load.
+    solids carry one to three times the load; less where it is 0.
     """
     surfaces, particles = points.contact.summits, points.contact.particles
-    t = surfaces.first_separation(points.log_load + SUMMIT_EXCESS)
+    t = surfaces.first_separation(points.log_total + SUMMIT_EXCESS)
     guess = surfaces.offset + surfaces.deviation * t
     if particles is not None:
-        log_area = points.log_load + PARTICLE_EXCESS - np.log(points.parameters.particle_pressure)
+        log_area = points.log_total + PARTICLE_EXCESS - np.log(points.parameters.particle_pressure)
         guess = np.maximum(guess, separation_carrying(log_area, particles))
     return np.maximum(guess, 0.0)
 

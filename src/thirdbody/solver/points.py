@@ -48,9 +48,10 @@ def make_contact(
 class Forces(NamedTuple):
     """Forces of solids and film at separations d [m]: arrays of the shape of d.
 
-    ``excess`` is ln((F_s + F_f)/F_t) [1], which is 0 where the forces balance.  ``log_solid`` and
-    ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1].  The noise in ``errors`` is that of the excess,
-    ``solid_noise`` [1] that of ``log_solid``.  ``solids`` has the areas.
+    ``log_solid`` and ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1].  ``excess`` is
+    ln((F_s + F_f)/F_t) [1], which is 0 where the forces balance; without F_f unless the film shares the
+    load.  The noise in ``errors`` is that of the excess, ``solid_noise`` [1] that of ``log_solid``.
+    ``solids`` has the areas.
     """
 
     separation: NDArray
@@ -75,27 +76,27 @@ def _taken(record, chosen):
 
 @dataclass(frozen=True)
 class Points:
-    """Points to solve: all with or all without particles, and a film.
+    """Points to solve: all with or all without particles, and likewise a film.
 
-    ``film`` is None for dry contact; ``log_load`` is ln F_t* [1], 1-D.
+    ``film`` is None for dry contact; ``log_total`` is ln F_t* [1], 1-D.
     """
 
     contact: Contact
     film: Film | None
-    log_load: NDArray
+    log_total: NDArray
 
     @classmethod
     def of(
         cls, conditions: Mapping[str, NDArray], parameters: Parameters, table_rtol: float | None
     ) -> Points:
-        """The points at five ``conditions`` by name, 1-D and SI, of which the first shows whether all
-        have particles, and a film; ``table_rtol`` is as in ``make_contact``."""
+        """The points at five ``conditions`` by name, 1-D and SI.  All have particles, and a film, if the
+        first point has; ``table_rtol`` is as in ``make_contact``."""
         solids = {name: conditions[name] for name in SOLIDS}
         contact = make_contact(**solids, parameters=parameters, table_rtol=table_rtol)
         film, viscosity = None, conditions["viscosity"]
         if has_film(viscosity[0]):
             film = Film.of(viscosity, conditions["roughness"], parameters)
-        return cls(contact=contact, film=film, log_load=np.log(conditions["load"]))
+        return cls(contact=contact, film=film, log_total=np.log(conditions["load"]))
 
     @property
     def parameters(self) -> Parameters:
@@ -113,15 +114,15 @@ class Points:
             self,
             contact=self.contact.take(chosen),
             film=self.film and self.film.take(chosen),
-            log_load=self.log_load[chosen],
+            log_total=self.log_total[chosen],
         )
 
     def forces(self, separation: NDArray, with_areas: bool = False) -> Forces:
         """Eq. 1 at ``separation`` d [m]: F_s (Eqs. 2 and 4) and, where films share the load, F_f of a
         film of thickness d (Eqs. 7 and 8)."""
         solids, table_error = self.contact.at(separation, with_areas), self.contact.summits.error
-        log_solid = solids.log_load._replace(value=solids.log_load.value - self.log_load)
-        rounding_of_load = 2.0 * EPSILON * np.abs(self.log_load)
+        log_solid = solids.log_load._replace(value=solids.log_load.value - self.log_total)
+        rounding_of_load = 2.0 * EPSILON * np.abs(self.log_total)
         errors = ErrorTerms(
             steepest=np.maximum(solids.errors.steepest, 1.0 / separation),
             rounding=solids.errors.rounding + table_error,
@@ -152,14 +153,14 @@ class Points:
     def log_film_load(self, separation: NDArray) -> tuple[WithSlope, NDArray]:
         """ln(F_f/F_t) [1] of films as thick as ``separation`` d [m], and its noise [1]."""
         thickness = separation / self.parameters.ball_radius
-        log_parameter, slope = self.film.load_parameter_and_slope(thickness)
+        log_parameter, slope = self.film.log_W_and_slope(thickness)
         noise = self.film.rounding(log_parameter, 1.0 / slope) * np.abs(slope)
-        log_load = log_parameter - log_load_parameter(self.log_load, self.parameters)
-        return WithSlope(value=log_load, slope=slope / separation), noise + INVERSE_ERROR
+        log_fluid = log_parameter - log_load_parameter(self.log_total, self.parameters)
+        return WithSlope(value=log_fluid, slope=slope / separation), noise + INVERSE_ERROR
 
     def film_separation(self) -> tuple[NDArray, NDArray]:
         """d = R_x H_c [m] of films that carry all of F_t (Eqs. 7 and 8), and its relative rounding."""
-        log_parameter = log_load_parameter(self.log_load, self.parameters)
+        log_parameter = log_load_parameter(self.log_total, self.parameters)
         thickness, slope = self.film.thickness(log_parameter)
         rounding = self.film.rounding(log_parameter, slope / thickness)
         return self.parameters.ball_radius * thickness, rounding

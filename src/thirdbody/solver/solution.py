@@ -33,15 +33,15 @@ if TYPE_CHECKING:
 class Solution(Tabular):
     """Solved points: what ``solve`` returns.
 
-    Every attribute is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
-    one of them is), or None if it was not requested.  Points without solution hold nan, or -1 for a
-    flag.  The printed form lists the variables, with regimes, modes and statuses by name;
+    Every variable is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
+    one of them is), or None if it was not requested.  Points without solution hold nan, or -1 for
+    regime and mode.  The printed form lists the variables, with regimes, modes and statuses by name;
     ``to_dataset`` and ``to_dataframe`` return all of them with labels.
 
     Attributes
     ----------
     total_contact_area : array
-        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eq. 5).
+        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eq. 3).
     particle_contact_area_ratio, surface_contact_area_ratio : array
         A_sa,t* and A_ss,t* [1] (Eq. 10).
     solid_load_fraction, fluid_load_fraction : array
@@ -49,7 +49,7 @@ class Solution(Tabular):
     separation : array
         Mean separation d [m].
     film_thickness : array
-        H_c = d/R_x [1] (Eq. 7).
+        H_c = d/R_x [1] (Eq. 7); in dry contact the separation alone.
     lubrication_regime, contact_mode, solution_status : array of int8
         Indices into the tuples of ``thirdbody.model.regimes``.
     error_bound : array
@@ -201,7 +201,7 @@ def type_of(variable: str) -> type:
 def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
     """Variables of ``Solution`` by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
     points, ends = balance.points, balance.forces
-    solid, fluid = fractions(ends.log_solid.value - ends.log_fluid)  # Eq. 9
+    solid, fluid = fractions(ends.log_solid.value - ends.log_fluid)  # Eq. 9, F_t = F_s + F_f
     both = quantities(
         separation=ends.separation,
         solid_load_fraction=solid,
@@ -223,7 +223,7 @@ def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
         "load_exceeded": unsolved,
     }
     with_particles = particles is not None
-    add_flags(found, points.film, points.log_load, points.parameters, with_particles, **statuses)
+    add_flags(found, points.film, points.log_total, points.parameters, with_particles, **statuses)
     _remove_values(found, unsolved | covered)
     return found
 

@@ -72,12 +72,12 @@ def solve(
     particle_density, particle_density_per_m2 : array_like
         Number eta_a of particles per area [m-2]; 0 for two-body contact.
     parameters : Parameters, optional
-        Materials, geometry and interpretations of the model, by default the published ones.
+        Materials, geometry and interpretations of the model, by default the calibrated ones.
     rtol : float
         Requested relative error of every variable, from 1e-11 to 1e-2.  A larger one saves little time
         here, much in ``grid``.
     variables : str or collection of str, optional
-        Names of the fields of ``Solution`` to compute; the others are None.
+        Names of the fields of ``Solution`` to keep; the others are None.
     progress : bool, optional
         Whether a long call reports progress on standard error: a bar on a terminal, after two
         seconds, otherwise a line every half minute.
@@ -161,37 +161,19 @@ def solve_arrays(
     result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
     # points that cannot be computed get a status
     with np.errstate(all="ignore"), Progress(roughness.size, "points", progress) as bar:
-        kinds = _kinds(columns)
         by_table = _worth_a_table(roughness, rtol)
         left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
-            for piece in _pieces(chosen, kinds, roughness, attempt.chunk):
-                some = {name: column[piece] for name, column in columns.items()}
-                points = Points.of(some, parameters, attempt.table_rtol)
-                brackets = bracket(points)
-                for balance in enclose(points, brackets, attempt.tolerance, attempt.iterations):
-                    places, found = piece[balance.places], describe(balance, rtol)
-                    for name, values in result.items():
-                        values[places] = found[name]
-                    failed = found["solution_status"] == NOT_CONVERGED
-                    left[places] = failed & attempt.uses_tables
-                    bar.add(np.count_nonzero(~left[places]))
+            for places, balance in _balances(columns, chosen, parameters, attempt):
+                found = describe(balance, rtol)
+                for name, values in result.items():
+                    values[places] = found[name]
+                failed = found["solution_status"] == NOT_CONVERGED
+                left[places] = failed & attempt.uses_tables
+                bar.add(np.count_nonzero(~left[places]))
     solved = {name: values.reshape(shape) for name, values in result.items()}
     return Solution(**solved, conditions=dict(arrays), newtons_per_load=parameters.newtons_per_load)
-
-
-class Kind(IntFlag):
-    """What points have that are solved together."""
-
-    PARTICLES = 1
-    FILM = 2
-
-
-def _kinds(columns):
-    """The kind of each point."""
-    three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
-    return Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
 
 
 class Attempt(NamedTuple):
@@ -227,9 +209,27 @@ def _worth_a_table(roughness, rtol):
     return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
-def _pieces(chosen, kinds, roughness, chunk):
-    """Yield indices of ``chosen`` points of one kind, by roughness, at most ``chunk`` at a time."""
+def _balances(columns, chosen, parameters, attempt):
+    """Solve the ``chosen`` points: yields the places of some among all, and their balance."""
+    for batch in _batches(columns, chosen, attempt.chunk):
+        conditions = {name: column[batch] for name, column in columns.items()}
+        points = Points.of(conditions, parameters, attempt.table_rtol)
+        for balance in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
+            yield batch[balance.places], balance
+
+
+class Kind(IntFlag):
+    """What points have that are solved together."""
+
+    PARTICLES = 1
+    FILM = 2
+
+
+def _batches(columns, chosen, most):
+    """Yield indices of ``chosen`` points of one kind, by roughness, at ``most`` so many at a time."""
+    three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
+    kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
         places = np.flatnonzero(chosen & (kinds == kind))
-        places = places[np.argsort(roughness[places], kind="stable")]
-        yield from (places[start : start + chunk] for start in range(0, places.size, chunk))
+        places = places[np.argsort(columns["roughness"][places], kind="stable")]
+        yield from (places[start : start + most] for start in range(0, places.size, most))

@@ -17,6 +17,7 @@ TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
 # so that few points magnify it beyond rtol; the largest number reaches the rounding error.
 PIECES_AT_ONE, FEWEST_PIECES, MOST_PIECES = 11.0, 45, 720
 GUESSES = 1601  # steps of half a unit of ln F_ss*
+LOAD, AREA = range(2)  # places in tables and in what the population returns
 QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 
@@ -82,16 +83,16 @@ class RoughSurfaces:
 
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
-        return self.here.log_load(t) if self.table is None else self._read(t, 0)
+        return self.here.log_load(t) if self.table is None else self._read(t, LOAD)
 
     def log_load_and_area(self, t: NDArray) -> tuple:
         """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt, at summit separations ``t`` [1]."""
         if self.table is None:
             return tuple(self.here.log_load_and_area(t)[:, :2])
-        return self._read(t, 0), self._read(t, 1)
+        return self._read(t, LOAD), self._read(t, AREA)
 
     def _read(self, t, function):
-        """ln F_ss* (``function`` 0) or ln A_ss* (1) and its slope from the table."""
+        """ln F_ss* (``function`` LOAD) or ln A_ss* (AREA) and its slope, from the table."""
         inside = self.table.covers(t)
         value, slope = self.table(np.where(inside, t, 0.0), 2 * self.which + function)
         if not inside.all():
@@ -100,10 +101,10 @@ class RoughSurfaces:
             value[~inside], slope[~inside] = outside[function, :2]
         return value, slope
 
-    def first_separation(self, log_load: NDArray) -> NDArray:
-        """Approximate t [1] at which the summits carry ``log_load`` ln F_t*."""
+    def first_separation(self, log_total: NDArray) -> NDArray:
+        """Approximate t [1] at which the summits carry ``log_total`` ln F_t*."""
         summits = self.here
-        wanted = log_load - np.log(summits.hardness_ratio * summits.summit_parameter)
+        wanted = log_total - np.log(summits.hardness_ratio * summits.scaled_density)
         plastic = _plastic_summits()
         found = plastic(wanted)
         for _ in range(2):  # correct by a typical summit, which is not fully plastic
@@ -134,7 +135,7 @@ def _plastic_summits():
     """t over ln F_ss* of fully plastic summits of unit hardness and density."""
     t = np.linspace(*TABLE_RANGE, 181)[::-1]
     summits = SummitPopulation(
-        summit_parameter=1.0,
+        scaled_density=1.0,
         sharpness=1e300,
         hardness_ratio=1.0,
         yield_ratio=1.0,

@@ -267,7 +267,7 @@ class _Surface:
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], accurate enough to start Newton's method."""
         places = np.geomspace(max(low, 0.5 * self.film_separation.min()), high, FILM_SAMPLES)
-        log_film, _ = self.film.load_parameter_and_slope(places / self.parameters.ball_radius)
+        log_film, _ = self.film.log_W_and_slope(places / self.parameters.ball_radius)
         log_film -= log_load_parameter(0.0, self.parameters)
         return scipy.interpolate.make_interp_spline(places, log_film, k=1, axis=-1)
 
