@@ -260,7 +260,10 @@ function marksOf(spec, { x: toX, y: toY }) {
   const lines = spec.lines.map((curve) => {
     return `<path ${classOf(kindOf(curve), curve)} data-label="${escaped(curve.label)}" d="${path(curve.points) ?? ""}" ${strokeOf(curve)}/>`;
   });
-  const bar = (mark) => `<path ${classOf("tolerance", mark)} d="M${mark.ends.map(([x, y]) => `${inX(x)},${inY(y)}`).join("L")}" stroke="${mark.color}"/>`;
+  const bar = (mark) => {
+    const ends = mark.ends.map(([x, y]) => `${inX(x)},${inY(y)}`);
+    return `<path ${classOf("tolerance", mark)} d="M${ends.join("L")}" stroke="${mark.color}"/>`;
+  };
   const printed = spec.printed.map((mark) => {
     const diamond = shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] });
     return `<g>${bar(mark)}${diamond}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
