@@ -3,6 +3,7 @@
 import math
 from dataclasses import asdict, dataclass
 from functools import cached_property
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -110,12 +111,16 @@ class Parameters:
     film_load: str  # the load in W of Eq. 8
 
     def __post_init__(self):
-        words = {name: getattr(self, name) for name in INTERPRETATIONS}
-        object.__setattr__(self, "interpretation", chosen_interpretations(words))
+        _ = self.interpretation  # refuses unknown words
         for name, bounds in BOUNDS.items():
             if not bounds.hold(getattr(self, name)):
                 value = format_value(getattr(self, name))
                 raise ValueError(f"{name} is {value}; allowed: {bounds} (SI)")
+
+    @cached_property
+    def interpretation(self) -> SimpleNamespace:
+        """The objects of ``thirdbody.model.interpretations`` that the words select, by field."""
+        return chosen_interpretations({name: getattr(self, name) for name in INTERPRETATIONS})
 
     @cached_property
     def elastic_factor(self) -> float:

@@ -9,7 +9,9 @@ PARTICLE_LIMIT = 0.95  # of A_sa,t*
 SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
+BOUNDARY, MIXED, FULL_FILM = range(3)
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
+TWO_BODY, SURFACE_SURFACE, HYBRID, PARTICLE_SURFACE = range(4)
 # in the order of their codes in data files; ``MILDEST_FIRST`` has them by gravity
 SOLUTION_STATUSES = (
     "converged",
@@ -48,7 +50,8 @@ def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
     ['boundary', 'mixed', 'full_film']
     """
     fraction = np.asarray(solid_load_fraction)
-    return _between(fraction < FULL_FILM_LIMIT, fraction > BOUNDARY_LIMIT, 1)
+    thick, thin = fraction < FULL_FILM_LIMIT, fraction > BOUNDARY_LIMIT
+    return np.where(thick, FULL_FILM, np.where(thin, BOUNDARY, MIXED)).astype(np.int8)
 
 
 def contact_mode(
@@ -67,7 +70,9 @@ def contact_mode(
     ['two_body', 'surface_surface', 'hybrid', 'particle_surface']
     """
     ratio = np.asarray(particle_contact_area_ratio)
-    return has_particles * _between(ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT, 2)
+    alone, beside = ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT
+    mode = np.where(alone, PARTICLE_SURFACE, np.where(beside, SURFACE_SURFACE, HYBRID))
+    return np.where(has_particles, mode, TWO_BODY).astype(np.int8)
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
@@ -84,8 +89,3 @@ def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
         if name in applies:
             status[applies[name]] = SOLUTION_STATUSES.index(name)
     return status
-
-
-def _between(above, below, index):
-    """``index`` as int8, plus 1 where ``above`` and minus 1 where ``below``."""
-    return np.int8(index) + np.subtract(above, below, dtype=np.int8)
