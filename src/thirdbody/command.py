@@ -416,10 +416,7 @@ def compare_data(
         **_conditions(given),
     )
     _write_table(csv, found)
-    if plot is not None:
-        from thirdbody.figures.drawing import save_figure
-
-        save_figure(found.plot(), plot)
+    _write_plot(plot, found)
     return found.answer, json
 
 
@@ -471,6 +468,14 @@ def _write_table(path: str | None, found: Any) -> None:
     """Write the table of a ``Curve`` or ``Comparison``, if a path is given."""
     if path is not None:
         _write(path, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
+
+
+def _write_plot(path: str | None, found: Any) -> None:
+    """Draw a ``Comparison``, if a path is given."""
+    if path is not None:
+        from thirdbody.figures.drawing import save_figure
+
+        save_figure(found.plot(), path)
 
 
 EXAMPLES = {name: each for name, each in COMMANDS.items() if name != "compare-data"}
