@@ -4,6 +4,7 @@
 """
 
 import math
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from html import escape
@@ -27,7 +28,7 @@ RESULTS = {
     "turning_point_ratio": "turning point: Aₛₐ,ₜ*",
     "window_low": "window: low end",
     "window_high": "window: high end",
-    "solid_load_fraction": "load where Lₛ = {:g}",
+    "solid_load_fraction": "load where Lₛ = {:.0%}",
     "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
 }
 MEASURES = {
@@ -40,6 +41,7 @@ CROSSINGS = {  # columns of the transitions: heading, quantity and level
     "Aₛₐ,ₜ* = 0.95 [N]": ("particle_contact_area_ratio", 0.95),
     "Aₛₐ,ₜ* = 0.05 [N]": ("particle_contact_area_ratio", 0.05),
 }
+NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
 ARROWS = {"rising": "↑ ", "falling": "↓ "}
 
 
@@ -77,7 +79,7 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
 
 def result_name(row: Mapping) -> str:
     """The result in a row of the table ``sensitivity``, with the condition that distinguishes it."""
-    name = RESULTS[row["quantity"] or row["output"]].format(row["level"])
+    name = RESULTS[row["quantity"] or row["output"]].format(row["level"]).replace("%", " %")
     varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
     axis = AXES[varied[row["output"].partition("_")[0]]]
     value = row[axis.column]
@@ -147,7 +149,7 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
                 "status": _statuses(some),
             }
         )
-    note = "Each row is a curve. Numbers of the paper are given with their tolerances."
+    note = f"Each row is a curve. Numbers of the paper are given with their tolerances. {NEWTONS}"
     return [Sheet("Turning points of the contact area", note, lines)]
 
 
@@ -177,9 +179,13 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
             texts = [arrow + load for load, arrow in found.items()]
             at = {"quantity": "load", "at_quantity": quantity, "at_level": level}
             spread = _spread(paper, 1.0 / newtons_per_load, **at)
-            line[heading] = ", ".join([*texts, f"(paper: {spread})"] if spread else texts)
+            published = f"(paper: {spread})" if spread else ""
+            line[heading] = f"{', '.join(texts)} {published}".strip()
         lines.append(line | {"status": _statuses(some)})
-    note = "Each row is a curve. ↓: the quantity decreases with the load, ↑: it increases."
+    note = (
+        "Each row is a curve. ↓: the quantity decreases with the load, ↑: it increases. Without an entry "
+        f"it does not cross the limit within the loads. {NEWTONS}"
+    )
     return [Sheet("Loads at which the regime or mode changes", note, lines)]
 
 
@@ -263,7 +269,7 @@ def _conditions(row, axes) -> dict[str, str]:
 
 
 def _in_unit(name, value) -> str:
-    return f"{AXES[name].from_si(value):.6g}".replace("e+", "e")
+    return _short(f"{AXES[name].from_si(value):.6g}")
 
 
 def _statuses(rows) -> str:
@@ -275,7 +281,13 @@ def _statuses(rows) -> str:
 def _range(row, name) -> str:
     """A range in a row, or a single value."""
     ends = row[f"{name}_low"], row[f"{name}_high"]
-    return " to ".join(f"{value:.6g}" for value in ends if value is not None)
+    digits = 6 if name == "printed" else 4
+    return " to ".join(_short(f"{value:.{digits}g}") for value in ends if value is not None)
+
+
+def _short(text) -> str:
+    """A number without the sign and the zero of an exponent."""
+    return re.sub(r"e\+?(-?)0*", r"e\1", text)
 
 
 def _response(row) -> str:
@@ -289,12 +301,14 @@ def _response(row) -> str:
 
 def _spread(printed, unit=1.0, **fields) -> str:
     """The printed numbers that have these ``fields``, with their tolerances, in ``unit``."""
-    found = [number for number in printed if fields.items() <= number.items()]
-    texts = (
-        f"{number['value'] / unit:.3g} ± {(number['high'] - number['low']) / (2.0 * unit):.2g}"
-        for number in found
-    )
-    return "; ".join(dict.fromkeys(texts))
+    texts = {}
+    for number in printed:
+        if fields.items() <= number.items():
+            value, low, high = (number[name] / unit for name in ("value", "low", "high"))
+            is_even = math.isclose(high - value, value - low, rel_tol=1e-6)
+            tolerance = f"± {high - value:.2g}" if is_even else f"({low:.3g} to {high:.3g})"
+            texts[f"{value:.3g} {tolerance}"] = None
+    return "; ".join(texts)
 
 
 def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:

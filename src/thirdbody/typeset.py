@@ -7,7 +7,7 @@ from html import escape
 GREEK = {"sigma": "σ", "eta": "η", "mu": "μ", "nu": "ν"}
 LETTER = re.compile(r"(?<![A-Za-z])(sigma|eta|mu|nu)(?![A-Za-z])")
 SYMBOL = re.compile(
-    r"(?<!\w)([A-Za-zσημνφ])_(sa,t|ss,t|TPCA|max|min|steel|[a-z]{1,2}|[a-z]?[0-9])(?![A-Za-z_])"
+    r"(?<!\w)([A-Za-zσημνφ])_(sa,t|ss,t|TPCA|max|min|steel|[a-z]?[0-9]|[a-z]{1,2})(?![A-Za-z_])"
 )
 ALONE = re.compile(r"(?<!\w)([σημνφ])(?!\w)")
 POWER = re.compile(r"\b(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b")

@@ -123,7 +123,7 @@ def test_a_page_is_the_text_and_needs_no_other_file():
     [
         ("window_low", "", "window: low end, σ = 300 nm"),
         ("turning_point_ratio", "", "turning point: Aₛₐ,ₜ*, ν = 90 cSt"),
-        ("transition_load", "solid_load_fraction", "load where Lₛ = 0.9, xₐ = 300 nm"),
+        ("transition_load", "solid_load_fraction", "load where Lₛ = 90 %, xₐ = 300 nm"),
     ],
 )
 def test_results_are_named_with_what_tells_them_apart(output, quantity, name):

@@ -65,7 +65,7 @@ with logged(snakemake.log[0]):
             for name in (Path(table).stem for table in snakemake.input.tables)
         },
         "datasets": {Path(path).name: titles[Path(path).stem] for path in snakemake.input.datasets},
-        "score": judged["score"],
+        "score": f"{judged['score']} {judged['counts']}",
         "held": judged["held"],
         "judged": judged["judged"],
         "version": snakemake.params.version,

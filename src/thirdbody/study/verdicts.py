@@ -26,6 +26,12 @@ from thirdbody.typeset import html
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
+COUNTED = {
+    "holds": "hold",
+    "fails": "fail",
+    CONTRADICTED: "are " + CONTRADICTED,
+    "not tested": "are not tested",
+}
 FAINT = 0.01  # half of PROMINENCE, for which the counts are also reported
 FAINT_EFFORT = replace(FULL_EFFORT, window=replace(FULL_EFFORT.window, prominence=FAINT))
 NO_RANGE = (np.nan, np.nan)
@@ -308,7 +314,8 @@ def claims_html(report: Report) -> str:
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
     reasons = {claim.id: claim.reason for claim in report.claims}
     template = ENVIRONMENT.get_template("claims.html.j2")
-    return template.render(score=score, groups=groups, reasons=reasons)
+    given = {"score": score, "counts": counts_sentence(report), "groups": groups}
+    return template.render(reasons=reasons, **given)
 
 
 def claims_json(report: Report) -> str:
@@ -319,6 +326,7 @@ def claims_json(report: Report) -> str:
     rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
         "score": score_sentence(report).replace("**", ""),
+        "counts": counts_sentence(report),
         "held": held,
         "judged": of,
         "predicted": predicted,
@@ -354,6 +362,13 @@ def score_sentence(report: Report) -> str:
     counts = {name: count_once(report.claims, verdicts) for name, verdicts in sets.items()}
     texts = ENVIRONMENT.get_template("claims.macros.j2").module
     return texts.score(**counts, prominence=PROMINENCE, faint_prominence=FAINT)
+
+
+def counts_sentence(report: Report) -> str:
+    """Numbers of statements by verdict, repeats included."""
+    counts = report.table["verdict"].value_counts()
+    texts = [f"{counts[verdict]} {text}" for verdict, text in COUNTED.items() if verdict in counts]
+    return f"With repeats the paper makes {counts.sum()} statements: {', '.join(texts)}."
 
 
 def _cell(value: Any) -> str:
