@@ -28,6 +28,11 @@ export PYTHONHASHSEED := 0
 D3 := 7.9.0
 VENDOR := src/thirdbody/explorer/vendor
 
+# Snakemake does not quote the interpreter of a script
+ifneq ($(words $(CURDIR)),1)
+$(error the path $(CURDIR) has a blank; allowed: a folder whose path has none)
+endif
+
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
 

@@ -10,6 +10,14 @@ TARGET = "results/extracted/table1/all.csv"  # what a run makes that is not refu
 # what Snakemake says of its own settings before it reads the workflow
 ANNOUNCED = ("Using workflow specific profile", "Config file config/")
 SECOND, CHANGES = ("--configfile", "mine.yaml"), ("--config", "changes=mine.yaml")
+PANEL = b"""schematics:
+  fig02:
+    - load_N: 1
+      viscosity_cSt: 0
+      particle_diameter_nm: 100
+      roughness_nm: 200
+      particle_density_per_m2: 1.0e+11
+"""
 # a file, what stands at its end, arguments, and what the one line must say: key or file, value, allowed
 CASES = {
     "unknown key": (CONFIG, b"colour: red\n", (), ("'colour'", "inputs, load_axis")),
@@ -18,6 +26,8 @@ CASES = {
     "no configuration": (CONFIG, None, (), (CONFIG, "allowed")),
     "second file": ("mine.yaml", b"rtol: 3\n", SECOND, ("rtol", "3", "at most 0.01")),
     "key twice in it": ("mine.yaml", b"a: 1\na: 2\n", SECOND, ("mine.yaml", "duplicate key 'a'")),
+    "no statements": ("config/claims.yaml", None, (), ("config/claims.yaml", "cannot be read")),
+    "panels": ("mine.yaml", PANEL, CHANGES, ("schematics.fig02", "at least 3")),
     "changes": ("mine.yaml", b"inputs: soft.yaml\n", CHANGES, ("'soft.yaml'", "in config/")),
     "no changes": (CONFIG, b"", CHANGES, ("mine.yaml", "a readable YAML file")),
     "word": (CONFIG, b"", ("--config", "rtol=much"), ("rtol", "'much'", "a number")),
@@ -61,3 +71,15 @@ def test_an_unknown_target_is_refused_with_those_that_there_are(sources, tmp_pat
     run = sources.copied_to(tmp_path / "thirdbody").snakemake("-n", target)
     line = f"target is {target}; allowed: accuracy, all, atlas, "
     assert run.returncode != 0 and line in run.stdout + run.stderr
+
+
+def test_a_statement_of_an_unknown_kind_is_refused_before_any_job(sources, tmp_path):
+    workspace = sources.copied_to(tmp_path / "thirdbody")
+    path = workspace.root / "config/claims.yaml"
+    path.write_text(path.read_text("utf-8").replace("kind: value", "kind: valu", 1), "utf-8")
+    before = contents(workspace.root)
+    run = workspace.snakemake("-c1", TARGET)
+    assert run.returncode != 0
+    assert "kind is 'valu'; allowed: value, reach" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert contents(workspace.root) == before

@@ -140,6 +140,15 @@ def test_files_of_the_configuration_may_be_dated_in_the_future(workspace):
     assert run.returncode == 0, run.stdout + run.stderr
 
 
+def test_products_dated_in_the_future_are_refused_in_one_line(workspace):
+    product, later = workspace.root / "results/datasets/fig05.nc", time.time() + 3 * 3600
+    os.utime(product, (later, later))
+    run = workspace.snakemake("--force", "results/figures/fig05.svg")
+    assert run.returncode != 0 and (workspace.root / "results/figures/fig05.svg").is_file()
+    assert "results/datasets/fig05.nc is dated" in run.stderr
+    os.utime(product)
+
+
 def test_a_blank_in_the_path_of_the_interpreter_is_refused_in_one_line(sources, tmp_path):
     workspace = sources.copied_to(tmp_path / "my drive")
     (workspace.root / ".venv").symlink_to(Path(sys.prefix))

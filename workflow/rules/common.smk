@@ -1,5 +1,6 @@
 # Shared by the rules: the location of project files, and the modules that a script imports.
 import ast
+import sys
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -70,7 +71,10 @@ def digest(files):
 
 @cache
 def file_sum(file):
-    return sha256(Path(file).read_bytes()).hexdigest()
+    try:
+        return sha256(Path(file).read_bytes()).hexdigest()
+    except OSError as error:
+        sys.exit(f"{file} cannot be read ({error.strerror})")
 
 
 @cache

@@ -2,6 +2,7 @@
 import json
 import logging
 import os
+import time
 from importlib.metadata import version
 
 # on a full disk, lines that do not fit into Snakemake's log are dropped
@@ -11,6 +12,14 @@ logging.raiseExceptions = False
 for folder in [RESULTS, LOGS]:
     if Path(folder).is_dir() and not os.access(folder, os.W_OK):
         sys.exit(f"{folder} is read-only; allowed: a writable folder")
+
+AHEAD = 300.0  # [s] by which clocks of a cluster may differ
+INPUTS = (path for path in PACKAGE.rglob("*") if path.suffix != ".py")
+for path in [*Path(RESULTS).rglob("*"), *INPUTS]:
+    # Snakemake fails each job that reads such a file, and removes its products
+    if path.is_file() and path.stat().st_mtime > time.time() + AHEAD:
+        date = time.ctime(path.stat().st_mtime)
+        sys.exit(f"{path} is dated {date}; allowed: no date in the future (touch gives it today's)")
 
 
 # intermediate files
@@ -70,6 +79,16 @@ rule write_sums:
         "Writing the checksums of all products"
     script:
         "../scripts/write_sums.py"
+
+
+onstart:
+    # before any work, but not whenever rules are read: it takes longer than all other settings
+    from thirdbody.study.claims import load_claims
+
+    try:
+        load_claims(configured("claims"))
+    except ValueError as error:
+        sys.exit(str(error))
 
 
 onsuccess:
