@@ -30,7 +30,10 @@ def rows():
             verdict = verdicts.NOT_TESTED
         row = {"id": claim.id, "place": claim.place, "verdict": verdict, "cluster": claim.cluster}
         row["statement"] = claim.statement
-        row |= {"score": score, "predicted": "holds" if score < 0.5 else "fails"}
+        predicted = "holds" if score < 0.5 else "fails"
+        if verdict not in (verdicts.HOLDS, verdicts.FAILS):
+            predicted = verdict
+        row |= {"score": score, "predicted": predicted}
         rows.append(row | {"ensemble_agree": 3.0, "ensemble_size": 12.0})
     return rows
 
@@ -39,9 +42,11 @@ def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
     drawing = claims.plot(rows)
     (axes,), (panel,) = drawing.axes, drawing.panels
     texts = [text.get_text() for text in axes.get_yticklabels()]
-    assert {one.name for one in panel.series} == {row["id"] for row in rows}
+    tested = [row for row in rows if row["verdict"] != verdicts.NOT_TESTED]
+    assert {one.name for one in panel.series} == {row["id"] for row in tested}
+    assert sum("(not tested): " in text for text in texts) == len(rows) - len(tested) > 0
     lines = {one.name: (float(one.x[0]), texts[int(one.y[0])]) for one in panel.series}
-    for row in rows:
+    for row in tested:
         score, text = lines[row["id"]]
         assert score == min(row["score"], claims.LAST)
         part = part_of_paper(row["place"])

@@ -22,7 +22,6 @@ AGREEMENT = 0.75  # fraction of the ensemble from which a marker is filled
 COLOURS = {
     "holds": "C5",
     "fails": "C1",
-    "not tested": "C3",
     "contradicted by the paper itself": "C4",
 }
 DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)  # ticks, in tolerances
@@ -37,7 +36,8 @@ LAST = score_of(DISTANCES[-1])  # larger scores are drawn here
 
 
 class Line(NamedTuple):
-    """A line of the figure: a part of the paper with the statements that hold, or one of the others."""
+    """A line of the figure: a part of the paper with the statements that hold, or one of the others, which
+    has no marker if it is not tested."""
 
     text: str
     rows: Sequence[Mapping]
@@ -88,21 +88,24 @@ def _lines(rows) -> list[Line]:
         together = [row for row in group if row["verdict"] == "holds"]
         lines.append(Line(f"{part}: {held} of {judged} hold", together, is_part=True))
         others = [row for row in group if row["verdict"] != "holds"]
-        lines += [Line(_sentence(row), [row], is_part=False) for row in others]
+        for row in others:
+            is_tested = row["verdict"] != "not tested"
+            lines.append(Line(_sentence(row), [row] if is_tested else [], is_part=False))
     return lines
 
 
 def _sentence(row) -> str:
     """A statement with its place, on at most two lines."""
     place = row["place"].partition(", section")[0]
-    text = f"{place}: {row['statement']}"
+    state = " (not tested)" if row["verdict"] == "not tested" else ""
+    text = f"{place}{state}: {row['statement']}"
     lines = textwrap.wrap(text, LETTERS, max_lines=2, placeholder=" …", break_on_hyphens=False)
     return mathtext("\n".join(lines))
 
 
 def _is_predicted(row) -> bool:
-    """Whether a statement holds, if evaluated, when its figure is left out of the search for inputs."""
-    return row["predicted"] in ("", None, "holds")
+    """Whether a statement, if it is judged, holds when its figure is left out of the search for inputs."""
+    return row["predicted"] != "fails"
 
 
 def _key(rows) -> list[Line2D]:
