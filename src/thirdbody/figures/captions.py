@@ -80,7 +80,11 @@ def _notes(panels) -> list[str]:
     named = {kind for kind, look in marks.LOOKS.items() if look.get("label", "") in labels}
     contents = []
     for panel in panels:
-        own = f" at {panel.conditions}" if panel.conditions else ""
+        own = [panel.conditions] if panel.conditions else []
+        viscosities = {curve.curve.viscosity for curve in panel.of_kind(CURVE)}
+        if 1 < len(viscosities) < len({condition.viscosity for condition in conditions}):
+            own.append(_levels("viscosity", viscosities))
+        own = f" at {', '.join(own)}" if own else ""
         over = "" if panel.x == "load" else f" over the {quantity(panel.x)}"
         contents.append(f"({panel.letter}) {quantity(panel.y)}{own}{over}")
     sentences = ["; ".join(contents) + "."]
@@ -102,15 +106,16 @@ def _conditions(conditions) -> str:
         if name == "particle_diameter" and len(ratios) < len({*taken}):
             parts.append(f"xₐ/σ = {', '.join(sorted(ratios, key=float))}")
             continue
-        values = sorted(set(taken))
-        if len(values) == 1:
-            parts.append(note(name, values[0]))
-            continue
-        zero = "dry and " if name == "viscosity" else "two-body and "
-        listed = ", ".join(value_text(name, value) for value in values if value)
-        start = "" if all(values) else zero
-        parts.append(f"{start}{AXES[name].sign} = {listed} {unit_text(name)}")
+        parts.append(_levels(name, {*taken}))
     return f"Conditions: {'; '.join(parts)}."
+
+
+def _levels(name, values) -> str:
+    if len(values) == 1:
+        return note(name, *values)
+    zero = "dry and " if name == "viscosity" else "two-body and "
+    listed = ", ".join(value_text(name, value) for value in sorted(values) if value)
+    return f"{'' if all(values) else zero}{AXES[name].sign} = {listed} {unit_text(name)}"
 
 
 def _description(panel) -> str:

@@ -9,11 +9,11 @@ from typing import Any
 import matplotlib
 import numpy as np
 from matplotlib import rcParams
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from matplotlib.legend_handler import HandlerLine2D
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import Condition, condition_key
@@ -309,8 +309,11 @@ def _draw_panel(axes, panel, newtons_per_load):
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in [one for one in panel.series if one.kind != marks.BAND]:
         if panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
+            look = series.look
+            if panel.x == "film_thickness" and series.kind in (marks.PRINTED, marks.TOLERANCE):
+                look = {**look, "transform": axes.get_xaxis_transform()}  # on the axis
             (lines[series],) = axes.plot(
-                series.x, np.maximum(series.y, panel.least or -np.inf), **series.look
+                series.x, np.maximum(series.y, panel.least or -np.inf), **look
             )
         elif series.kind == marks.TOLERANCE:
             axes.axvspan(*series.x, **series.look)
@@ -358,7 +361,7 @@ def key_columns(labels: Iterable[str], width: float = 1.0) -> int:
 
 def add_key(
     figure: Figure,
-    entries: Sequence[Artist],
+    entries: Sequence[Line2D],
     title: str = "",
     common: Sequence[str] = (),
     beside: bool = False,
@@ -372,7 +375,8 @@ def add_key(
         columns = math.ceil(len(entries) / KEY_ROWS)
         place = {"loc": "center", "bbox_to_anchor": cell, "ncols": columns}
     text = "\n".join(filter(None, (title, ", ".join(common))))
-    figure.legend(handles=entries, title=text or None, **place)
+    ends = {each: HandlerLine2D(numpoints=2) for each in entries if each.get_marker() == "|"}
+    figure.legend(handles=entries, title=text or None, handler_map=ends, **place)
 
 
 def level_styles(count: int, size: int = 1) -> list[dict]:

@@ -11,7 +11,7 @@ from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.panels import Curve, Series
 from thirdbody.figures.scales import SCALES
-from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
+from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 from thirdbody.toml_tables import toml_beside
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
@@ -32,12 +32,10 @@ LOOKS |= {
 
 RATIO, SOLID = "particle_contact_area_ratio", "solid_load_fraction"
 AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
-MIXED = "bend_load_over_mixed_load"
 # panels over the load for numbers that are not variables: loads, and values at a turning point
 LOADS = {
     "turning_point_load": (RATIO,),
     "bend_load": (AREA,),
-    MIXED: (AREA,),
     "total_contact_area_reversal_load": (AREA, RELATIVE_AREA),
 }
 AT_TURNING_POINT = {
@@ -127,6 +125,8 @@ def printed_series(
                     look = LOOKS[EVERY_LOAD] | colour
                     yield Series(EVERY_LOAD, row["id"], load, value, curve.condition, look)
                 else:
+                    if _is_regime(row, y):
+                        look |= {"marker": ""}
                     yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
                 end = "|" if points[0, 0] < points[0, 2] else "_"
                 look = LOOKS[TOLERANCE] | colour | {"marker": end}
@@ -139,20 +139,23 @@ def _is_at_every_load(row, x, y) -> bool:
     return x == "load" and row["quantity"] == y and bool(row["extreme"]) and row["value"] in ends
 
 
+def _is_regime(row, y) -> bool:
+    """Whether the paper names the zone up to the end of an axis, so that only the tolerance is told."""
+    return bool(SCALES[y].zones) and row["at_quantity"] == "load" and row["value"] in (0.0, 1.0)
+
+
 def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None:
     """The number in ``row`` between the ends of its tolerance, as points in a panel of ``x`` and
-    ``y``, along the other axis at the curve or, of a turning point, at the printed one of ``numbers``;
-    None if the panel does not show it."""
+    ``y``, along the other axis at the curve, of a turning point at the printed one of ``numbers``, of a film
+    at 0; None if the panel does not show it."""
     quantity, number = row["quantity"], np.array([row["low"], row["value"], row["high"]])
     if x == quantity == "film_thickness":
-        return number, np.full(3, curve.at(y, _load_of(curve, row)))
+        return number, np.zeros(3)  # on its axis
     if x != "load":
         return None
     if quantity == "load" and y == row["at_quantity"]:
         return number, np.full(3, row["at_level"])
     if y in LOADS.get(quantity, ()):
-        if quantity == MIXED:
-            number = number * _falls_to(curve, SOLID, BOUNDARY_LIMIT)
         if quantity == "turning_point_load" and "turning_point_ratio" in numbers:
             return number, np.full(3, numbers["turning_point_ratio"])
         return number, np.full(3, curve.at(y, number[1]))
