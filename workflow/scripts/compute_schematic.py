@@ -14,7 +14,7 @@ def solved_state(conditions, parameters):
     condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
     solution = solve(load=load, **condition._asdict(), parameters=parameters)
-    return state_of(condition, solution)
+    return state_of(condition, conditions["load_N"], solution)
 
 
 with logged(snakemake.log[0]):

@@ -19,7 +19,7 @@ MICROMETRE = 1e-6
 SCALE = 0.5e-6  # height of the scale bar [m]
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
-PARTICLE = "particle between both"
+PARTICLE = "particle under load"
 CONTENT = toml_beside(__file__)
 LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
@@ -104,6 +104,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     across, up = STRETCH * SCALE / MICROMETRE, SCALE / MICROMETRE
     axes.text(start, corner, f"{across:g} × {up:g} µm ", ha="right", va="bottom")
     facts = [
+        f"$F_t$ = {section['normal_load']:.3g} N",
         f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
         f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
     ]
@@ -113,7 +114,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
 
 
 def _name_parts(axes, section):
-    """Names on the drawing, with lines to the lubricant, a contact of summits and a particle between both."""
+    """Names on the drawing, with lines to the lubricant, a contact of summits and the largest particle under load."""
     position, length = section["position"], section["position"][-1]
     for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
         look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
@@ -124,10 +125,10 @@ def _name_parts(axes, section):
         place = np.argmax(section["surfaces_touch"])
         beside = 0.3 * length, 0.7 * top
         _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
-    x, y, _, carries = (section[name] for name in PARTICLES)
+    x, y, size, carries = (section[name] for name in PARTICLES)
     if carries.any():
-        last = np.flatnonzero(carries)[-1]
-        _point_at(axes, PARTICLE, (x[last], y[last]), (0.67 * length, 0.5 * bottom))
+        largest = np.argmax(np.where(carries, size, 0.0))
+        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.67 * length, 0.5 * bottom))
     if section["viscosity"] > 0.0:
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))

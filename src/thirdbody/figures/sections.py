@@ -2,7 +2,8 @@
 
 The surfaces are Gaussian, the particles follow the size distribution of the model, and the mean
 planes are at the solved separation.  Lengths are as in the model; on paper heights are stretched, and
-particles, which are drawn round, touch the surfaces as they are drawn.  The seed is fixed.  A section is a mapping by the names of
+particles, which are drawn round, touch the surfaces as they are drawn.  Those that touch both or reach
+into the elastic zone h_e carry load.  The seed is fixed.  A section is a mapping by the names of
 ``VARIABLES``, and ``position`` along it; its state has the condition and the solution.
 """
 
@@ -16,7 +17,7 @@ from scipy.special import ndtr, ndtri
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
-from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
 from thirdbody.toml_tables import toml_beside
@@ -43,6 +44,7 @@ Section = Mapping[str, Any]
 NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
 STATE = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
 STATE |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
+STATE |= {NORMAL_LOAD.name: coordinate_attributes(NORMAL_LOAD)}
 STATE |= {"contact_mode": variable_attributes(FLAGS["contact_mode"])}
 # attributes of the other variables, over the position and over the particles
 OTHERS = toml_beside(__file__)
@@ -50,11 +52,12 @@ LINES, PARTICLES = OTHERS["lines"], OTHERS["particles"]
 VARIABLES = STATE | OTHERS["panel"] | LINES | PARTICLES
 
 
-def state_of(condition: Condition, solution: Any) -> dict[str, Any]:
-    """The state of an interface from the ``Solution`` of one point; ``ValueError`` if there is none."""
+def state_of(condition: Condition, load_N: float, solution: Any) -> dict[str, Any]:
+    """The state of an interface from the ``Solution`` of one point at ``load_N`` [N]; ``ValueError`` if there is none."""
     if not np.isfinite(solution.separation):
         raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
     numbers = {name: float(getattr(solution, name)) for name in NUMBERS}
+    numbers |= {NORMAL_LOAD.name: float(load_N)}
     return {**condition._asdict(), **numbers, "contact_mode": np.int8(solution.contact_mode)}
 
 
@@ -109,8 +112,17 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
             lower, upper = np.where(touches, middle, [lower, upper])
             lines = dict(zip(LINES, (lower, upper, touches.astype(np.int8)), strict=True))
             depth = parameters.elastic_depth_ratio * state["particle_diameter"]
+            reaches = particles["particle_size"] > _least_size(state, depth, parameters)
+            particles["particle_carries_load"] |= reaches.astype(np.int8)
             return {**state, "elastic_depth": depth, "position": position, **lines, **particles}
     raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
+
+
+def _least_size(state, depth, parameters) -> float:
+    """The diameter [m] from which a particle reaches into the elastic zone, at the separation (Eqs. 4 and 5)."""
+    plane = parameters.interpretation.particle_plane
+    offset = plane.height(parameters.surface(state["roughness"]).summit_offset)
+    return state["separation"] - offset - depth
 
 
 def _surfaces(state, parameters, position, summits, random):
