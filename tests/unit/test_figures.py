@@ -21,6 +21,7 @@ from thirdbody.figures.drawing import SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
 from thirdbody.figures.panels import CURVE
+from thirdbody.figures.scales import power_text
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import STRETCH, sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
@@ -448,7 +449,7 @@ def test_a_scene_of_the_user_is_drawn_by_what_varies(
     assert read_caption(tmp_path / "mine.md") == written
 
 
-@pytest.mark.parametrize("name", ["fig03", "fig06", "fig09", "fig12"])
+@pytest.mark.parametrize("name", ["fig03", "fig06", "fig09", "fig11", "fig12"])
 def test_captions_describe_what_is_drawn(name, datasets, printed):
     from docutils.core import publish_parts
 
@@ -476,10 +477,11 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     assert "Shaded in colour" not in text
     if name == "fig03":
         last = drawing.panels[1].of_kind(CURVE)[-1]
-        assert f"xₐ = 1000 nm runs from {last.y[0]:.2g} to {last.y[-1]:.2g}" in text
+        first = power_text(float(f"{last.y[0]:.1e}"))
+        assert f"xₐ = 1000 nm runs from {first} to {last.y[-1]:.2g}" in text
+        assert "printed, at every load: 2, " in text
     if name == "fig11":
-        first = drawing.panels[1].of_kind(CURVE)[0]
-        assert f"runs from {100.0 * first.y[0]:.2g} % to" in text and "×10⁻⁴" in text
+        assert "the curve at dry runs from 100 % to 100 %" in text and "×10⁻⁴" in text
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
     body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
     assert body.count("<strong>") == 2

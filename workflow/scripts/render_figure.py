@@ -1,5 +1,7 @@
 """Draw one figure from its dataset; nothing is solved here."""
 
+import json
+
 import matplotlib.style
 
 from thirdbody.data.files import atomic_write
@@ -21,12 +23,16 @@ with logged(snakemake.log[0]):
     numbers = [row for row in rows if row["figure"] == figure]
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
     ranges = read_plain(ensemble_range) if ensemble_range else None
+    area = json.loads(data.attrs["model_parameters"])["A_n"]
+    notes = [f"Newtons are for A_n = {1e6 * area:g} mm², which the paper does not print."]
+    if ranges:
+        notes.append(f"The ensemble has {len(json.loads(ranges.attrs['ensemble']))} members.")
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         drawing = curve_figure(figure, data).plot(data, points, ranges, numbers, ends)
         save(
             drawing,
             snakemake.output.png.removesuffix(".png"),
-            caption(figure, drawing.panels, data.attrs["title"]),
+            caption(figure, drawing.panels, data.attrs["title"], notes),
         )
     with atomic_write(snakemake.output.wide) as part:
         write_wide(drawing.panels, part)

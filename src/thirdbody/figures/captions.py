@@ -59,13 +59,13 @@ def caption(
     name: str, panels: Sequence[Panel] = (), title: str = "", notes: Sequence[str] = ()
 ) -> Caption:
     """The caption of a figure; that of a figure of curves follows from the ``title`` of its scene and
-    from its ``panels``."""
+    from its ``panels``.  ``notes`` are further sentences on what is shown."""
     words = WORDS.get(name, {})
     if "title" not in words:
         number = f"Figure {int(name.removeprefix('fig'))}. " if words else ""
         described = " ".join(map(_description, panels))
         words = {"title": number + title, "text": "", "alternative": described} | words
-        notes = _notes(panels)
+        notes = [*_notes(panels), *notes]
     return Caption(
         title=" ".join(words["title"].split()),
         text=" ".join(filter(None, [*notes, words["text"]])),
@@ -132,10 +132,13 @@ def _description(panel) -> str:
             ends = " to ".join(axis_text(panel.y, end) for end in curve.y[[0, -1]])
             parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
     for kind, look in marks.LOOKS.items():
-        places = [series.x for series in panel.of_kind(kind)]
-        if places and kind not in (marks.LOCUS, marks.BAND, marks.TOLERANCE):
-            x = np.concatenate(places)
-            parts.append(f"{look['label']}: {x.size}, {quantity(panel.x)} {_range(panel.x, x)}")
+        named = [s for s in panel.series if s.look.get("label", "") == look.get("label")]
+        if named and kind not in (marks.LOCUS, marks.BAND):
+            x, y = (np.concatenate([getattr(each, axis) for each in named]) for axis in "xy")
+            count = len({*zip(x.tolist(), y.tolist())})
+            if kind == marks.EVERY_LOAD:  # lines, of which these are the ends
+                count //= 2
+            parts.append(f"{look['label']}: {count}, {quantity(panel.x)} {_range(panel.x, x)}")
     return f"Panel {panel.letter}: {'; '.join(parts)}."
 
 

@@ -105,7 +105,11 @@ def quantity(name: str) -> str:
 def axis_text(name: str, value: float) -> str:
     """``value`` [SI] with the unit of its axis and two digits: 89 %, 1.8×10⁻⁴."""
     scale = SCALES[name]
-    number = f"{value / scale.unit:.2g}"
+    rounded = float(f"{value / scale.unit:.2g}")
+    if scale.zones and rounded < 1e-3:  # none of a fraction
+        rounded = 0.0
+    is_power = 0.0 < rounded < 1e-3 or rounded >= 1e3
+    number = power_text(rounded) if is_power else f"{rounded:g}"
     if name == "film_thickness":
         return f"{number}×{power_text(scale.unit)}"
     unit = re.search(r"\(([^$]+)\)$", scale.label)
