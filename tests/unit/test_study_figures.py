@@ -102,3 +102,5 @@ def test_each_headline_number_has_a_panel_and_each_interpretation_a_line():
     assert one.y[-1] == 4.0
     texts = [text.get_text() for text in drawing.axes[0].get_legend().get_texts()]
     assert texts == ["one", "two"]
+    (axes,) = fronts.plot(interpretations[:1], {"a": "The first.", "b": "The second."}).axes[:1]
+    assert axes.get_legend() is None

@@ -86,7 +86,8 @@ def _notes(panels) -> list[str]:
             own.append(_levels("viscosity", viscosities))
         own = f" at {', '.join(own)}" if own else ""
         over = "" if panel.x == "load" else f" over the {quantity(panel.x)}"
-        contents.append(f"({panel.letter}) {quantity(panel.y)}{own}{over}")
+        letter = f"({panel.letter}) " if len(panels) > 1 else ""
+        contents.append(f"{letter}{quantity(panel.y)}{own}{over}")
     sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in named]

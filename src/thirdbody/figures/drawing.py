@@ -51,7 +51,8 @@ class Drawing(Figure):
 
 
 def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: int = 2) -> Drawing:
-    """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its letter and title."""
+    """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its title and, if there are
+    several, its letter."""
     figure = Drawing(figsize=size, layout="constrained")
     figure.panels = [
         replace(panel, letter=ascii_uppercase[place]) for place, panel in enumerate(panels)
@@ -59,7 +60,8 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
     rows = math.ceil(len(panels) / columns)
     for place, panel in enumerate(figure.panels, 1):
         axes = figure.add_subplot(rows, columns, place)
-        axes.set_title(rf"$\bf{{({panel.letter})}}$  {panel.title}", loc="left", y=1.0)
+        letter = rf"$\bf{{({panel.letter})}}$  " if len(panels) > 1 else ""
+        axes.set_title(letter + panel.title, loc="left", y=1.0)
     return figure
 
 

@@ -44,7 +44,8 @@ def plot(interpretations: Sequence[Mapping], sentences: Mapping[str, str]) -> Dr
         highest = min(drawn.max(), drawn.min() + ABOVE)
         axes.set(xlim=(-0.05, score_of(DISTANCES[-1])), ylim=(drawn.min() - 1.0, highest + 1.0))
         axes.set(xlabel="Deviation in tolerances", ylabel="Objective of all other statements")
-    figure.axes[0].legend(title="Interpretation")
+    if len(interpretations) > 1:
+        figure.axes[0].legend(title="Interpretation")
     return figure
 
 

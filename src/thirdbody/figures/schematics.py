@@ -35,7 +35,6 @@ def plot_interface(data: PlainDataset) -> Drawing:
     title = ", ".join(shared_notes([condition]))
     figure = empty_panels([_panel(title, section)], (TWO_COLUMNS, INTERFACE), columns=1)
     (axes,) = figure.axes
-    axes.set_title(title, loc="left")  # the only panel has no letter
     _draw_section(axes, figure.panels[0], section, INTERFACE_SHAPE)
     _draw_arrows(axes, section)
     _name_parts(axes, section)
