@@ -214,7 +214,7 @@ def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
     # text stays text, and fonts are embedded
     assert "ν = 0 cSt".encode() not in files[".svg"] and b"</text>" in files[".svg"]
     assert b"<title>Panel A: " in files[".svg"]  # the alternative text
-    assert b"/CharProcs" in files[".pdf"] and b"/ToUnicode" in files[".pdf"]
+    assert b"/FontFile2" in files[".pdf"] and b"/ToUnicode" in files[".pdf"]
     rows = drawn_rows(tmp_path / "first.csv")
     assert list(rows[0]) == ["panel", "curve", "x_name", "x", "y_name", "y"]
     drawn = {}
