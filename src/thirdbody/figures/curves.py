@@ -321,7 +321,8 @@ def _draw_panel(axes, panel, newtons_per_load):
             for end in series.x:
                 axes.axvline(end, **series.look)
     set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
-    stars = [line for series, line in lines.items() if series.kind == marks.TURNING_POINTS]
+    peaks = marks.TURNING_POINTS, marks.SLIGHT
+    stars = [line for series, line in lines.items() if series.kind in peaks]
     keep_apart(axes, stars)
     printed = [line for series, line in lines.items() if series.kind == marks.PRINTED]
     keep_apart(axes, printed)

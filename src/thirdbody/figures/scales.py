@@ -36,8 +36,9 @@ def value_text(parameter: str, value: float) -> str:
     """``value`` [SI] of ``parameter`` in the unit of its title."""
     if parameter in ("particle_density", "load") and value:
         return power_text(value)
-    number = AXES[parameter].from_si(value) if parameter in AXES else value
-    return f"{number:.10g}"
+    if parameter not in AXES:
+        return str(float(f"{value:.10g}"))  # 1.0 beside 1.1
+    return f"{AXES[parameter].from_si(value):.10g}"
 
 
 def note(parameter: str, value: float) -> str:
