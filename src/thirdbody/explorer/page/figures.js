@@ -148,7 +148,8 @@ function panelSpec(panel, curves, engine, { claim, own, paper }) {
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
-  return curvesSpec(spec, engine, printed.flatMap(({ at, ends }) => [at, ...ends]));
+  const bounded = VARIABLES[y].log ? [] : spec.ranges.flatMap(({ points }) => points);
+  return curvesSpec(spec, engine, [...printed.flatMap(({ at, ends }) => [at, ...ends]), ...bounded]);
 }
 
 // The title of a panel of y over x.
@@ -161,10 +162,9 @@ function titleOf(x, y) {
 export function curvesSpec({ x, y, lines, ghosts = [], ...given }, engine, marked = []) {
   const measured = measuredPoints(x, y, lines, engine);
   const points = [...lines.flatMap((line) => line.points), ...ghosts.flat(), ...measured];
-  const markedY = VARIABLES[y].fraction ? [] : marked.map((at) => at[1]);
   return specOf({
     x: axisFor(x, state.x_scale, [...points.map((point) => point.x), ...marked.map((at) => at[0])]),
-    y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...markedY]),
+    y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...marked.map((at) => at[1])]),
     newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
     ...{ lines, ghosts, measured, ...given },
   });
