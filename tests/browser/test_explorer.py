@@ -91,7 +91,7 @@ def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
         printed = [row for row in of_panel if row["curve"].startswith("printed; ")]
         shown = explorer.all("#charts figure")[place]
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
-        assert len(shown.find_elements("css selector", ".printed, .limit")) == len(printed)
+        assert len(shown.find_elements("css selector", ".printed, .axial, .limit")) == len(printed)
     assert explorer.one("#caption").text.startswith("(A)")
 
 
