@@ -54,7 +54,7 @@ STATED = (  # fields of a statement that the page needs to evaluate and show it
         "tolerance_kind",
         "relative",
     ),
-    *("step", "limits", "source", "reason", "aside"),
+    *("step", "limits", "source", "reason", "aside", "counted_as"),
 )
 
 
@@ -144,6 +144,7 @@ def figure_content(points: str | PathLike, caption: Any, least: float) -> dict[s
     curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
     return {
         "name": Path(points).stem,
+        "part": caption.title.partition(". ")[0],
         "title": caption.title,
         "caption": caption.text,
         "least": least,

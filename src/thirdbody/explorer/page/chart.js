@@ -96,8 +96,8 @@ export function specOf({ lines = [], ...given }) {
 export const widthIn = (element) => Math.max(element.clientWidth, 220);
 const held = (value, low, high) => Math.min(Math.max(value, low), high);
 
-// An axis for a variable: logarithmic or not, as asked for or as usual, with its ends around values.
-// A logarithmic axis of a fraction begins at `least`, if it is given.
+// An axis around values of a variable, logarithmic or not, as asked for or as usual: that of a fraction is if
+// it has a `least` one, where it begins.
 export function axisFor(name, scale, values, least = 0) {
   const log = scale === "auto" ? VARIABLES[name].log || least > 0 : scale === "log";
   const domain = log && least && VARIABLES[name].fraction ? [least, 1.3] : domainOf(VARIABLES[name], log, values);
@@ -171,7 +171,7 @@ export function chartIn(parent, { onRead, onLeave }) {
   const zones = svg.append("g");
   const axes = svg.append("g");
   const marks = svg.append("g").attr("clip-path", `url(#${clipId})`);
-  const cursor = svg.append("g");
+  const [crosses, cursor] = [svg.append("g"), svg.append("g")];
   let spec = null;
   let scales = null;
   let rows = []; // what can be read: the points of curves, or the cells of a map
@@ -193,6 +193,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
     drawAxes(axes, spec, scales);
     marks.html(marksOf(spec, scales));
+    crosses.html(spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y))).join("")); // whole at the edges
     zones.html(zonesOf(spec, scales));
     cursor.html("");
   }
@@ -279,7 +280,7 @@ function marksOf(spec, { x: toX, y: toY }) {
     ...spec.measured.filter(isShown).map(shape("measured")),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, axial, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
+  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, axial, stars.map(shape("star"))].flat().join("");
 }
 
 // Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.

@@ -24,8 +24,7 @@ export function csvOf(specs) {
     return [
       ...lines.flatMap(({ label, points }) => points.map((point) => row(label, point))),
       ...stars.map((star) => row("turning points", star)),
-      ...axial.map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: NaN })),
-      ...[...printed, ...limits].map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
+      ...[...printed, ...axial, ...limits].map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
       ...measured.map((point) => row("measured", point)),
     ];
   });

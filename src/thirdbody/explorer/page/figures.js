@@ -124,8 +124,8 @@ export function figureView() {
     return panelSpec(panel, shown, engine, { claim, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
-  const isChanged = specs.some(({ ghosts }) => ghosts.length);
-  return { specs, key, notes, heading: figure.title, caption: `${isChanged ? "As published: " : ""}${figure.caption}` };
+  const published = specs.some(({ ghosts }) => ghosts.length) ? "As published: " : "";
+  return { specs, key, notes, heading: figure.title, caption: published + figure.caption };
 }
 
 function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper, least } }) {
@@ -135,7 +135,9 @@ function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper,
   const changed = Object.keys(state.inputs).length > 0 || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
   const marks = marksOf(panel.printed, claim, curves);
-  const [axial, printed] = x === "film_thickness" ? [marks, []] : [[], marks]; // H_c is printed alone
+  // H_c is printed without the height of its curve
+  const axial = x === "film_thickness" ? marks.map((mark) => ({ ...mark, at: [mark.at[0], NaN] })) : [];
+  const printed = axial.length ? [] : marks;
   const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
@@ -152,7 +154,7 @@ function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper,
   };
   const ranged = VARIABLES[y].log ? [] : spec.ranges.flatMap(({ points }) => points);
   const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
-  return curvesSpec(spec, engine, [...ends, ...axial.map(({ at: [value] }) => [value, NaN]), ...ranged]);
+  return curvesSpec(spec, engine, [...ends, ...axial.map(({ at }) => at), ...ranged]);
 }
 
 // The title of a panel of y over x.
@@ -201,23 +203,22 @@ function windowSpec(figure, panel, engine, surface) {
   const { viscosity = 0, particle_density = 1e11, roughness: chosen } = state.conditions;
   const roughness = chosen !== undefined && sigmas.length === 1 ? chosen : sigmas[surface];
   const label = `σ = ${valueText("roughness", roughness)}`;
-  const color = "var(--ink)";
-  const pointAt = (ratio) => {
+  const sizes = distinct(figure.curves.map(ratioOf));
+  const points = sizes.map((ratio) => {
     const condition = { viscosity, roughness, particle_density, particle_diameter: ratio * roughness };
     const found = turningPointBetween(engine.model.contact(condition), ...engine.loads);
     return { x: ratio, y: found?.particle_contact_area_ratio ?? NaN, state: found };
-  };
-  const sizes = distinct(figure.curves.map(ratioOf));
+  });
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
   return specOf({
     letter: panel.letter,
     title: `${VARIABLES[panel.y].words}, ${label}`,
     x: axisFor(panel.x, "linear", [...sizes, ...panel.printed.flatMap(({ ends }) => ends.map(([end]) => end))]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
-    lines: [{ label, color, points: d3.range(sizes[0], sizes.at(-1), 0.02).map(pointAt) }],
+    lines: [{ label, color: "none", points }],
     windows: ends.filter(Number.isFinite),
     limits: panel.printed.map((mark) => ({ ...mark, kind: mark.id.startsWith(figure.name) ? "limit" : "limit all" })),
-    stars: sizes.map(pointAt).filter(({ y }) => Number.isFinite(y)),
+    stars: points.filter(({ y }) => Number.isFinite(y)),
   });
 }
 
