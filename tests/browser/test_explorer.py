@@ -651,7 +651,7 @@ def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
     assert colour_of(explorer, "--paper") == "#ffffff"
     assert explorer.one("#charts svg").is_displayed()
     assert explorer.run("return document.querySelector('#claims button').checkVisibility()")
-    for control in ("#inputs", "#toolbar", "#reset"):
+    for control in ("#inputs", "#toolbar", "#reset", "footer"):
         assert not explorer.one(control).is_displayed()
 
 

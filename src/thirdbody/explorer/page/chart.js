@@ -66,7 +66,7 @@ export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
 // Entries of the key for what charts show beside their curves, by the lists of a spec.
 const KEY = {
   stars: { text: "turning point (TPCA)", mark: "star" },
-  slight: { text: "peak below 0.02, does not count", mark: "slight" },
+  slight: { text: "rises by less than 0.02, does not count", mark: "slight" },
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   axial: { text: "printed H_c, upright on its axis", color: "var(--ink)", kind: "axial" },

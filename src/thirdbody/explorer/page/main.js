@@ -21,8 +21,8 @@ const CAPTIONS = {
   map: `Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none. The line of the turning
     points ends where no maximum of A_sa,t* stands out by 0.02 within these loads.`,
   section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
-    assumes, at the separation that it finds, as in Figures 1 and 2. A particle carries load where it reaches into
-    the elastic zone h_e of Eqs. 4 and 5 below surface 1, tinted above it, also where it does not touch both surfaces.`,
+    assumes, at the separation that it finds. As in Figure 1, particles that reach into the elastic zone h_e of Eqs. 4
+    and 5 below surface 1 carry load, also those that touch one surface only; above each of these the zone is tinted.`,
 };
 let charts = [];
 let shown = []; // the specs of charts of curves
