@@ -2,9 +2,11 @@
 
 import csv
 import io
+import json
 import math
 import re
 import xml.etree.ElementTree as ElementTree
+from collections import Counter
 from urllib.parse import parse_qs
 
 import numpy as np
@@ -91,7 +93,7 @@ def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
         printed = [row for row in of_panel if row["curve"].startswith("printed; ")]
         shown = explorer.all("#charts figure")[place]
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
-        assert len(shown.find_elements("css selector", ".printed, .limit")) == len(printed)
+        assert len(shown.find_elements("css selector", ".printed, .axial, .limit")) == len(printed)
     assert explorer.one("#caption").text.startswith("(A)")
 
 
@@ -127,6 +129,14 @@ def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
     given = parse_qs(explorer.run("return location.hash.slice(1)"))
     assert given.get("viscosity_cSt", ["90"]) == [shown or "90"]
     assert (explorer.one("#point").text == before) == (shown is None)
+    refused = explorer.one("#refused").text
+    assert refused.startswith("Shown: results of the last valid values. Viscosity") == (
+        shown is None
+    )
+    assert (explorer.one("#point").value_of_css_property("opacity") != "1") == (shown is None)
+    explorer.one("#reset").click()
+    explorer.settle()
+    assert explorer.one("#refused").text == ""
 
 
 def test_particles_too_soft_are_refused(explorer):
@@ -271,6 +281,25 @@ def test_statements_are_judged_at_the_conditions_of_the_paper(explorer):
     assert explorer.curve("ν = 100 cSt")
     assert "ν = 100 cSt (yours)" in explorer.one("#key").text
     assert before and failing(explorer) == before
+    assert "Judged at the paper's conditions" in explorer.one("#tally").text
+    assert explorer.one("#caption").text.startswith("(A)")
+    explorer.enter("#condition-roughness", "200")
+    assert explorer.one("#caption").text.startswith("As published: (A)")
+
+
+def test_statements_are_counted_as_in_the_index(explorer, page):
+    """All of a figure by their verdicts, and once those that repeat each other."""
+    verdicts = json.loads((page.parents[1] / "claims" / "claims.json").read_text(encoding="utf-8"))
+    found = [each["verdict"] for each in verdicts["statements"]]
+    explorer.open("show=all")
+    tally = explorer.one("#tally").text
+    assert tally.startswith(f"Shown, {len(found)} statements: ")
+    for verdict, words in {"holds": "hold", "fails": "fail", "not tested": "not tested"}.items():
+        assert f"{found.count(verdict)} {words}" in tally
+    table = (page.parents[1] / "claims" / "claims.md").read_text(encoding="utf-8")
+    counted = re.search(r"(?m)^\| *Figure 11 .*?(\d+ of \d+) *\|", table)[1]
+    explorer.open("figure=fig11")
+    assert f"Repeats counted once, {counted} hold" in explorer.one("#tally").text
 
 
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
@@ -456,6 +485,52 @@ def test_a_full_film_has_no_contact_mode(explorer):
     rows = [each.text for each in explorer.all("#point .frame:first-child th")]
     assert "Lubrication" in rows and "Contact mode" not in rows
     assert not explorer.all(".section .carries") and "full film from" in explorer.one("#point").text
+    explorer.open("viscosity_cSt=150&particle_diameter_nm=100&roughness_nm=100")
+    assert re.search(r"(?m)At\* 0$", explorer.one("#point").text)
+
+
+def test_beyond_the_film_formula_no_lubrication_is_told(explorer):
+    explorer.open("figure=fig11&load_N=1e9")
+    rows = [each.text for each in explorer.all("#point .frame:first-child th")]
+    assert "Status" in rows and "Lubrication" not in rows
+    assert "Normal load is 10⁹ N" in explorer.one("#notes").text
+
+
+def test_a_dry_cut_without_particles_tells_neither(explorer):
+    explorer.open("view=section&viscosity_cSt=0&particle_diameter_nm=0")
+    assert "no particles" in explorer.one("#notes").text
+    assert "lubricant" not in explorer.one("#key").text
+
+
+@pytest.mark.parametrize("figure", ["fig11", "fig12"])
+def test_bars_and_ranges_are_within_the_panels(explorer, figure):
+    """The clip of each panel cuts off nothing of them."""
+    explorer.open(f"figure={figure}")
+    outside = explorer.run(
+        """return [...document.querySelectorAll('#charts svg')].flatMap((svg) => {
+            const { y, height } = svg.querySelector('clipPath rect').getBBox();
+            const boxes = [...svg.querySelectorAll('.tolerance, .range')].map((mark) => mark.getBBox());
+            return boxes.filter((box) => box.y < y - 1 || box.y + box.height > y + height + 1); }).length"""
+    )
+    assert outside == 0
+
+
+@pytest.mark.parametrize("figure", ["fig09", "fig10", "fig13"])
+def test_turning_points_are_those_of_the_published_figure(explorer, page, figure):
+    drawn = page.parents[1] / "figures" / f"{figure}.csv"
+    with open(drawn, encoding="utf-8", newline="") as stream:
+        rows = [row for row in csv.DictReader(stream) if row["curve"] == "turning points"]
+    explorer.open(f"figure={figure}")
+    panels = explorer.all("#charts figure")
+    stars = {
+        panel.find_element("css selector", "figcaption b").text: len(
+            panel.find_elements("css selector", ".star")
+        )
+        for panel in panels
+    }
+    assert {letter: count for letter, count in stars.items() if count} == Counter(
+        row["panel"] for row in rows
+    )
 
 
 def test_the_cut_has_the_colours_of_figures_1_and_2(explorer):
@@ -576,7 +651,7 @@ def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
     assert colour_of(explorer, "--paper") == "#ffffff"
     assert explorer.one("#charts svg").is_displayed()
     assert explorer.run("return document.querySelector('#claims button').checkVisibility()")
-    for control in ("#inputs", "#toolbar", "#reset"):
+    for control in ("#inputs", "#toolbar", "#reset", "footer"):
         assert not explorer.one(control).is_displayed()
 
 

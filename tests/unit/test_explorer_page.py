@@ -40,7 +40,7 @@ CAPTION = SimpleNamespace(title="Figure 99. A title", text="What it tells.")
 def figure(tmp_path):
     """The content of a small figure."""
     (tmp_path / "fig99.csv").write_text(DRAWN, encoding="utf-8")
-    return figure_content(tmp_path / "fig99.csv", CAPTION)
+    return figure_content(tmp_path / "fig99.csv", CAPTION, least=0.0)
 
 
 def test_a_figure_has_its_conditions_marks_and_caption(figure):

@@ -8,6 +8,7 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import atomic_write
 from thirdbody.explorer.page import page_content, page_text
 from thirdbody.figures.captions import read_caption
+from thirdbody.figures.curves import CURVE_FIGURES
 from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims
 
@@ -20,8 +21,10 @@ with logged(snakemake.log[0]):
         name: entry | unknowns.get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()
     }
+    drawn, captions = snakemake.input.points, map(read_caption, snakemake.input.captions)
+    least = [max(each.least for each in CURVE_FIGURES[Path(path).stem].contents) for path in drawn]
     content = page_content(
-        zip(snakemake.input.points, map(read_caption, snakemake.input.captions), strict=True),
+        zip(drawn, captions, least, strict=True),
         load_claims(snakemake.params.claims),
         json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8")),
         inputs,

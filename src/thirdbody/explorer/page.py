@@ -54,12 +54,12 @@ STATED = (  # fields of a statement that the page needs to evaluate and show it
         "tolerance_kind",
         "relative",
     ),
-    *("step", "limits", "source", "reason", "aside"),
+    *("step", "limits", "source", "reason", "aside", "counted_as"),
 )
 
 
 def page_content(
-    figures: Iterable[tuple[str | PathLike, Any]],
+    figures: Iterable[tuple[str | PathLike, Any, float]],
     claims: Iterable[Any],
     verdicts: Mapping[str, Any],
     inputs: Mapping[str, Any],
@@ -69,7 +69,8 @@ def page_content(
 ) -> dict[str, Any]:
     """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
 
-    ``figures`` are the points drawn (.csv) and the caption, with ``title`` and ``text``, of each figure of curves,
+    ``figures`` are of each figure of curves the points drawn (.csv), the caption, with ``title`` and ``text``,
+    and where its logarithmic axis of a fraction begins, 0 for a linear one;
     ``verdicts`` the content of ``claims.json``.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
     ``interpretations`` are inputs by the name of each calibrated interpretation, ``ensemble`` the
@@ -100,7 +101,7 @@ def page_content(
         "interpretation": verdicts["interpretation"],
         "interpretations": dict(interpretations),
         "ensemble": list(ensemble),
-        "figures": [figure_content(*paths) for paths in figures],
+        "figures": [figure_content(*each) for each in figures],
         "claims": [_claim(claim, found[claim.id]) for claim in claims],
     }
 
@@ -130,9 +131,10 @@ def plain_text(quote: str) -> str:
     return quote
 
 
-def figure_content(points: str | PathLike, caption: Any) -> dict[str, Any]:
-    """Data of a figure from its ``points`` drawn (.csv) and its ``caption``: the conditions [SI]
-    of all ``curves``; for each of the ``panels`` their indices, ensemble ranges and printed numbers."""
+def figure_content(points: str | PathLike, caption: Any, least: float) -> dict[str, Any]:
+    """Data of a figure from its ``points`` drawn (.csv), its ``caption`` and the ``least`` fraction on a
+    logarithmic axis: the conditions [SI] of all ``curves``; for each of the ``panels`` their indices, ensemble
+    ranges and printed numbers."""
     panels: dict[str, dict] = {}
     for row in read_csv(points, DRAWN_POINTS):
         names = {"x": row["x_name"], "y": row["y_name"]}
@@ -142,8 +144,10 @@ def figure_content(points: str | PathLike, caption: Any) -> dict[str, Any]:
     curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
     return {
         "name": Path(points).stem,
+        "part": caption.title.partition(". ")[0],
         "title": caption.title,
         "caption": caption.text,
+        "least": least,
         "curves": [
             {axis.name: axis.to_si(float(n)) for axis, n in zip(CONDITION_AXES, found.groups())}
             for found in curves.values()

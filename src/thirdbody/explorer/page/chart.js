@@ -66,9 +66,10 @@ export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
 // Entries of the key for what charts show beside their curves, by the lists of a spec.
 const KEY = {
   stars: { text: "turning point (TPCA)", mark: "star" },
-  slight: { text: "peak below 0.02, does not count", mark: "slight" },
+  slight: { text: "rises by less than 0.02, does not count", mark: "slight" },
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
+  axial: { text: "printed H_c, upright on its axis", color: "var(--ink)", kind: "axial" },
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level" },
   windows: { text: "limits of turning points", color: "var(--accent)", kind: "window" },
   limits: { text: "printed limits (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit" },
@@ -95,10 +96,12 @@ export function specOf({ lines = [], ...given }) {
 export const widthIn = (element) => Math.max(element.clientWidth, 220);
 const held = (value, low, high) => Math.min(Math.max(value, low), high);
 
-// An axis for a variable: logarithmic or not, as asked for or as usual, with its ends around values.
-export function axisFor(name, scale, values) {
-  const log = scale === "auto" ? VARIABLES[name].log : scale === "log";
-  return { name, log, domain: domainOf(VARIABLES[name], log, values) };
+// An axis around values of a variable, logarithmic or not, as asked for or as usual: that of a fraction is if
+// it has a `least` one, where it begins.
+export function axisFor(name, scale, values, least = 0) {
+  const log = scale === "auto" ? VARIABLES[name].log || least > 0 : scale === "log";
+  const domain = log && least && VARIABLES[name].fraction ? [least, 1.3] : domainOf(VARIABLES[name], log, values);
+  return { name, log, domain };
 }
 
 function domainOf({ fraction }, log, values) {
@@ -168,7 +171,7 @@ export function chartIn(parent, { onRead, onLeave }) {
   const zones = svg.append("g");
   const axes = svg.append("g");
   const marks = svg.append("g").attr("clip-path", `url(#${clipId})`);
-  const cursor = svg.append("g");
+  const [crosses, cursor] = [svg.append("g"), svg.append("g")];
   let spec = null;
   let scales = null;
   let rows = []; // what can be read: the points of curves, or the cells of a map
@@ -190,6 +193,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
     drawAxes(axes, spec, scales);
     marks.html(marksOf(spec, scales));
+    crosses.html(spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y))).join("")); // whole at the edges
     zones.html(zonesOf(spec, scales));
     cursor.html("");
   }
@@ -251,10 +255,8 @@ function marksOf(spec, { x: toX, y: toY }) {
     const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
-  const limits = spec.limits.flatMap(({ kind, at: [x], ends: [[low], [high]] }) => {
-    const width = toX(high) - toX(low);
-    return [`<rect fill="var(--ink)" fill-opacity="0.08" x="${inX(low)}" y="${upwards[1]}" width="${width}" height="${upwards[0] - upwards[1]}"/>`, upright(kind)(x)];
-  });
+  const allowed = spec.limits.map(({ ends: [[low], [high]] }) => `<path fill="var(--zone)" d="M${inX(low)},${upwards.join("V")}H${inX(high)}V${upwards[0]}"/>`);
+  const limits = spec.limits.map(({ kind, at: [x] }) => upright(kind)(x));
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
   const levels = spec.levels.map((level) => `<path ${classOf("level", level)} d="M${across[0]},${inY(level.at[1])}H${across[1]}" stroke="${level.color}"/>`);
   const lines = spec.lines.map((curve) => {
@@ -268,16 +270,17 @@ function marksOf(spec, { x: toX, y: toY }) {
     const diamond = shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] });
     return `<g>${bar(mark)}${diamond}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
   });
+  const axial = spec.axial.map((mark) => `<path ${classOf("axial", mark)} d="M${inX(mark.at[0])},${upwards[0]}v-16" stroke="${mark.color}"><title>printed in the paper: ${escaped(mark.text)}</title></path>`);
   const stars = spec.stars.filter(isShown);
   const locus = `<path class="locus" d="${path(spec.locus) ?? ""}"/>`;
-  const curves = [areas, borders, ranges, limits, spec.windows.map(upright("window")), ghosts, levels, lines];
+  const curves = [areas, borders, ranges, allowed, limits, spec.windows.map(upright("window")), ghosts, levels, lines];
   const marks = [
     ...markersOf(spec.lines).filter(isShown).map(({ rank, x, y, ...look }) => markerOf(rank, inX(x), inY(y), look)),
     ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
     ...spec.measured.filter(isShown).map(shape("measured")),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, stars.map(shape("star")), spec.crosses.map(shape("cross"))].flat().join("");
+  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, axial, stars.map(shape("star"))].flat().join("");
 }
 
 // Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
@@ -306,7 +309,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, limits, measured, x, y }, rows) {
+function described({ stars, printed, axial, limits, measured, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -316,7 +319,7 @@ function described({ stars, printed, limits, measured, x, y }, rows) {
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
   const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...limits], "points of your file": measured };
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...axial, ...limits], "points of your file": measured };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }

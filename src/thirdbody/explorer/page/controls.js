@@ -27,7 +27,15 @@ export function makeControls(form) {
   group(form, "Interpretation of the paper", [presetControl(), ...controls("word", wordControl)]);
   group(form, "Inputs that the paper does not print", controls("unknown", numberControl));
   group(form, "Materials, film and ball", controls("printed", numberControl), false);
+  updates.push(showRefused);
   updateControls();
+}
+
+// Above the results, while they are those of the last valid values: what is refused, and why.
+function showRefused() {
+  const fields = d3.selectAll('#controls [aria-invalid="true"]').nodes();
+  const reasons = fields.map((field) => `${field.labels[0].textContent}: ${field.parentNode.querySelector(".note").textContent}.`);
+  d3.select("#refused").text(reasons.length ? `Shown: results of the last valid values. ${reasons.join(" ")}` : "");
 }
 
 function kindOf(name) {
@@ -73,6 +81,7 @@ function rangeControl({ words, symbol, unit, scale, digits, note, value, read, .
   field.addEventListener("change", () => {
     const found = read(numberIn(field.value));
     tell(found === undefined && errorIn(field.value, given.hint));
+    showRefused();
     if (found !== undefined) given.choose(found);
   });
   updates.push(() => {

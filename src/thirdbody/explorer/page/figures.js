@@ -121,25 +121,29 @@ export function figureView() {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
     const own = sharedWords(shown).filter((word) => !notes.includes(word)).map((word) => word.replaceAll(" ", "\u00a0"));
-    return panelSpec(panel, shown, engine, { claim, own, paper: figure.curves });
+    return panelSpec(panel, shown, engine, { claim, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
-  return { specs, key, notes, heading: figure.title, caption: figure.caption };
+  const published = specs.some(({ ghosts }) => ghosts.length) ? "As published: " : "";
+  return { specs, key, notes, heading: figure.title, caption: published + figure.caption };
 }
 
-function panelSpec(panel, curves, engine, { claim, own, paper }) {
+function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper, least } }) {
   const { x, y, letter, locus } = panel;
   const ofPaper = curves.filter(({ mine }) => !mine);
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
   const changed = Object.keys(state.inputs).length > 0 || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
-  const printed = marksOf(panel.printed, claim, curves);
+  const marks = marksOf(panel.printed, claim, curves);
+  // H_c is printed without the height of its curve
+  const axial = x === "film_thickness" ? marks.map((mark) => ({ ...mark, at: [mark.at[0], NaN] })) : [];
+  const printed = axial.length ? [] : marks;
   const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
     letter,
     title: [titleOf(x, y), ...own].join(", "),
-    ...{ x, y, printed, stars },
+    ...{ x, y, least, printed, axial, stars },
     locus: locus ? stars : [],
     lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
@@ -148,7 +152,9 @@ function panelSpec(panel, curves, engine, { claim, own, paper }) {
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
-  return curvesSpec(spec, engine, printed.flatMap(({ at, ends }) => [at, ...ends]));
+  const ranged = VARIABLES[y].log ? [] : spec.ranges.flatMap(({ points }) => points);
+  const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
+  return curvesSpec(spec, engine, [...ends, ...axial.map(({ at }) => at), ...ranged]);
 }
 
 // The title of a panel of y over x.
@@ -158,13 +164,12 @@ function titleOf(x, y) {
 }
 
 // The spec of a chart of curves, whose axes also show some places [x, y].
-export function curvesSpec({ x, y, lines, ghosts = [], ...given }, engine, marked = []) {
+export function curvesSpec({ x, y, least, lines, ghosts = [], ...given }, engine, marked = []) {
   const measured = measuredPoints(x, y, lines, engine);
   const points = [...lines.flatMap((line) => line.points), ...ghosts.flat(), ...measured];
-  const markedY = VARIABLES[y].fraction ? [] : marked.map((at) => at[1]);
   return specOf({
     x: axisFor(x, state.x_scale, [...points.map((point) => point.x), ...marked.map((at) => at[0])]),
-    y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...markedY]),
+    y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...marked.map((at) => at[1])], least),
     newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
     ...{ lines, ghosts, measured, ...given },
   });
@@ -198,8 +203,8 @@ function windowSpec(figure, panel, engine, surface) {
   const { viscosity = 0, particle_density = 1e11, roughness: chosen } = state.conditions;
   const roughness = chosen !== undefined && sigmas.length === 1 ? chosen : sigmas[surface];
   const label = `σ = ${valueText("roughness", roughness)}`;
-  const color = "var(--ink)";
-  const points = d3.range(0.3, 2.0001, 0.05).map((ratio) => {
+  const sizes = distinct(figure.curves.map(ratioOf));
+  const points = sizes.map((ratio) => {
     const condition = { viscosity, roughness, particle_density, particle_diameter: ratio * roughness };
     const found = turningPointBetween(engine.model.contact(condition), ...engine.loads);
     return { x: ratio, y: found?.particle_contact_area_ratio ?? NaN, state: found };
@@ -208,9 +213,9 @@ function windowSpec(figure, panel, engine, surface) {
   return specOf({
     letter: panel.letter,
     title: `${VARIABLES[panel.y].words}, ${label}`,
-    x: { name: panel.x, log: false, domain: [0.3, 2] },
+    x: axisFor(panel.x, "linear", [...sizes, ...panel.printed.flatMap(({ ends }) => ends.map(([end]) => end))]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
-    lines: [{ label, color, points }],
+    lines: [{ label, color: "none", points }],
     windows: ends.filter(Number.isFinite),
     limits: panel.printed.map((mark) => ({ ...mark, kind: mark.id.startsWith(figure.name) ? "limit" : "limit all" })),
     stars: points.filter(({ y }) => Number.isFinite(y)),

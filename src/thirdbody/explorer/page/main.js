@@ -6,7 +6,7 @@ import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { MAP_KEY, mapTitle, mapView } from "./map.js";
-import { SECTION_KEY, drawSection } from "./section.js";
+import { drawSection, sectionKey } from "./section.js";
 import { chartIn, sampleOf } from "./chart.js";
 import { FORMS, forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint, unusual } from "./point.js";
@@ -18,10 +18,11 @@ import { escaped, plain, readable, typeset } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
 const CAPTIONS = {
-  map: "Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none.",
+  map: `Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none. The line of the turning
+    points ends where no maximum of A_sa,t* stands out by 0.02 within these loads.`,
   section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
-    assumes, at the separation that it finds, as in Figures 1 and 2. Particles may be smaller than the gap in
-    which they carry load, where the elastic zone h_e of Eqs. 4 and 5 is wide.`,
+    assumes, at the separation that it finds. As in Figure 1, particles that reach into the elastic zone h_e of Eqs. 4
+    and 5 below surface 1 carry load, also those that touch one surface only; above each of these the zone is tinted.`,
 };
 let charts = [];
 let shown = []; // the specs of charts of curves
@@ -82,7 +83,7 @@ const VIEWS = {
     const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
     return { heading: mapTitle(), notes, key: MAP_KEY };
   },
-  section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: SECTION_KEY }),
+  section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: sectionKey() }),
 };
 
 // What newtons are: the paper leaves it open.
@@ -130,7 +131,7 @@ function ask() {
   asked ||= requestAnimationFrame(render);
 }
 
-const FIGURES = Object.fromEntries(content.figures.map(({ name, title }) => [name, title.split(". ")[0]]));
+const FIGURES = Object.fromEntries(content.figures.map(({ name, part }) => [name, part]));
 const TEXTS = { ...FIGURES, ...SHOWN, auto: "as usual", log: "logarithmic", linear: "linear" };
 for (const select of document.querySelectorAll("select[name]")) {
   const text = (value) => TEXTS[value] ?? wordOf(value);
@@ -166,6 +167,7 @@ $("forget").addEventListener("click", () => {
   $("measured").value = FORMS;
   ask();
 });
+$("reset").addEventListener("click", () => fromFragment("")); // also where the address does not change
 addEventListener("hashchange", () => fromFragment(location.hash));
 addEventListener("resize", () => requestAnimationFrame(draw));
 

@@ -42,8 +42,11 @@ export function withUnit(name, ...texts) {
   if (!unit.startsWith("10")) return `${range} ${unit}`.trim();
   return texts.length > 1 ? `(${range})×${unit}` : `${range}×${unit}`;
 }
+
+// a value, or 0 if it is negligible: in a full film hardly anything touches
+export const notable = (name, value) => (Math.abs(value) < 1e-12 && content.quantities.includes(name) ? 0 : value);
 export const numberText = (name, value, digits) =>
-  Number.isFinite(value) ? withUnit(name, readable(value * (VARIABLES[name].factor ?? 1), digits)) : "–";
+  Number.isFinite(value) ? withUnit(name, readable(notable(name, value) * (VARIABLES[name].factor ?? 1), digits)) : "–";
 
 // The variable of a condition: the load of a point is that in newtons.
 export const ofCondition = (name) => (name === "load" ? "normal_load" : name);

@@ -4,7 +4,7 @@ import { axes, content, currentInputs, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
 import { modeChanges } from "./curves.js";
 import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
-import { FULL_FILM, modeText, numberText, statusText, valueText, withUnit, wordOf } from "./names.js";
+import { FULL_FILM, modeText, notable, numberText, statusText, valueText, withUnit, wordOf } from "./names.js";
 import { escaped, plain, readable, typeset } from "./text.js";
 
 const DIGITS = 3; // of numbers without an ensemble
@@ -23,7 +23,7 @@ export function showPoint(parent) {
   const isCalibrated = Object.keys(state.inputs).length === 0;
   const members = isCalibrated ? ensembleEngines().map((each) => each.state(point)) : [];
   const rows = VALUES.map((name) => {
-    const [low, high] = d3.extent(members, (member) => member[name]);
+    const [low, high] = d3.extent(members, (member) => notable(name, member[name]));
     const words = `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;
     if (!(high > low)) return [words, numberText(name, found[name], DIGITS)];
     const [value, ...range] = supported(name, [found[name], low, high]);
@@ -32,7 +32,7 @@ export function showPoint(parent) {
   const words = [
     ["", "", isCalibrated ? "ensemble" : ""],
     ["Contact mode", found.regime === FULL_FILM ? "" : modeText(found)],
-    ["Lubrication", REGIME_TEXT[found.regime]],
+    ["Lubrication", found.status === "outside_film_formula" ? "" : REGIME_TEXT[found.regime]],
     ["Status", statusText(found.status)],
   ].filter(([name, text]) => name === "" || text);
   const waiting = axes.map(({ name }) => [wordOf(name), "…"]);

@@ -111,7 +111,8 @@ function wordsOf({ found, point, touches, particles }) {
   return (
     `${conditionWords(point, "load").join(", ")} under ${valueText("load", point.load)}: ${stateText(found)}, ` +
     `separation ${numberText("separation", found.separation, 3)}; this cut meets ` +
-    `${contacts} contact${contacts === 1 ? "" : "s"} of summits, and ${carrying} of ${particles.length} particles carry load.`
+    `${contacts} contact${contacts === 1 ? "" : "s"} of summits, and ` +
+    (particles.length ? `${carrying} of ${particles.length} particles carry load.` : "no particles.")
   );
 }
 
@@ -164,7 +165,8 @@ function drawingOf({ found, point, lower, upper, touches, particles }, scale) {
   return [drawing, y(ground)];
 }
 
-export const SECTION_KEY = [
+export const sectionKey = () => (currentPoint().viscosity > 0 ? KEY : KEY.filter(({ text }) => text !== "lubricant"));
+const KEY = [
   { text: "surface 1", fill: "var(--surface-1)" },
   { text: "surface 2", fill: "var(--surface-2)" },
   { text: "lubricant", fill: "var(--lubricant)" },

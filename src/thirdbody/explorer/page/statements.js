@@ -13,7 +13,7 @@ const GLYPHS = { holds: "✓", fails: "✗" };
 let judged = "{}"; // the inputs that verdicts are, or will be, for
 let finished = true;
 
-const figureOf = ({ part }) => part.replace(/^Figure (\d+)$/, (_, number) => `fig${number.padStart(2, "0")}`);
+const figureOf = ({ part }) => content.figures.find((figure) => figure.part === part)?.name;
 const isHere = (claim) => figureOf(claim) === state.figure;
 const verdictOf = ({ id }) => verdicts.get(id).verdict;
 const FILTERS = {
@@ -28,9 +28,8 @@ list.addEventListener("click", (event) => {
   const id = event.target.closest("button")?.dataset.claim;
   if (id === undefined) return;
   const figure = figureOf(content.claims.find((claim) => claim.id === id));
-  const isDrawn = content.figures.some(({ name }) => name === figure);
   if (state.claim === id) change({ claim: "" });
-  else change({ claim: id, ...(isDrawn ? { view: "figures", figure } : {}) });
+  else change({ claim: id, ...(figure ? { view: "figures", figure } : {}) });
 });
 
 // Judge all statements again, those in view first; calls `done` when all are judged.
@@ -63,10 +62,20 @@ export function showStatements() {
   if (key === list.dataset.shown) return;
   list.dataset.shown = key;
   const shown = content.claims.filter(FILTERS[show]);
-  const count = (claims, word) => claims.filter((each) => verdictOf(each) === word).length;
-  const counts = (claims) => `${count(claims, "holds")} hold, ${count(claims, "fails")} fail`;
-  tally.textContent = `${shown.length} statements: ${counts(shown)} (of all ${content.claims.length}: ${counts(content.claims)}).`;
+  const place = show === "here" ? content.figures.find(({ name }) => name === figure).part : "Shown";
+  const numbers = d3.rollup(shown, ({ length }) => length, verdictOf);
+  const words = [...numbers].map(([verdict, count]) => `${count} ${verdict.replace(/s$/, "")}`); // 3 hold
+  tally.textContent = `${place}, ${shown.length} statements: ${d3.sort(words, (word) => -parseInt(word)).join(", ")}.
+    Repeats counted once, ${heldOnce(shown)}; of the whole paper ${heldOnce(content.claims)}. Judged at the paper's conditions.`;
   list.innerHTML = shown.map(item).join("");
+}
+
+// How many hold of those that hold or fail. Of statements that repeat each other one counts, and holds if all do.
+function heldOnce(claims) {
+  const judged = claims.filter((claim) => verdictOf(claim) in GLYPHS);
+  const allHold = (cluster) => cluster.every((claim) => verdictOf(claim) === "holds");
+  const held = d3.rollup(judged, allHold, (claim) => claim.counted_as);
+  return `${d3.sum(held.values())} of ${held.size} hold`;
 }
 
 function item(claim) {
