@@ -385,7 +385,7 @@ def compare_data(
     ) = None,
     oil_density_kg_per_m3: _option(
         "oil-density-kg-per-m3",
-        "density of the oil [kg m-3]: the inputs are derived for it and the speed",
+        "density of the oil [kg m-3]: the inputs are derived for it and the speeds",
     ) = None,
     ball_radius_mm: _option("ball-radius-mm", "radius R_x [mm]") = None,
     boundary_friction: _option(
