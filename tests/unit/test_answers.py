@@ -205,3 +205,5 @@ def test_in_a_full_film_there_is_no_contact_mode(interface):
     compared = interface.compare(interface.changed(viscosity_cSt=1000))
     modes = {row.name: (row.value, row.other) for row in compared.rows}["contact_mode"]
     assert modes[0] is not None and modes[1] is None
+    curve = interface.curve("viscosity", 50, 2000, count=5).values
+    assert curve["contact_mode"].isna().equals(curve["lubrication_regime"] == "full_film")
