@@ -166,6 +166,7 @@ def test_what_stays_of_the_film_where_a_modulus_changes_is_said(defaults):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         tb.load_parameters(ball_radius=0.01, speed_per_viscosity=3e-6)
+        tb.load_parameters(ball_radius=defaults.ball_radius * (1.0 + 1e-15))  # not changed
         tb.load_parameters(truncation=2.5)
 
 

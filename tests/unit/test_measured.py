@@ -131,6 +131,7 @@ def test_what_is_no_topography_is_refused_in_one_line(waves, tmp_path):
         (path, dict(unit=None), 'it has no length unit; give one, as unit="um"'),
         (path, dict(unit="um", scale_nm=1), "scale_nm is 1; allowed: 260.417 or more"),
         (path, dict(unit="um", scale_nm=1e6), "has no slopes or curvatures over 1e[+]06 nm"),
+        (path, dict(units="um"), "there is no argument units; allowed: .*; did you mean unit[?]"),
         (text, dict(unit="um"), r"text\.xyz cannot be used as a topography"),
     ]:
         with pytest.raises(ValueError, match=message):
@@ -393,6 +394,8 @@ def test_the_speed_of_all_measurements_gives_the_inputs():
     assert not [each for each in tb.compare(data(), **dry).notes if "speed" in each]
     with pytest.raises(ValueError, match="speed_m_per_s is 2, without a column of speeds; allowed"):
         tb.compare(data(), speed_m_per_s=2, **REST)
+    with pytest.raises(ValueError, match="unknown axis 'speed'; .*; did you mean speed_m_per_s?"):
+        tb.compare(data(), speed=2, **REST)
     speeds = data(**{"speed [m/s]": [1, 2, 3]})
     at_4 = tb.compare(speeds, speed_m_per_s=4, ball_radius_mm=10, **REST)
     assert at_4 == tb.compare(

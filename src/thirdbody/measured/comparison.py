@@ -218,7 +218,7 @@ def _conditions(columns, conditions, parameters, index):
     words = {name: name.replace("_", " ") for name in ENGINEERING}
     given = {name: columns[each] for name, each in words.items() if each in columns}
     for key, values in conditions.items():
-        if unit_of(key).condition in given:
+        if unit_of(key, compare.__kwdefaults__).condition in given:
             raise ValueError(f"{key} is given twice; allowed: a column, or one number")
         if is_column(values) and not values.index.equals(index):
             message = f"{key} and measured have different indexes"
