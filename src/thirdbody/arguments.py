@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
 LARGEST = 1e100  # x_a in any unit, whose square float64 holds
+PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 # least and most usual value of numbers by name, and their unit
@@ -131,6 +132,10 @@ def _numbers(unit: Unit, given: Any, newtons_per_load: float) -> tuple[Unit, NDA
     rows = None
     if is_column(given):
         rows, given = given.index, _cells(key, given)
+    packed = [each for each in PACKED if each in getattr(given, "attrs", {})]
+    if packed:
+        message = f"{key} has the attribute {packed[0]}, with numbers as a file stores them"
+        raise ValueError(f"{message}; allowed: decoded ones (xarray.decode_cf)")
     own, bare = in_own_unit(unit, given, newtons_per_load)
     array = checked_array(key, bare.data if is_labelled(bare) else bare)
     least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")

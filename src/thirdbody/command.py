@@ -8,8 +8,8 @@ import os
 import re
 import sys
 import warnings
-from collections.abc import Callable, Collection, Mapping, Sequence
-from contextlib import redirect_stdout, suppress
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager, redirect_stdout, suppress
 from inspect import signature
 from json import dumps
 from shutil import get_terminal_size
@@ -308,6 +308,8 @@ def curve(
 ) -> Asked:
     """All variables along one axis, as CSV and as a plot."""
     given = locals()
+    import thirdbody
+
     if along not in ENGINEERING:
         allowed = ", ".join(ENGINEERING) + did_you_mean(along, ENGINEERING)
         raise ValueError(f"--along is {along!r}; allowed: {allowed}")
@@ -317,11 +319,7 @@ def curve(
     ends = _increasing(first, last)
     found = _interface(given).curve(along, *ends, count)
     _write_table(csv, found)
-    if plot is not None:
-        from thirdbody.figures.drawing import save_figure
-        from thirdbody.figures.plot import plot_curve
-
-        save_figure(plot_curve(found), plot)
+    _write_plot(plot, lambda: thirdbody.plot(found))
     written = " and ".join(path for path in (csv, plot) if path is not None)
     return f"{written} written" if written and not json else found, json
 
@@ -385,7 +383,7 @@ def compare_data(
     ) = None,
     oil_density_kg_per_m3: _option(
         "oil-density-kg-per-m3",
-        "density of the oil [kg m-3]: the inputs are derived for it and the speed",
+        "density of the oil [kg m-3]: the inputs are derived for it and the speeds",
     ) = None,
     ball_radius_mm: _option("ball-radius-mm", "radius R_x [mm]") = None,
     boundary_friction: _option(
@@ -416,7 +414,7 @@ def compare_data(
         **_conditions(given),
     )
     _write_table(csv, found)
-    _write_plot(plot, found)
+    _write_plot(plot, found.plot)
     return found.answer, json
 
 
@@ -457,10 +455,23 @@ def _changes(given: Mapping[str, Any], along: str, flags: Collection[str]) -> An
     return _interface(given).transitions(along, flags, between)
 
 
+class NotWritten(OSError):
+    """A file for the answer cannot be written."""
+
+
+@contextmanager
+def _writing() -> Iterator[None]:
+    """A context in which an ``OSError`` is ``NotWritten``."""
+    try:
+        yield
+    except OSError as error:
+        raise NotWritten(error) from None
+
+
 def _write(path: str, text: str) -> None:
     from thirdbody.data.files import atomic_write
 
-    with atomic_write(path) as part:
+    with _writing(), atomic_write(path) as part:
         part.write_text(text, encoding="utf-8")
 
 
@@ -470,12 +481,14 @@ def _write_table(path: str | None, found: Any) -> None:
         _write(path, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
 
 
-def _write_plot(path: str | None, found: Any) -> None:
-    """Draw a ``Comparison``, if a path is given."""
+def _write_plot(path: str | None, draw: Callable) -> None:
+    """Draw a figure and write it, if a path is given."""
     if path is not None:
         from thirdbody.figures.drawing import save_figure
 
-        save_figure(found.plot(), path)
+        figure = draw()
+        with _writing():
+            save_figure(figure, path)
 
 
 EXAMPLES = {name: each for name, each in COMMANDS.items() if name != "compare-data"}
@@ -497,7 +510,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in COMMANDS)])
     printed = io.StringIO()  # of --help and --version
-    refusal = None
+    refusal, code = None, BAD_INPUT
     with warnings.catch_warnings(record=True) as caught, redirect_stdout(printed):
         warnings.simplefilter("ignore")
         warnings.simplefilter("default", UserWarning)  # other warnings are for developers
@@ -505,13 +518,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
             asked = questions(arguments, prog_name="thirdbody", standalone_mode=False)
         except typer.TyperException as error:
             refusal = error.format_message()
+        except NotWritten as error:
+            refusal, code = str(error), NOT_WRITTEN
         except (ValueError, OSError, ModuleNotFoundError) as error:
             refusal = str(error)
     for message in dict.fromkeys(str(each.message) for each in caught):
         _tell(name, f"warning: {_plain(message)}")
     if refusal is not None:
         _tell(name, _plain(refusal))
-        return BAD_INPUT
+        return code
     if asked == STOPPED:
         _tell(name, "stopped; run the same command again to start over")
     if isinstance(asked, int):

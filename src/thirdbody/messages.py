@@ -22,9 +22,12 @@ def format_row(row: Any) -> str:
 
 
 def did_you_mean(given: Any, known: Iterable[str]) -> str:
-    """The end of a message about an unknown name: the ``known`` one nearest to it, if there is one."""
+    """The end of a message about an unknown name: the ``known`` one nearest to it, or that it begins,
+    if there is one."""
     by_letters = {name.lower(): name for name in known if name != str(given)}
-    near = get_close_matches(str(given).lower(), by_letters, 1)
+    letters = str(given).lower()
+    near = get_close_matches(letters, by_letters, 1)
+    near = near or [name for name in by_letters if name.startswith(f"{letters}_")]
     return f"; did you mean {by_letters[near[0]]}?" if near else ""
 
 

@@ -6,7 +6,7 @@ the attribute ``units``, carry their own unit.  ``units.toml`` is the table of t
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -67,10 +67,10 @@ OPTIONS = "parameters", "variables", "rtol", "progress"
 SEARCHED = {name: tuple(each["searched"]) for name, each in CONDITIONS.items()}
 
 
-def unit_of(key: Any) -> Unit:
-    """The unit of a name; raises ``ValueError`` if there is no such name."""
+def unit_of(key: Any, others: Iterable[str] = OPTIONS) -> Unit:
+    """The unit of a name; raises ``ValueError`` if there is no such name, which the ``others`` may be."""
     if not isinstance(key, str) or key not in UNITS:
-        allowed = ", ".join(UNITS) + did_you_mean(key, (*UNITS, *OPTIONS))
+        allowed = ", ".join(UNITS) + did_you_mean(key, (*UNITS, *others))
         raise ValueError(f"unknown axis {format_value(key)}; allowed: {allowed}")
     return UNITS[key]
 

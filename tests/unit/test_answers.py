@@ -166,6 +166,7 @@ def test_what_stays_of_the_film_where_a_modulus_changes_is_said(defaults):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         tb.load_parameters(ball_radius=0.01, speed_per_viscosity=3e-6)
+        tb.load_parameters(ball_radius=defaults.ball_radius * (1.0 + 1e-15))  # not changed
         tb.load_parameters(truncation=2.5)
 
 
@@ -205,3 +206,5 @@ def test_in_a_full_film_there_is_no_contact_mode(interface):
     compared = interface.compare(interface.changed(viscosity_cSt=1000))
     modes = {row.name: (row.value, row.other) for row in compared.rows}["contact_mode"]
     assert modes[0] is not None and modes[1] is None
+    curve = interface.curve("viscosity", 50, 2000, count=5).values
+    assert curve["contact_mode"].isna().equals(curve["lubrication_regime"] == "full_film")

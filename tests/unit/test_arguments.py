@@ -100,6 +100,10 @@ def test_arrays_broadcast_by_the_names_of_their_dimensions(solve):
             "viscosity is an array without named dimensions; allowed: a number or an xarray.DataArray",
         ),
         (
+            {"load": LOADS.assign_attrs(scale_factor=1e-6)},
+            "load has the attribute scale_factor, with numbers as a file stores them; allowed: decoded",
+        ),
+        (
             {"load": LOADS, "viscosity": LOADS.assign_coords(load=[1.0, 2.0])},
             "load, viscosity have different coordinates along one dimension",
         ),
@@ -119,7 +123,14 @@ def test_arrays_broadcast_by_the_names_of_their_dimensions(solve):
             "shapes do not broadcast: load has (2,), viscosity has (3,); allowed: shapes that do",
         ),
     ],
-    ids=["no names", "other coordinates", "two series", "a table", "other shapes"],
+    ids=[
+        "no names",
+        "packed numbers",
+        "other coordinates",
+        "two series",
+        "a table",
+        "other shapes",
+    ],
 )
 def test_arrays_that_do_not_go_together_are_refused(solve, given, message):
     assert refusal(solve, **given).startswith(message)

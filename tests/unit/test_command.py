@@ -43,7 +43,6 @@ REFUSED = {
     "curve --along load --from 1 --to 2": "--viscosity-cSt is missing; allowed: a number",
     f"{CURVE} --count 1": "count is 1; allowed: whole numbers from 2 to 1000000",
     f"{CURVE} --plot a.txt": "a.txt ends with 'txt'; allowed: svg, pdf, png",
-    f"{CURVE} --csv no/a.csv": "no/a.csv cannot be written",
 }
 
 
@@ -74,6 +73,20 @@ def test_bad_input_is_one_line(text, capsys):
     printed = capsys.readouterr()
     (line,) = printed.err.splitlines()
     assert printed.out == "" and line.startswith("thirdbody") and REFUSED[text] in line
+
+
+@pytest.mark.parametrize(
+    ("text", "path"),
+    [
+        (f"{CURVE} --csv no/a.csv", "no/a.csv"),
+        (f"{CURVE} --plot no/a.svg", "no/a.svg"),
+        ("bearing --ball-radius-mm 10 --write no/mine.yaml", "no/mine.yaml"),
+    ],
+)
+def test_a_file_that_cannot_be_written_is_one_line_with_the_code_for_it(text, path, capsys):
+    assert run(text) == NOT_WRITTEN
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.endswith(f"{path} cannot be written (No such file or directory)")
 
 
 def test_a_number_in_another_unit_is_told_before_what_it_makes_impossible(capsys):

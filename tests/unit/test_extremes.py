@@ -5,6 +5,7 @@ they stand, by a limit of them, or by an argument where there is no solution.
 """
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -105,6 +106,15 @@ def test_a_roughness_whose_surface_float64_cannot_hold_is_refused(parameters, me
     for roughness in (bad, [3e-7, bad]):
         with pytest.raises(ValueError, match=f"^{shown}$"):
             solve(parameters, roughness=roughness)
+
+
+def test_a_roughness_whose_summits_are_too_high_is_refused_with_the_input_that_lifts_them(
+    parameters, method
+):
+    steep = replace(parameters, summit_offset_exponent=-1.0)
+    message = "^roughness is 1e-12 m, at which summit_offset_exponent -1 puts .*; allowed: at most "
+    with pytest.raises(ValueError, match=message):
+        solve(steep, roughness=1e-12)
 
 
 def extreme_points(count, seed):

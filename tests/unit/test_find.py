@@ -129,6 +129,23 @@ def test_levels_of_a_table_keep_its_index(parameters):
     assert expected and found.to_dataframe().index.tolist() == expected
 
 
+def test_each_row_has_the_conditions_and_levels_in_which_queries_differ(parameters):
+    layer = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
+    given = dict(parameters=parameters, load_N=[5, 10, 20], **layer)
+    for found in (
+        tb.find("solid_load_fraction", 0.9, "viscosity_cSt", **given),
+        tb.transitions("viscosity_cSt", **given),
+    ):
+        table = found.to_dataframe()
+        assert [*table][:2] == ["query", "load_N"] and "load_N" in str(found)
+        assert table["load_N"].tolist() == [[5, 10, 20][query] for query in table["query"]]
+        assert not {*layer, "level"} & {*table}
+    levels = [[0.9], [0.5]]
+    table = tb.find("solid_load_fraction", levels, "viscosity_cSt", **given).to_dataframe()
+    assert table["level"].tolist() == [0.9] * 3 + [0.5] * 3
+    assert table["load_N"].tolist() == [5, 10, 20] * 2
+
+
 def test_nothing_found_is_printed_in_a_word(parameters):
     given = dict(parameters=parameters, between=(1, 2), **others("viscosity_cSt"))
     assert str(tb.transitions("viscosity_cSt", **given)) == "none"

@@ -9,7 +9,7 @@ from methods import POINT
 import thirdbody as tb
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import VARIABLES
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.model.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
 
 LOADS = np.array([1e-6, 1e-5, 1e-4])
 OILS = np.array([0.0, 9e-5])
@@ -85,6 +85,15 @@ def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
     unsolved = solution.lubrication_regime.ravel() < 0
     assert unsolved.any()
     np.testing.assert_array_equal(table["lubrication_regime"].isna(), unsolved)
+
+
+def test_where_people_read_a_full_film_has_no_contact_mode(solved):
+    solution = solved(load=1e-6, viscosity=[9e-5, 1e-3])
+    assert LUBRICATION_REGIMES[solution.lubrication_regime[1]] == "full_film"
+    table = solution.to_dataframe()
+    assert table["contact_mode"].isna().tolist() == [False, True]
+    assert str(solution).count("none (1), ") == 1
+    assert (solution.contact_mode >= 0).all() and (solution.to_dataset()["contact_mode"] >= 0).all()
 
 
 SURFACE = dict(roughness_nm=300, particle_density_per_m2=1e11)

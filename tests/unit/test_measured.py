@@ -131,6 +131,7 @@ def test_what_is_no_topography_is_refused_in_one_line(waves, tmp_path):
         (path, dict(unit=None), 'it has no length unit; give one, as unit="um"'),
         (path, dict(unit="um", scale_nm=1), "scale_nm is 1; allowed: 260.417 or more"),
         (path, dict(unit="um", scale_nm=1e6), "has no slopes or curvatures over 1e[+]06 nm"),
+        (path, dict(units="um"), "there is no argument units; allowed: .*; did you mean unit[?]"),
         (text, dict(unit="um"), r"text\.xyz cannot be used as a topography"),
     ]:
         with pytest.raises(ValueError, match=message):
@@ -363,9 +364,11 @@ def test_a_speed_that_no_oil_explains_is_refused_with_the_speed_of_the_inputs():
         {"speed [m/s]": [0.1, 0.2], "load [N]": [5, 10], "film thickness [nm]": [90, 140]}
     )
     given = REST
-    message = r"speed_m_per_s is 0.2, at which .* 17306 kg/m3; allowed: 4.07 m/s \(with 850 kg/m3\)"
-    with pytest.raises(ValueError, match=message):
-        tb.compare(runs, speed_m_per_s=0.2, **given)
+    allowed = r"700 to 1100 kg/m3, as at 4.07 m/s \(with 850 kg/m3\)"
+    for speed, density in ((0.2, "17306"), (2, "1730.6"), (5.5, "629.3")):
+        message = f"speed_m_per_s is {speed}, at which .* {density} kg/m3; allowed: {allowed}"
+        with pytest.raises(ValueError, match=message):
+            tb.compare(runs, speed_m_per_s=speed, **given)
     found = tb.compare(runs, speed_m_per_s=0.2, oil_density_kg_per_m3=850, **given)
     inputs = tb.bearing(speed_m_per_s=0.2, oil_density_kg_per_m3=850)
     expected = tb.compare(runs, parameters=inputs, speed_m_per_s=0.2, **given)
@@ -386,15 +389,36 @@ def test_the_speed_of_all_measurements_gives_the_inputs():
     assert found == given
     note = "with an oil of 850 kg/m3, U/nu is for a speed of 2.05 m/s"  # 2 m/s at 870 kg/m3
     assert note in given.notes
+    assert "with an oil of 870 kg/m3, U/nu is for a speed of 2 m/s" in found.notes
     dry = REST | {"viscosity_cSt": 0}
     assert not [each for each in tb.compare(data(), **dry).notes if "speed" in each]
     with pytest.raises(ValueError, match="speed_m_per_s is 2, without a column of speeds; allowed"):
         tb.compare(data(), speed_m_per_s=2, **REST)
+    with pytest.raises(ValueError, match="unknown axis 'speed'; .*; did you mean speed_m_per_s?"):
+        tb.compare(data(), speed=2, **REST)
     speeds = data(**{"speed [m/s]": [1, 2, 3]})
     at_4 = tb.compare(speeds, speed_m_per_s=4, ball_radius_mm=10, **REST)
     assert at_4 == tb.compare(
         speeds, speed_m_per_s=4, parameters=tb.bearing(ball_radius_mm=10), **REST
     )
+
+
+def test_the_oil_is_stated_that_the_inputs_stand_for_at_a_speed():
+    speeds = data(**{"speed [m/s]": 4.0})
+    for ball in ({}, {"ball_radius_mm": 19}):
+        found = tb.compare(speeds, speed_m_per_s=4, **ball, **REST)
+        assert "with an oil of 865.3 kg/m3, U/nu is for a speed of 4 m/s" in found.notes
+
+
+def test_the_film_of_a_column_of_speeds_needs_no_other_speed_with_a_density():
+    runs = data(**{"speed [m/s]": [1, 2, 3], "film thickness [nm]": 900})
+    oil = dict(oil_density_kg_per_m3=900)
+    found = tb.compare(runs, **oil, **REST)
+    for speed in (0.2, 4):
+        other = tb.compare(runs, speed_m_per_s=speed, **oil, **REST).table
+        expected = other["film_thickness_nm_model"].tolist()
+        assert found.table["film_thickness_nm_model"].tolist() == pytest.approx(expected)
+    assert "with an oil of 900 kg/m3, U/nu is for a speed of 3.85 m/s" in found.notes
 
 
 def test_a_topography_in_two_units_is_warned_of(waves, tmp_path):

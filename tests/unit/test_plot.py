@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import thirdbody as tb
 from thirdbody.figures.scales import SCALES
@@ -108,7 +109,11 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
         (grid(load=1e-5), {}, "data has one load; allowed: two or more"),
         (grid(**sizes), {}, "viscosity and particle_diameter vary; allowed: one"),
         (grid(["separation"]), {}, "there is nothing to draw; allowed: points with"),
-        (5, {}, "data is of type int; allowed: a solution, a curve, a dataset of tb.grid"),
+        (
+            5,
+            {},
+            "data is of type int; allowed: a solution itself .*, a curve, or a dataset of tb.grid",
+        ),
         (data.isel(load=[]), {}, "data has no points; allowed: a solution"),
         (data, {"like": "fig01"}, "like is 'fig01'; allowed: fig03, "),
         (data, {"over": "time"}, "over is 'time'; allowed: load, "),
@@ -126,7 +131,8 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
     own = tmp_path / "own.nc"
     own.write_text("no netCDF")
     with pytest.raises(
-        OSError, match=r"own.nc cannot be read \(NetCDF: Unknown file format\)$"
+        OSError,
+        match=r"own.nc cannot be read \(NetCDF: Unknown file format\); allowed: .* NetCDF file$",
     ):  # no command remakes it
         tb.plot(own)
 
@@ -139,6 +145,26 @@ def test_a_solution_is_drawn_as_its_dataset_and_some_variables_alone(parameters)
     assert len(figure.axes) == len(other.axes)
     one = tb.plot(found, variables="solid_load_fraction")
     assert [panel.y for panel in one.panels] == ["solid_load_fraction"]
+
+
+def test_the_table_of_a_solution_is_refused_with_what_to_draw(grid):
+    given = dict(viscosity_cSt=90, particle_diameter_nm=300, roughness_nm=300)
+    table = tb.solve(load_N=[1, 10], particle_density_per_m2=1e11, **given).to_dataframe()
+    message = r"^data has no load; allowed: a solution itself \(not its to_dataframe\)"
+    with pytest.raises(ValueError, match=message):
+        tb.plot(table)
+
+
+def test_packed_numbers_are_decoded_wherever_a_dataset_is_from(grid, tmp_path):
+    data, path = grid(), tmp_path / "packed.nc"
+    packing = {"dtype": "i2", "scale_factor": 1e-4, "add_offset": 0.5, "_FillValue": -32768}
+    data.to_netcdf(path, encoding={"solid_load_fraction": packing})
+    packed = xr.open_dataset(path, mask_and_scale=False)
+    assert packed["solid_load_fraction"].attrs["scale_factor"] == 1e-4
+    expected = curves(tb.plot(path))
+    for chosen in (packed, packed.stack(point=["load", "viscosity"])):
+        for drawn, lines in zip(curves(tb.plot(chosen)), expected, strict=True):
+            np.testing.assert_array_equal(drawn, lines)
 
 
 def test_more_curves_than_a_legend_can_name_are_refused(grid):

@@ -24,6 +24,7 @@ USUAL_BEARING, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
 BODIES = "ball", "flat", "particle"
 GIGA = 1e9
 USUAL_DENSITY = 850.0  # of mineral oils [kg m-3]
+LUBRICANT_DENSITIES = 700.0, 1100.0  # [kg m-3]
 
 
 @dataclass(frozen=True)
@@ -82,10 +83,11 @@ def implied_speed(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_D
     return parameters.speed_per_viscosity * stiffness / oil_density_kg_per_m3
 
 
-def speed_note(parameters: Parameters) -> str:
-    """The speed of the inputs in words."""
-    speed = implied_speed(parameters)
-    return f"with an oil of {USUAL_DENSITY:g} kg/m3, U/nu is for a speed of {speed:.3g} m/s"
+def speed_note(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_DENSITY) -> str:
+    """The speed of the inputs with an oil of this density, in words."""
+    speed = implied_speed(parameters, oil_density_kg_per_m3)
+    oil = f"an oil of {oil_density_kg_per_m3:.4g} kg/m3"
+    return f"with {oil}, U/nu is for a speed of {speed:.3g} m/s"
 
 
 def _hertz_modulus(one: Material, other: Material) -> float:

@@ -17,7 +17,16 @@ from thirdbody.arguments import check_count, check_points, check_rtol, ends_in_s
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve_arrays
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, is_labelled, unit_of
+from thirdbody.units import (
+    ENGINEERING,
+    SEARCHED,
+    UNITS,
+    Unit,
+    decimal,
+    is_labelled,
+    unit_of,
+    units_in_tables,
+)
 
 SWEEP = 32  # values along the axis
 FINER, DEPTH = 8, 2  # where a curve has an extremum near the level
@@ -37,6 +46,20 @@ def queries(
     check_points(given, conditions)
     columns = np.broadcast_arrays(*given.values())
     return columns[0].shape, dict(zip(given, map(np.ravel, columns)))
+
+
+def differing(
+    conditions: Mapping[str, ArrayLike], columns: Mapping[str, NDArray], parameters: Parameters
+) -> dict[str, NDArray]:
+    """The ``columns`` of ``queries`` in which these differ; conditions by their names in tables, which have units."""
+    units, found = units_in_tables(conditions), {}
+    for name, column in columns.items():
+        if np.unique(column).size > 1:
+            if name in units:
+                column = decimal(units[name].from_si(column, parameters.newtons_per_load))
+                name = units[name].key
+            found[name] = column
+    return found
 
 
 def sweep_values(

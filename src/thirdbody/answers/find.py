@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.answers.crossings import SWEEP, crossings, queries, sweep_values
+from thirdbody.answers.crossings import SWEEP, crossings, differing, queries, sweep_values
 from thirdbody.arguments import (
     check_count,
     check_rtol,
@@ -47,7 +47,8 @@ class Crossings(Tabular):
     """Where a variable crosses levels: arrays with an element per crossing, in the order of the queries.
 
     ``along`` is the axis, by its name with a unit, ``shape`` the broadcast shape of the level and
-    the other axes, and ``query`` a flat index into it.  ``value`` is the place of the crossing in
+    the other axes, and ``query`` a flat index into it.  ``conditions`` are the level and axes that differ
+    between queries, an element per query.  ``value`` is the place of the crossing in
     the unit of ``along``, increasing within a query; ``rises`` is whether the variable increases
     there, and ``solution_status`` an index into ``thirdbody.model.regimes.SOLUTION_STATUSES``.
     ``error`` bounds the error of ``value``: at this distance on both sides, the variable is above
@@ -56,6 +57,7 @@ class Crossings(Tabular):
 
     along: str
     shape: tuple[int, ...]
+    conditions: Mapping[str, NDArray]
     query: NDArray
     value: NDArray
     error: NDArray
@@ -81,10 +83,12 @@ class Crossings(Tabular):
     __str__ = __repr__
 
     def to_dataframe(self) -> pd.DataFrame:
-        """One row per crossing: query, value in the unit of ``along``, its error, direction and status."""
+        """One row per crossing: query, conditions that differ, value in the unit of ``along``, its error,
+        direction and status."""
         import pandas as pd
 
-        columns = {"query": self.query, self.along: self.value, "error": self.error}
+        columns = {"query": self.query} | _of_queries(self.conditions, self.query)
+        columns |= {self.along: self.value, "error": self.error}
         status = np.array(SOLUTION_STATUSES)[self.solution_status]
         table = pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
         return indexed(table, self._index, self.query)
@@ -140,19 +144,25 @@ class Transition:
 
 
 class Transitions(Tabular, list):
-    """A list of ``Transition`` ``along`` an axis, sorted by query, then by value."""
+    """A list of ``Transition`` ``along`` an axis, sorted by query, then by value; ``conditions`` are those
+    that differ between queries, as in ``Crossings``."""
 
-    def __init__(self, along: str, changes: Iterable[Transition]) -> None:
+    def __init__(
+        self, along: str, conditions: Mapping[str, NDArray], changes: Iterable[Transition]
+    ) -> None:
         super().__init__(changes)
-        self.along = along
+        self.along, self.conditions = along, conditions
 
     def to_dataframe(self) -> pd.DataFrame:
-        """One row per change, with its place in a column named ``along``."""
+        """One row per change: query, conditions that differ, and its place in a column named ``along``."""
         import pandas as pd
 
         table = pd.DataFrame([vars(each) for each in self], columns=[*Transition.__annotations__])
         table = table.assign(border=[each.border.flag for each in self])
-        return indexed(table.rename(columns={"value": self.along}), self._index, table["query"])
+        query = table.pop("query").to_numpy(int)
+        columns = {"query": query} | _of_queries(self.conditions, query)
+        table = pd.DataFrame(columns).join(table.rename(columns={"value": self.along}))
+        return indexed(table, self._index, query)
 
 
 def find(
@@ -213,9 +223,10 @@ def find(
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
     shape, others = queries(conditions, parameters, unit.condition, level=level)
+    differ = differing(conditions, others, parameters)
     limits = [(variable, others.pop("level"))]
     _, *found = crossings(limits, unit, swept, others, parameters, rtol, progress)
-    return Crossings(along, shape, *found)._with_index(index)
+    return Crossings(along, shape, differ, *found)._with_index(index)
 
 
 def transitions(
@@ -247,7 +258,8 @@ def transitions(
     shape, others = queries(conditions, parameters, unit.condition)
     changes = all_changes(unit, swept, shape, others, parameters, rtol, progress)
     kept = [each for each in changes if each.solution_status != IN_FULL_FILM]
-    return Transitions(along, kept)._with_index(common_index(conditions))
+    differ = differing(conditions, others, parameters)
+    return Transitions(along, differ, kept)._with_index(common_index(conditions))
 
 
 def all_changes(
@@ -356,6 +368,11 @@ def turning_window(
     (density,) = given["particle_density"].tolist()
     (found,) = turning_point_windows(search, given["roughness"], density, loads, parameters)
     return found
+
+
+def _of_queries(conditions, query) -> dict[str, NDArray]:
+    """The ``conditions`` of each row with a ``query``."""
+    return {name: column[query] for name, column in conditions.items()}
 
 
 def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:

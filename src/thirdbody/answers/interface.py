@@ -34,7 +34,7 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
 from thirdbody.messages import format_value
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES
+from thirdbody.model.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
 from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, unit_of
@@ -258,8 +258,8 @@ class Interface:
         for name in QUANTITIES:
             table[name] = getattr(mine, name)
             table = table.assign(**ranges(name, [getattr(each, name) for each in of_members]))
-        for name, flag in FLAGS.items():
-            table[name] = pd.Categorical.from_codes(getattr(mine, name), flag.meanings)
+        for name, codes in codes_to_name(mine.known).items():
+            table[name] = pd.Categorical.from_codes(codes, FLAGS[name].meanings)
         return Curve(key, table)
 
     def _ends(self, name: str, ends: Any, key: str) -> tuple[float, float]:
@@ -331,11 +331,8 @@ def _state(solution: Solution) -> State:
     """The variables of one point in engineering units and words."""
     state = {name: _known(getattr(solution, name)) for name in QUANTITIES}
     state["separation"] = _known(LENGTH.from_si(solution.separation))
-    for name, flag in FLAGS.items():
-        index = int(getattr(solution, name))
-        state[name] = _words(flag.meanings[index]) if index >= 0 else None
-    if state["lubrication_regime"] == "full film":
-        state["contact_mode"] = None
+    for name, code in codes_to_name(solution.known).items():
+        state[name] = _words(FLAGS[name].meanings[code]) if code >= 0 else None
     return state
 
 

@@ -73,7 +73,9 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     schema.validate(inputs, values_schema(entries), "load_parameters")
     values = chosen["parameters"] | plain_values(inputs)
     check_ball(values, "load_parameters")
-    _warn_of_what_stays(chosen["inputs"] | inputs)
+    changed = chosen["inputs"] | inputs
+    if HELD_IN.keys() & changed.keys():
+        _warn_of_what_stays(changed, choose_inputs(entries, chosen["calibrated"], {})["parameters"])
     return Parameters(**values)
 
 
@@ -86,11 +88,11 @@ HELD_IN = {
 }
 
 
-def _warn_of_what_stays(given):
-    """Warn of inputs that are changed without the film parameters that depend on them."""
+def _warn_of_what_stays(given, before):
+    """Warn of inputs that differ from ``before`` without the film parameters that depend on them."""
     for name in HELD_IN.keys() & given.keys():
         stay = ", ".join(other for other in HELD_IN[name] if other not in given)
-        if stay:
+        if stay and not math.isclose(given[name], before[name]):
             message = f"{name} is changed without {stay}; thirdbody.bearing changes them together"
             warnings.warn(message, UserWarning, stacklevel=3)
 

@@ -10,6 +10,7 @@ import xarray as xr
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
+from thirdbody.model.regimes import codes_to_name
 from thirdbody.tabular import indexed
 from thirdbody.units import Unit, decimal
 
@@ -59,8 +60,8 @@ def labelled_frame(
     labels = [name for name in flat.dims if name in flat.coords]
     others = [name for name in flat.coords if name not in labels]
     frame = flat.to_dataframe().reset_index()[[*labels, *others, *flat.data_vars]]
-    for name in FLAGS.keys() & flat.data_vars.keys():
-        frame[name] = pd.Categorical.from_codes(frame[name], FLAGS[name].meanings)
+    for name, codes in codes_to_name({each: frame[each] for each in flat.data_vars}).items():
+        frame[name] = pd.Categorical.from_codes(codes, FLAGS[name].meanings)
     headings = {name: flat[name].attrs.get("units") for name in frame.columns}
     for name, unit in units.items():
         headings[name] = unit.text

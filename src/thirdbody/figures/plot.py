@@ -19,8 +19,8 @@ from matplotlib.figure import Figure
 from thirdbody.arguments import checked_names
 from thirdbody.data.attributes import GIVEN_AS
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
-from thirdbody.data.files import readable_file
-from thirdbody.data.netcdf import read_plain
+from thirdbody.data.files import DamagedFile, readable_file
+from thirdbody.data.netcdf import OF_THE_FILE, read_plain
 from thirdbody.data.quantities import NORMAL_LOAD, STATUS
 from thirdbody.figures.curves import (
     BLUE,
@@ -39,8 +39,8 @@ from thirdbody.units import UNITS
 
 MOST_CURVES = 24  # of which a legend names each
 ALLOWED = (
-    "a solution, a curve, a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, its "
-    "table or file"
+    "a solution itself (not its to_dataframe), a curve, or a dataset of tb.grid, tb.stream, "
+    "Solution.to_dataset or the workflow, also its table or NetCDF file"
 )
 
 
@@ -61,6 +61,7 @@ def plot(
     data : Solution, Curve, xarray.Dataset, pandas.DataFrame or path
         A solution, a curve of ``Interface.curve`` with its ensemble range, a dataset of ``grid`` or
         ``Solution.to_dataset``, the table of such a dataset, or a file of ``stream`` or of the workflow.
+        ``Solution.to_dataframe`` is no such table: its load in newtons does not give F_t*.
         Points in a list must be all combinations of their conditions.
     over : str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
@@ -270,12 +271,14 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
         if STATUS not in data:  # not asked for
             data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
     if isinstance(data, str | PathLike):
-        data = read_plain(readable_file(name, data, ALLOWED)).to_xarray()
+        data = _read(readable_file(name, data, ALLOWED))
     if isinstance(data, pd.DataFrame):
         named = [each for each in data.index.names if each in DIMENSIONS]
         data = data.reset_index(named).reset_index(drop=True).to_xarray()
     if not isinstance(data, xr.Dataset):
         raise ValueError(f"{name} is of type {type(data).__name__}; allowed: {ALLOWED}")
+    if any(each in variable.attrs for variable in data.variables.values() for each in OF_THE_FILE):
+        data = xr.decode_cf(data, decode_times=False)
     missing = [each for each in DIMENSIONS if each not in data]
     if name == "data" and STATUS not in data:
         missing.append(STATUS)
@@ -291,6 +294,14 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
         newtons = data["load"].values * _newtons_per_load(data)
         data = data.drop_vars(NORMAL_LOAD.name).assign_coords(normal_load=("load", newtons))
     return data.transpose(*DIMENSIONS).sortby([*DIMENSIONS])
+
+
+def _read(path) -> xr.Dataset:
+    """The dataset in a file; ``OSError`` says what a file must be."""
+    try:
+        return read_plain(path).to_xarray()
+    except DamagedFile as error:
+        raise OSError(f"{error}; allowed: {ALLOWED}") from None
 
 
 def _placed_on_axes(name, data) -> xr.Dataset:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
 from thirdbody.answers.bearing import (
+    LUBRICANT_DENSITIES,
     USUAL_BEARING,
     USUAL_DENSITY,
     bearing,
@@ -119,8 +120,8 @@ def compare(
         which are left out, such as H_c, ``film thickness [1]``.
     speed_m_per_s, oil_density_kg_per_m3, ball_radius_mm : float or quantity, optional
         With the density of the oil [kg m-3], the inputs are derived for this rolling speed [m/s] and ball
-        by ``bearing``.  Without it, a column of speeds requires the speed of ``parameters``, which the
-        messages state.
+        by ``bearing``; a column of speeds then needs no other one.  Without it, such a column requires the
+        speed of ``parameters``, at which they stand for an oil of 700 to 1100 kg/m3; ``notes`` state both.
     assumed : Assumed, optional
         Assumptions of the estimates of friction and contact resistance (``estimates.Assumed``).
     parameters, **conditions
@@ -147,7 +148,7 @@ def compare(
         "oil_density_kg_per_m3": oil_density_kg_per_m3,
         "ball_radius_mm": ball_radius_mm,
     }
-    parameters, speed = _of_bearing(parameters, "speed" in columns, bearing_given)
+    parameters, speed, density = _of_bearing(parameters, "speed" in columns, bearing_given)
     rows = len(next(iter(columns.values())))
     index = measured.index if isinstance(measured, pd.DataFrame) else pd.RangeIndex(rows)
     try:
@@ -160,8 +161,8 @@ def compare(
         _with_model(each, observed, (parameters, *members), speed, assumed)
         for each in (table, curve)
     )
-    if oil_density_kg_per_m3 is None and table["viscosity_cSt"].any():
-        notes.append(speed_note(parameters))
+    if table["viscosity_cSt"].any():
+        notes.append(speed_note(parameters, density))
     for name, quantity in observed.items():
         table[name] = decimal(quantity.to(UNITS_OF[name]).magnitude)
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
@@ -176,27 +177,40 @@ def compare(
 
 
 def _of_bearing(parameters, has_speeds, given):
-    """The inputs for the ball, speed and oil that are given, and the speed [m/s] at which they hold."""
+    """The inputs for the ball, speed and oil that are given; and the speed [m/s] and the density of the oil
+    [kg m-3] that they stand for."""
     given = {name: each for name, each in given.items() if each is not None}
     numbers = checked_numbers(given, USUAL_BEARING)
-    speed, derives = numbers.get("speed_m_per_s"), "oil_density_kg_per_m3" in numbers
-    usual = f"{implied_speed(parameters):.3g} m/s (with {USUAL_DENSITY:g} kg/m3)"
-    if has_speeds and speed is None:
-        message = "speed_m_per_s is None, with a column of speeds; allowed: the speed of the inputs"
-        raise ValueError(f"{message}, {usual}, or any with oil_density_kg_per_m3")
-    if speed is not None and not (has_speeds or derives):
+    speed, density = (numbers.get(name) for name in ("speed_m_per_s", "oil_density_kg_per_m3"))
+    if has_speeds and density is None:
+        density = _implied_density(parameters, speed)
+        del numbers["speed_m_per_s"]
+    elif (
+        has_speeds and speed is None
+    ):  # the film depends on the speeds of the column and the density
+        numbers["speed_m_per_s"] = speed = implied_speed(parameters, density)
+    elif speed is not None and density is None:
         message = f"speed_m_per_s is {speed:g}, without a column of speeds"
         raise ValueError(f"{message}; allowed: none, or also oil_density_kg_per_m3")
-    if has_speeds and not derives:
-        density = USUAL_DENSITY * implied_speed(parameters) / speed
-        least, most, _ = USUAL_BEARING["oil_density_kg_per_m3"]
-        if not least <= density <= most:
-            message = f"speed_m_per_s is {speed:g}, at which the inputs stand for an oil of"
-            allowed = f"{usual}, or oil_density_kg_per_m3, which derives the inputs"
-            raise ValueError(f"{message} {density:.5g} kg/m3; allowed: {allowed}")
-        del numbers["speed_m_per_s"]
     with without_warnings():
-        return (bearing(parameters, **numbers) if numbers else parameters), speed
+        inputs = bearing(parameters, **numbers) if numbers else parameters
+    return inputs, speed, density or USUAL_DENSITY
+
+
+def _implied_density(parameters, speed):
+    """The density of the oil [kg m-3] that the inputs stand for at a ``speed`` [m/s]; ``ValueError`` unless a
+    lubricant has it."""
+    usual = f"{implied_speed(parameters):.3g} m/s (with {USUAL_DENSITY:g} kg/m3)"
+    if speed is None:
+        message = "speed_m_per_s is None, with a column of speeds; allowed: the speed of the inputs"
+        raise ValueError(f"{message}, {usual}, or oil_density_kg_per_m3")
+    density = USUAL_DENSITY * implied_speed(parameters) / speed
+    least, most = LUBRICANT_DENSITIES
+    if not least <= density <= most:
+        message = f"speed_m_per_s is {speed:g}, at which the inputs stand for an oil of"
+        allowed = f"{least:g} to {most:g} kg/m3, as at {usual}, or also oil_density_kg_per_m3"
+        raise ValueError(f"{message} {density:.5g} kg/m3; allowed: {allowed}")
+    return density
 
 
 def _conditions(columns, conditions, parameters, index):
@@ -204,7 +218,7 @@ def _conditions(columns, conditions, parameters, index):
     words = {name: name.replace("_", " ") for name in ENGINEERING}
     given = {name: columns[each] for name, each in words.items() if each in columns}
     for key, values in conditions.items():
-        if unit_of(key).condition in given:
+        if unit_of(key, compare.__kwdefaults__).condition in given:
             raise ValueError(f"{key} is given twice; allowed: a column, or one number")
         if is_column(values) and not values.index.equals(index):
             message = f"{key} and measured have different indexes"

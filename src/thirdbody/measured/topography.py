@@ -3,6 +3,7 @@
 import math
 import warnings
 from dataclasses import dataclass, replace
+from inspect import signature
 from os import PathLike
 from typing import Any
 
@@ -16,7 +17,7 @@ from thirdbody.arguments import (
 )
 from thirdbody.data.files import readable_file
 from thirdbody.extras import require
-from thirdbody.messages import format_path
+from thirdbody.messages import did_you_mean, format_path
 from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
 from thirdbody.units import CONDITIONS, plain_numbers
@@ -91,6 +92,7 @@ def surface(
     require("topography", "SurfaceTopography")
     if not paths:
         raise ValueError("paths is empty; allowed: one file or more")
+    _check_options(options)
     topographies = [_read(path, curved, options) for path in paths]
     spacing = max(max(each.pixel_size) for each in topographies)
     scale = float(spacing)
@@ -112,6 +114,17 @@ def surface(
         curvature=math.sqrt(m_4),
         scale=scale,
     )
+
+
+def _check_options(options):
+    """``ValueError`` for arguments that no reader has."""
+    from SurfaceTopography.IO.Reader import ReaderBase
+
+    known = [name for name in signature(ReaderBase.topography).parameters if name != "self"]
+    for name in options:
+        if name not in (*known, "format"):
+            allowed = ", ".join(known) + did_you_mean(name, known)
+            raise ValueError(f"there is no argument {name}; allowed: {allowed}")
 
 
 def _warn_if_steep(slope):

@@ -209,8 +209,13 @@ class Parameters:
         highest = HIGHEST_PLANE * self.summit_deviation_ratio
         if np.max(offset) > highest:
             bad = np.ravel(roughness)[np.argmax(offset)]
-            message = f"roughness is {bad:g}, where summits are {np.max(offset):.3g} sigma high"
-            raise ValueError(f"{message}; allowed: at most {highest:.3g} sigma")
+            power = f"summit_offset_exponent {self.summit_offset_exponent:g}"
+            message = (
+                f"roughness is {bad:g} m, at which {power} puts summits {np.max(offset):.3g} sigma"
+            )
+            raise ValueError(
+                f"{message} above the mean plane; allowed: at most {highest:.3g} sigma"
+            )
         return Surface(
             roughness=roughness,
             summit_density=density,

@@ -1,5 +1,8 @@
 """Names for the state of an interface: lubrication regime and contact mode (sections 3.1, 3.2)."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -73,6 +76,23 @@ def contact_mode(
     alone, beside = ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT
     mode = np.where(alone, PARTICLE_SURFACE, np.where(beside, SURFACE_SURFACE, HYBRID))
     return np.where(has_particles, mode, TWO_BODY).astype(np.int8)
+
+
+def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
+    """The codes of the flags among ``variables`` as people read their names: ``NO_FLAG`` for the contact
+    mode in a full film, where hardly anything touches.
+
+    Examples
+    --------
+    >>> found = codes_to_name({"lubrication_regime": [1, 2], "contact_mode": [2, 2]})
+    >>> found["contact_mode"].tolist()
+    [2, -1]
+    """
+    codes = {name: np.asarray(variables[name]) for name in FLAG_MEANINGS if name in variables}
+    if {"lubrication_regime", "contact_mode"} <= codes.keys():
+        is_full = codes["lubrication_regime"] == FULL_FILM
+        codes["contact_mode"] = np.where(is_full, NO_FLAG, codes["contact_mode"])
+    return codes
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:

@@ -16,6 +16,7 @@ from thirdbody.model.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,
     NO_FLAG,
+    codes_to_name,
     contact_mode,
     gravest_status,
     lubrication_regime,
@@ -36,7 +37,7 @@ class Solution(Tabular):
     Every variable is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
     one of them is), or None if it was not requested.  Points without solution hold nan, or -1 for
     regime and mode.  The printed form lists the variables, with regimes, modes and statuses by name;
-    ``to_dataset`` and ``to_dataframe`` return all of them with labels.
+    ``to_dataset`` and ``to_dataframe`` return all of them with labels.  A full film has no name of a mode.
 
     Attributes
     ----------
@@ -162,6 +163,7 @@ class Solution(Tabular):
 
     def __repr__(self) -> str:
         known = {name: np.asarray(each) for name, each in self.known.items()}
+        known |= codes_to_name(known)
         shape = next(iter(known.values())).shape if known else ()
         lines = [f"{name:<28}{_in_words(name, each)}" for name, each in known.items()]
         return "\n".join([f"Solution of shape {shape}", *lines])

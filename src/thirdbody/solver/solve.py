@@ -67,7 +67,8 @@ def solve(
         The mean diameter of the paper, x_a [m] or [nm]; 0 for two-body contact.  If the size
         distribution is ``uncentred``, nearly all particles are smaller.
     roughness, roughness_nm : array_like
-        Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m;
+        Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m, where the power laws
+        of ``parameters`` do not lift the summits too high: with the calibrated ones from 1e-11 m.
         ``thirdbody.equivalent_roughness`` gives it from Rq or Ra of two surfaces.
     particle_density, particle_density_per_m2 : array_like
         Number eta_a of particles per area [m-2]; 0 for two-body contact.
