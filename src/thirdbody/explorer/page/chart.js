@@ -66,10 +66,9 @@ export function sampleOf({ fill, dry, mine, mark, marker, ...given }) {
 // Entries of the key for what charts show beside their curves, by the lists of a spec.
 const KEY = {
   stars: { text: "turning point (TPCA)", mark: "star" },
-  slight: { text: "rises by less than 0.02, does not count", mark: "slight" },
+  slight: { text: "peak that rises by less than 0.02", mark: "slight" },
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
-  axial: { text: "printed H_c, upright on its axis", color: "var(--ink)", kind: "axial" },
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level" },
   windows: { text: "limits of turning points", color: "var(--accent)", kind: "window" },
   limits: { text: "printed limits (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit" },
@@ -258,7 +257,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   const allowed = spec.limits.map(({ ends: [[low], [high]] }) => `<path fill="var(--zone)" d="M${inX(low)},${upwards.join("V")}H${inX(high)}V${upwards[0]}"/>`);
   const limits = spec.limits.map(({ kind, at: [x] }) => upright(kind)(x));
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
-  const levels = spec.levels.map((level) => `<path ${classOf("level", level)} d="M${across[0]},${inY(level.at[1])}H${across[1]}" stroke="${level.color}"/>`);
+  const levels = spec.levels.map((level) => `<path ${classOf("level", level)} d="${across.map((end) => `M${end},${inY(level.at[1])}m0,-6v12`).join("")}M${across[0]},${inY(level.at[1])}H${across[1]}" stroke="${level.color}"/>`);
   const lines = spec.lines.map((curve) => {
     return `<path ${classOf(kindOf(curve), curve)} data-label="${escaped(curve.label)}" d="${path(curve.points) ?? ""}" ${strokeOf(curve)}/>`;
   });
@@ -267,20 +266,19 @@ function marksOf(spec, { x: toX, y: toY }) {
     return `<path ${classOf("tolerance", mark)} d="M${ends.join("L")}" stroke="${mark.color}"/>`;
   };
   const printed = spec.printed.map((mark) => {
-    const diamond = shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] });
+    const diamond = mark.isBar ? "" : shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] });
     return `<g>${bar(mark)}${diamond}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
   });
-  const axial = spec.axial.map((mark) => `<path ${classOf("axial", mark)} d="M${inX(mark.at[0])},${upwards[0]}v-16" stroke="${mark.color}"><title>printed in the paper: ${escaped(mark.text)}</title></path>`);
   const stars = spec.stars.filter(isShown);
   const locus = `<path class="locus" d="${path(spec.locus) ?? ""}"/>`;
-  const curves = [areas, borders, ranges, allowed, limits, spec.windows.map(upright("window")), ghosts, levels, lines];
+  const curves = [areas, borders, ranges, allowed, limits, spec.windows.map(upright("window")), ghosts, lines, levels];
   const marks = [
     ...markersOf(spec.lines).filter(isShown).map(({ rank, x, y, ...look }) => markerOf(rank, inX(x), inY(y), look)),
     ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
     ...spec.measured.filter(isShown).map(shape("measured")),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, axial, stars.map(shape("star"))].flat().join("");
+  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, stars.map(shape("star"))].flat().join("");
 }
 
 // Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
@@ -309,7 +307,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, axial, limits, measured, x, y }, rows) {
+function described({ stars, printed, limits, measured, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -319,7 +317,7 @@ function described({ stars, printed, axial, limits, measured, x, y }, rows) {
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
   const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...axial, ...limits], "points of your file": measured };
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...limits], "points of your file": measured };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }

@@ -134,16 +134,15 @@ function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper,
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
   const changed = Object.keys(state.inputs).length > 0 || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
-  const marks = marksOf(panel.printed, claim, curves);
-  // H_c is printed without the height of its curve
-  const axial = x === "film_thickness" ? marks.map((mark) => ({ ...mark, at: [mark.at[0], NaN] })) : [];
-  const printed = axial.length ? [] : marks;
+  // at an end of a load percentage the paper names a regime: its bar alone tells all
+  const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
+  const printed = marksOf(panel.printed, claim, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
   const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
     letter,
     title: [titleOf(x, y), ...own].join(", "),
-    ...{ x, y, least, printed, axial, stars },
+    ...{ x, y, least, printed, stars },
     locus: locus ? stars : [],
     lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
@@ -154,7 +153,7 @@ function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper,
   };
   const ranged = VARIABLES[y].log ? [] : spec.ranges.flatMap(({ points }) => points);
   const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
-  return curvesSpec(spec, engine, [...ends, ...axial.map(({ at }) => at), ...ranged]);
+  return curvesSpec(spec, engine, [...ends, ...ranged]);
 }
 
 // The title of a panel of y over x.

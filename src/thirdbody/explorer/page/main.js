@@ -101,7 +101,7 @@ function draw() {
   const { heading, notes, key, specs, caption = CAPTIONS[state.view] ?? "" } = VIEWS[state.view]();
   if (specs) drawCharts((shown = specs));
   showKey(key);
-  const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
+  const hasNewtons = state.view === "map" || (state.view === "axes" && specs[0].newtonsPerLoad); // captions of figures say it
   $("heading").innerHTML = typeset(heading);
   $("notes").innerHTML = typeset([...unusual(), ...notes].join("; "));
   $("caption").innerHTML = typeset(hasNewtons ? `${caption} ${newtonsText()}` : caption);
