@@ -655,6 +655,22 @@ def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
         assert not explorer.one(control).is_displayed()
 
 
+def test_nothing_waits_on_paper(explorer):
+    """Printed as soon as the conditions have changed, without a pause."""
+    explorer.open("figure=fig11")
+    left = explorer.run(
+        """location.hash = 'load_N=20';
+        dispatchEvent(new Event('hashchange'));
+        const cells = () => [...document.querySelectorAll('#point td')].map((cell) => cell.textContent);
+        return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+            const waiting = cells().includes('…');
+            dispatchEvent(new Event('beforeprint'));
+            done([waiting, cells().includes('…')]);
+        })));"""
+    )
+    assert left == [True, False]
+
+
 def test_a_move_of_a_slider_redraws_the_curves(explorer):
     explorer.open("figure=fig04")
     before = explorer.curve("ν = 90 cSt")

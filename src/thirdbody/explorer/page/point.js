@@ -11,6 +11,8 @@ const DIGITS = 3; // of numbers without an ensemble
 const MOST_DIGITS = 4; // of numbers with one
 const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
 let shownFor = "";
+let filling = [];
+addEventListener("beforeprint", () => [...filling]); // what still waits
 
 export function showPoint(parent) {
   const engine = currentEngine();
@@ -48,7 +50,8 @@ export function showPoint(parent) {
       yield;
     }
   }
-  setTimeout(inSlices, 120, fill(), () => shownFor === key);
+  filling = fill();
+  setTimeout(inSlices, 120, filling, () => shownFor === key);
 }
 
 // A value and the ends of its range as text, to the second digit of their difference.
