@@ -101,7 +101,7 @@ def calls(parameters):
         "Assumed": (Assumed, {"boundary_friction": 0.1, "resistivity_ohm_m": 1e-7}),
         "compare_data": (
             compare_data,
-            WITHOUT_LOAD | inputs | {"speed_m_per_s": 2.0, "load": 5.0, "assumed": Assumed()},
+            WITHOUT_LOAD | inputs | {"speed_m_per_s": 4.0, "load": 5.0, "assumed": Assumed()},
         ),
         "open_atlas": (tb.open_atlas, {"path": "catalogue.json"}),
         "plot": (

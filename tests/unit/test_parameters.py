@@ -70,7 +70,7 @@ CONDITIONS = "--viscosity-cSt=90", "--particle-diameter-nm=300", "--roughness-nm
 CONDITIONS += ("--particle-density-per-m2=1e11",)
 
 
-def test_each_door_refuses_soft_particles_in_one_line(tmp_path, capsys):
+def test_each_door_refuses_soft_particles_in_one_line(tmp_path, capsys, monkeypatch):
     point = POINT | dict(particle_diameter=3e-7, parameters=tb.load_parameters(**SOFT))
     settings = read_yaml(config_directory() / "config.yaml")
     settings |= read_yaml(config_directory() / "scenes.yaml")
@@ -78,13 +78,17 @@ def test_each_door_refuses_soft_particles_in_one_line(tmp_path, capsys):
         lambda: tb.grid(load=[1e-6, 1e-5], **point),
         lambda: tb.stream(tmp_path / "grid.nc", load=[1e-6, 1e-5], **point),
         lambda: tb.turning_point(**point),
-        lambda: workflow_settings(settings | {"inputs": SOFT}, config_directory()),
     ):
         with pytest.raises(ValueError, match=f"^{re.escape(TOO_SOFT)}$"):
             door()
     assert not list(tmp_path.iterdir())
-    changed = tmp_path / "soft.yaml"
-    changed.write_text("elastic_modulus_particle: 5.0e+9\n", encoding="utf-8")
+    folder, changed = config_directory(), "config/soft.yaml"
+    monkeypatch.chdir(tmp_path)
+    Path("config").mkdir()
+    Path(changed).write_text("elastic_modulus_particle: 5.0e+9\n", encoding="utf-8")
+    for inputs, place in ((SOFT, "inputs"), (changed, changed)):
+        with pytest.raises(ValueError, match=f"^{re.escape(f'{place}: {TOO_SOFT}')}$"):
+            workflow_settings(settings | {"inputs": inputs}, folder)
     assert main(["turning-point", *CONDITIONS, f"--inputs={changed}"]) == BAD_INPUT
     (line,) = capsys.readouterr().err.splitlines()
     assert line.endswith(TOO_SOFT)

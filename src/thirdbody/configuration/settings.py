@@ -66,7 +66,11 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     given = config["inputs"]
     laid_over = found(given) if isinstance(given, str) else given
     chosen = choose_inputs(entries, found(config["calibrated"]), laid_over)
-    Parameters(**chosen["parameters"]).check_particles()
+    try:
+        Parameters(**chosen["parameters"]).check_particles()
+    except ValueError as error:
+        place = laid_over if isinstance(laid_over, str) else "inputs"
+        raise ValueError(f"{place}: {error}") from None
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,

@@ -301,7 +301,8 @@ def _read(path) -> xr.Dataset:
     try:
         return read_plain(path).to_xarray()
     except DamagedFile as error:
-        raise OSError(f"{error}; allowed: {ALLOWED}") from None
+        allowed = "a NetCDF file of tb.stream, of a dataset or of the workflow"
+        raise OSError(f"{error}; allowed: {allowed}") from None
 
 
 def _placed_on_axes(name, data) -> xr.Dataset:
