@@ -62,7 +62,7 @@ function sectionOf() {
   const normal = d3.randomNormal.source(random)(0, 1);
   const count = twoBody ? 0 : Math.min(Math.round(LENGTH * Math.sqrt(point.particle_density)), MOST);
   const plane = inputs.particle_plane === "summit" ? surface.offset : 0;
-  const depth = inputs.elastic_depth_ratio * point.particle_diameter;
+  const least = found.separation - plane - inputs.elastic_depth_ratio * point.particle_diameter; // size that reaches into h_e
   const { lower, upper } = surfacesOf(point.roughness, length, found.separation, touching, normal);
   const touches = lower.map((value, i) => value > upper[i]);
   touches.forEach((isTouching, i) => {
@@ -73,9 +73,9 @@ function sectionOf() {
   const particles = d3.range(count).map((i) => {
     const place = ((i + 0.15 + 0.7 * random()) / count) * LENGTH;
     const size = sizeOf(inputs, point.particle_diameter, normal);
-    if (i || found.mode < 2 || found.regime === FULL_FILM) return settled(place, size, lower, upper, plane + depth);
+    if (i || found.mode < 2 || found.regime === FULL_FILM) return settled(place, size, lower, upper, least);
     // one that carries load
-    return settled(narrowest * STEP, Math.max(size, 1.001 * (gap(narrowest) - plane - depth)), lower, upper, plane + depth);
+    return settled(narrowest * STEP, Math.max(size, 1.001 * Math.min(gap(narrowest), least)), lower, upper, least);
   });
   return { found, point, lower, upper, touches, particles: apart(particles, touches) };
 }
@@ -90,9 +90,9 @@ function apart(particles, touches) {
   return shown;
 }
 
-// A particle at rest on the lower surface, or held where the gap is narrower. It carries load where the
-// gap exceeds it by no more than the reach of the elastic zone.
-function settled(place, diameter, lower, upper, reach) {
+// A particle at rest on the lower surface, or held where the gap is narrower. It carries load there, and
+// from the least size on that reaches into the elastic zone.
+function settled(place, diameter, lower, upper, least) {
   const radius = 0.5 * diameter;
   const away = (i) => Math.abs(i * STEP - place);
   const near = d3.range(POINTS).filter((i) => away(i) < Math.max(radius, STEP));
@@ -101,7 +101,7 @@ function settled(place, diameter, lower, upper, reach) {
   const hangs = d3.min(near, (i) => upper[i] - half(i));
   const height = Math.min(rests, 0.5 * (rests + hangs));
   const ceiling = d3.max(upper, (z, i) => (away(i) < STRETCH * radius ? z : undefined));
-  return { place, radius, height, ceiling, carries: rests + reach > hangs };
+  return { place, radius, height, ceiling, carries: rests > hangs || diameter > least };
 }
 
 // What the cut shows, in words.
