@@ -108,20 +108,18 @@ def page_content(
 
 def _claim(claim, verdict):
     """The statement with its verdict; conditions in SI, without those it does not specify."""
-    given = claim.reference or {}
-    reference = {a.name: a.to_si(given[a.key]) for a in CONDITION_AXES if a.key in given}
-    curves = [
-        {name: value for name, value in curve._asdict().items() if not math.isnan(value)}
-        for curve in claim.curves
-    ]
     return {key: getattr(claim, key) for key in STATED} | {
         "quote": plain_text(claim.quote),
-        "curves": curves,
-        "references": [curve | reference for curve in curves] if reference else [],
+        "curves": [*map(_specified, claim.curves)],
+        "references": [*map(_specified, claim.references)],
         "part": part_of_paper(claim.place),
         "measured": verdict["computed"],
         "verdict": verdict["verdict"],
     }
+
+
+def _specified(condition):
+    return {name: value for name, value in condition._asdict().items() if not math.isnan(value)}
 
 
 def plain_text(quote: str) -> str:
