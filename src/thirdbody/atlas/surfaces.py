@@ -13,6 +13,7 @@ from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import ENDS, FLAGS
 from thirdbody.model.film import Film, film_load, log_load_parameter
+from thirdbody.model.contact import Contact
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
     BOUNDARY_LIMIT,
@@ -20,7 +21,6 @@ from thirdbody.model.regimes import (
     LUBRICATION_REGIMES,
     PARTICLE_LIMIT,
 )
-from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
 
@@ -145,7 +145,7 @@ def passed_diameter(
 
     def excess(log_diameter, some):
         columns = np.exp(log_diameter), roughness[some], density[some]
-        contact = make_contact(*columns, parameters, rtol)
+        contact = Contact.of(*columns, parameters, rtol)
         state = contact.at(separation[some], with_areas=True)
         return np.log(state.particle_area.value) - state.log_summit_area.value - logit(level)
 
@@ -156,10 +156,10 @@ def passed_diameter(
     log_diameter[passed], _ = bracketed_roots(
         lambda log_size: excess(log_size, passed), low[passed], high[passed], 0.1 * rtol
     )
-    contact = make_contact(np.exp(log_diameter), roughness, density, parameters, rtol)
+    contact = Contact.of(np.exp(log_diameter), roughness, density, parameters, rtol)
     solid = np.exp(contact.at(separation).log_load.value)
     film, _ = film_load(separation, axes["viscosity"][:, np.newaxis], surface, parameters)
-    total = np.log(parameters.interpretation.film_load.total_load(solid, film))
+    total = np.log(parameters.total_load(solid, film))
     rising = np.maximum.accumulate(total, axis=-1)
     found = [np.interp(np.log(axes["load"]), each, log_diameter) for each in rising]
     return np.exp(np.transpose(found))[:, :, np.newaxis, np.newaxis]
@@ -174,7 +174,7 @@ def passed_viscosity(level: float, axes: Axes, parameters: Parameters, rtol: flo
     films = axes["viscosity"][axes["viscosity"] > 0.0]
     dry = axes | {"load": level * axes["load"][:, np.newaxis], "viscosity": np.zeros(1)}
     separation = solve_arrays(dry, parameters, rtol, ["separation"]).separation
-    log_fluid = parameters.interpretation.film_load.log_fraction(np.log1p(-level))
+    log_fluid = np.log1p(-level) if parameters.film_shares_load else 0.0
     film = Film.of(films, axes["roughness"], parameters)
     found = []
     for wanted, log_load in zip(separation, np.log(axes["load"]), strict=True):

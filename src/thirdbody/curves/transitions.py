@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import load_at, particle_ratio
+from thirdbody.model.contact import Contact
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.solver.points import make_contact
 
 # tolerance of d over that of the load: a relative change of d changes F_t* by more
 SEPARATION_MARGIN = 0.01
@@ -62,7 +62,7 @@ def limit_crossings(
 def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
     """F_t* [1] where A_sa,t*, or else L_s, crosses its level between two separations [m]."""
     viscosity, diameter, roughness, density = conditions
-    solids = make_contact(diameter, roughness, density, parameters, rtol)
+    solids = Contact.of(diameter, roughness, density, parameters, rtol)
 
     def excess(d):
         value = (

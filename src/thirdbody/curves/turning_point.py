@@ -24,7 +24,6 @@ from thirdbody.model.film import film_load
 from thirdbody.model.floats import TINY
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
-from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.tabular import Tabular
 
@@ -114,7 +113,7 @@ def _turning_points(
     if three_body.size == 0:
         return found
     columns = (each[three_body] for each in (diameter, roughness, density))
-    solids = make_contact(*columns, parameters, rtol)
+    solids = Contact.of(*columns, parameters, rtol)
     ends = tuple(each[:, three_body] for each in ends)
     solid, peak, width, prominence = ratio_maxima(
         solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
@@ -198,7 +197,7 @@ def load_at(
     inputs, log_solid = solids.parameters, solids.at(separation).log_load
     solid = np.exp(log_solid.value)
     film, film_slope = film_load(separation, viscosity, roughness, inputs)
-    load = inputs.interpretation.film_load.total_load(solid, film)
+    load = inputs.total_load(solid, film)
     return load, solid / load, np.maximum(np.abs(log_solid.slope), np.abs(film_slope))
 
 

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import PROMINENCE, ratio_maxima
+from thirdbody.model.contact import Contact
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular
 
@@ -62,7 +62,7 @@ def turning_point_windows(
         points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
         points |= dict(zip(names, columns, strict=True))
         first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
-        solids = make_contact(*columns, parameters, search.rtol)
+        solids = Contact.of(*columns, parameters, search.rtol)
         between = _separations(first, last, sigma, search.separations)
         curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)
         greatest = np.full_like(first, np.nan)

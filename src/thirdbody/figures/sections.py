@@ -120,8 +120,8 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
 
 def _least_size(state, depth, parameters) -> float:
     """The diameter [m] from which a particle reaches into the elastic zone, at the separation (Eqs. 4 and 5)."""
-    plane = parameters.interpretation.particle_plane
-    offset = plane.height(parameters.surface(state["roughness"]).summit_offset)
+    summit_offset = parameters.surface(state["roughness"]).summit_offset
+    offset = parameters.particle_plane_height(summit_offset)
     return state["separation"] - offset - depth
 
 

@@ -43,7 +43,6 @@ BOUNDS = {
     "summit_radius_exponent": Bounds(-2.0, 2.0),
     "summit_deviation_ratio": Bounds(0.05, 5.0),
     "summit_offset_ratio": Bounds(0.0, 5.0),
-    "summit_offset_exponent": Bounds(-2.0, 2.0),
     "mean_ratio": Bounds(0.0, 2.0),
     # narrower sizes make a step in the load that float64 cannot resolve to 1e-9
     "spread_ratio": Bounds(1e-6, 10.0),

@@ -8,7 +8,7 @@ area, and sums of loads, are kept as logarithms, so that the tail of the summits
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from thirdbody.model.floats import EPSILON, TINY
 from thirdbody.model.logarithms import WithSlope, log_product, log_sum
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ParticleLayer, log_bare_fraction
+from thirdbody.model.particles import ParticleLayer, has_particles, log_bare_fraction
+from thirdbody.model.summits import RoughSurfaces
 
 FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
 NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* below which the area underflows too
@@ -54,29 +55,13 @@ class SolidState(NamedTuple):
     errors: ErrorTerms
 
 
-class Summits(Protocol):
-    """Summits at many points: y_s and sigma_s [m], and load and area over t = (d - y_s)/sigma_s [1]."""
-
-    offset: NDArray
-    deviation: NDArray
-
-    def take(self, chosen) -> Summits:
-        """The summits at the points selected by an index or mask ``chosen``."""
-
-    def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
-        """ln F_ss* and its slope d/dt."""
-
-    def log_load_and_area(self, t: NDArray) -> tuple[tuple, tuple]:
-        """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt."""
-
-
 @dataclass(frozen=True)
 class Contact:
     """Two rough surfaces and the particles between them, at many points.
 
     Parameters
     ----------
-    summits : Summits
+    summits : RoughSurfaces
         The summits of both surfaces.
     particles : ParticleLayer or None
         The third bodies; None for two-body contact.
@@ -88,9 +73,26 @@ class Contact:
     In all methods ``separation`` is the mean separation d [m]; results have its shape.
     """
 
-    summits: Summits
+    summits: RoughSurfaces
     particles: ParticleLayer | None
     parameters: Parameters
+
+    @classmethod
+    def of(
+        cls,
+        particle_diameter: NDArray,
+        roughness: NDArray,
+        particle_density: NDArray,
+        parameters: Parameters,
+        table_rtol: float | None = None,
+    ) -> Contact:
+        """The solids at points with x_a [m], sigma [m] and eta_a [m-2], 1-D and of one length, all with or all without
+        particles.  ``table_rtol`` is the relative error of tables of the summits, which by default are integrated."""
+        particles = None
+        if has_particles(particle_diameter[0], particle_density[0]):
+            particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
+        surfaces = RoughSurfaces.of(roughness, parameters, table_rtol)
+        return cls(summits=surfaces, particles=particles, parameters=parameters)
 
     def take(self, chosen) -> Contact:
         """The contact at the points selected by an index or mask ``chosen``."""

@@ -21,7 +21,7 @@ import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.interpolation import HermiteTable
+from thirdbody.model.interpolation import HermiteTable
 from thirdbody.model.floats import EPSILON
 from thirdbody.model.parameters import Parameters
 

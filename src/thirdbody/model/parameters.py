@@ -3,14 +3,12 @@
 import math
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.messages import format_value
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.interpretations import INTERPRETATIONS, chosen_interpretations
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
@@ -19,6 +17,8 @@ MATERIALS = (  # of which the elastic factor consists
     *("elastic_modulus_surfaces", "elastic_modulus_particle"),
     *("hardness_surface_1", "hardness_surface_2"),
 )
+# ASSUME: what the paper leaves open. X_min is 0, the film fills the separation of the mean planes
+WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
 
@@ -98,10 +98,8 @@ class Parameters:
     summit_radius_exponent: float
     summit_deviation_ratio: float  # standard deviation of the summits over the roughness
     summit_offset_ratio: float  # height of the summits' plane over the roughness
-    summit_offset_exponent: float
     # particles (Eqs. 4 to 6); diameters are ratios to x_a
-    size_distribution: str  # interpretation of Eq. 6
-    mean_ratio: float  # mean of the sizes
+    mean_ratio: float  # mean of the sizes: 0 as in Eq. 6, 1 as the text describes x_a
     spread_ratio: float  # standard deviation of the sizes
     truncation: float  # largest size above the mean, in standard deviations
     participation: float  # fraction of the particles that carry load
@@ -111,16 +109,30 @@ class Parameters:
     film_load: str  # the load in W of Eq. 8
 
     def __post_init__(self):
-        _ = self.interpretation  # refuses unknown words
+        for name, known in WORDS.items():
+            if getattr(self, name) not in known:
+                word = format_value(getattr(self, name))
+                raise ValueError(f"{name} is {word}; allowed: {', '.join(known)}")
         for name, bounds in BOUNDS.items():
             if not bounds.hold(getattr(self, name)):
                 value = format_value(getattr(self, name))
                 raise ValueError(f"{name} is {value}; allowed: {bounds} (SI)")
 
-    @cached_property
-    def interpretation(self) -> SimpleNamespace:
-        """The objects of ``thirdbody.model.interpretations`` that the words select, by field."""
-        return chosen_interpretations({name: getattr(self, name) for name in INTERPRETATIONS})
+    @property
+    def film_shares_load(self) -> bool:
+        """Whether the load in W of Eq. 8 is F_f, which the film carries beside the solids; or F_t, as printed: then
+        its thickness is known in advance, and the solids carry all the load where they need a larger separation."""
+        return self.film_load == "fluid"
+
+    def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
+        """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that thickness has the load
+        ``film_load`` F* [1] in W."""
+        return np.add(solid_load, film_load) if self.film_shares_load else np.maximum(solid_load, film_load)
+
+    def particle_plane_height(self, summit_offset: ArrayLike) -> ArrayLike:
+        """Height above the mean plane [m] of the plane from which particles meet the separation: that of the summits,
+        at ``summit_offset`` y_s [m], as the paper has one d in both integrals, or the mean plane, d = R_x H_c."""
+        return summit_offset if self.particle_plane == "summit" else 0.0 * summit_offset
 
     @cached_property
     def elastic_factor(self) -> float:
@@ -144,8 +156,7 @@ class Parameters:
 
     def sizes(self, diameter: ArrayLike) -> tuple[ArrayLike, ArrayLike]:
         """Mean m and standard deviation S [m] of the normal size distribution, for x_a [m]."""
-        mean = self.interpretation.size_distribution.mean(self.mean_ratio * diameter)
-        return mean, self.spread_ratio * diameter
+        return self.mean_ratio * diameter, self.spread_ratio * diameter
 
     @cached_property
     def particle_pressure(self) -> float:
@@ -205,11 +216,11 @@ class Parameters:
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
-        offset = self.summit_offset_ratio * scale**self.summit_offset_exponent
+        offset = self.summit_offset_ratio * scale**-self.summit_parameter_exponent  # as McCool: 1/(eta_s R)
         highest = HIGHEST_PLANE * self.summit_deviation_ratio
         if np.max(offset) > highest:
             bad = np.ravel(roughness)[np.argmax(offset)]
-            power = f"summit_offset_exponent {self.summit_offset_exponent:g}"
+            power = f"summit_parameter_exponent {self.summit_parameter_exponent:g}"
             message = (
                 f"roughness is {bad:g} m, at which {power} puts summits {np.max(offset):.3g} sigma"
             )

@@ -20,7 +20,7 @@ import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.interpolation import Guesses
+from thirdbody.model.interpolation import Guesses
 from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.floats import EPSILON, TINY
 from thirdbody.model.logarithms import WithSlope
@@ -83,7 +83,7 @@ class ParticleLayer:
         every = factor * moment.of_all  # coverage by all sizes, over the hardness
         summit_offset = parameters.surface(roughness).summit_offset
         return cls(
-            mean=mean + parameters.interpretation.particle_plane.height(summit_offset),
+            mean=mean + parameters.particle_plane_height(summit_offset),
             spread=spread,
             depth=parameters.elastic_depth_ratio * diameter / spread,
             factor=factor,

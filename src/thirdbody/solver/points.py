@@ -15,34 +15,8 @@ from thirdbody.model.floats import EPSILON
 from thirdbody.model.logarithms import WithSlope, log_sum
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
-from thirdbody.solver.summits import RoughSurfaces
 
 SOLIDS = "particle_diameter", "roughness", "particle_density"  # conditions of the solids
-
-
-def make_contact(
-    particle_diameter: NDArray,
-    roughness: NDArray,
-    particle_density: NDArray,
-    parameters: Parameters,
-    table_rtol: float | None = None,
-) -> Contact:
-    """The solids of points that are either all with or all without particles.
-
-    Parameters
-    ----------
-    particle_diameter, roughness, particle_density : array
-        x_a [m], sigma [m] and eta_a [m-2], 1-D and of one length.
-    parameters : Parameters
-        Inputs of the model.
-    table_rtol : float, optional
-        Relative error of the summit tables; by default the summits are integrated.
-    """
-    particles = None
-    if has_particles(particle_diameter[0], particle_density[0]):
-        particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
-    surfaces = RoughSurfaces.of(roughness, parameters, table_rtol)
-    return Contact(summits=surfaces, particles=particles, parameters=parameters)
 
 
 class Forces(NamedTuple):
@@ -92,7 +66,7 @@ class Points:
         """The points at five ``conditions`` by name, 1-D and SI.  All have particles, and a film, if the
         first point has; ``table_rtol`` is as in ``make_contact``."""
         solids = {name: conditions[name] for name in SOLIDS}
-        contact = make_contact(**solids, parameters=parameters, table_rtol=table_rtol)
+        contact = Contact.of(**solids, parameters=parameters, table_rtol=table_rtol)
         film, viscosity = None, conditions["viscosity"]
         if has_film(viscosity[0]):
             film = Film.of(viscosity, conditions["roughness"], parameters)
@@ -106,7 +80,7 @@ class Points:
     @property
     def shares_load(self) -> bool:
         """Whether the film is part of the force balance: whether W of Eq. 8 contains F_f, not F_t."""
-        return self.film is not None and self.parameters.interpretation.film_load.depends_on_shares
+        return self.film is not None and self.parameters.film_shares_load
 
     def take(self, chosen) -> Points:
         """The points selected by an index or mask ``chosen``."""

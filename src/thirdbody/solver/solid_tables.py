@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from thirdbody.model.contact import Contact
 from thirdbody.model.logarithms import WithSlope
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.points import make_contact
 
 STEP = 0.06  # of asinh(d/sigma) between separations
 # from the smallest to the largest particle, clustered at the largest
@@ -70,7 +69,7 @@ def solid_tables(
     ``diameter`` x_a [m], ``roughness`` sigma [m] and ``density`` eta_a [m-2] are 1-D; all or none
     have particles.
     """
-    every = make_contact(diameter, roughness, density, parameters, SUMMIT_ERROR)
+    every = Contact.of(diameter, roughness, density, parameters, SUMMIT_ERROR)
     separations = [
         _separations(*ends, sigma, every.particles, solid)
         for solid, (*ends, sigma) in enumerate(zip(low, high, roughness, strict=True))

@@ -297,7 +297,7 @@ def add_flags(
     statuses["area_exceeded"] = found["total_contact_area"] > 1.0
     if film is not None:
         fluid = found["fluid_load_fraction"]
-        log_fluid = parameters.interpretation.film_load.log_fraction(np.log(fluid))
+        log_fluid = np.log(fluid) if parameters.film_shares_load else 0.0
         meaningful = film.is_meaningful(log_load_parameter(log_load + log_fluid, parameters))
         meaningful &= found["film_thickness"] <= THICKEST
         statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)

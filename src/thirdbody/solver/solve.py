@@ -29,7 +29,7 @@ from thirdbody.solver.balance import enclose
 from thirdbody.solver.brackets import bracket
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
-from thirdbody.solver.summits import pieces_for
+from thirdbody.model.summits import pieces_for
 from thirdbody.units import is_labelled, units_in_tables
 
 DEFAULT_RTOL = 1e-9

@@ -136,7 +136,7 @@ class _Surface:
         self.log_load = np.log(self.load)
         viscosity = axes["viscosity"][axes["viscosity"] > 0.0]
         self.film = Film.of(viscosity[:, np.newaxis], roughness, parameters)
-        self.films_share = parameters.interpretation.film_load.depends_on_shares
+        self.films_share = parameters.film_shares_load
         self.log_total = log_load_parameter(self.log_load, parameters)  # ln W of F_t
         self.film_separation = parameters.ball_radius * self.film.thickness(self.log_total)[0]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -58,35 +58,28 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of positions.
-
-    ``opposites`` are exponents that follow from others: each is minus the input that it names.
-    """
+    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of positions."""
 
     name: str
     fixed: dict[str, Any]
     unknowns: tuple[Unknown, ...]
-    opposites: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
         """The interpretation of this name in the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
-        opposites = entry.get("opposites", {})
         unknowns = []
         for each in (*settings["always"], *entry.get("unknowns", ())):
-            if each not in entry["fixed"] and each not in opposites:
+            if each not in entry["fixed"]:
                 given = settings["unknowns"][each]
                 ends = tuple(given["bounds"]), tuple(given["usual"])
                 unknowns.append(Unknown(each, *ends, given["scale"] == "logarithmic"))
-        return cls(name, entry["fixed"], tuple(unknowns), opposites)
+        return cls(name, entry["fixed"], tuple(unknowns))
 
     def values(self, positions: ArrayLike) -> dict[str, float]:
-        """Values of the unknowns at ``positions``, shape (unknowns,), and of what follows from them, by name, SI."""
+        """Values of the unknowns at ``positions``, shape (unknowns,), by name, SI."""
         pairs = zip(self.unknowns, positions, strict=True)
-        found = {unknown.name: unknown.value(position) for unknown, position in pairs}
-        known = self.fixed | found
-        return found | {name: -known[other] for name, other in self.opposites.items()}
+        return {unknown.name: unknown.value(position) for unknown, position in pairs}
 
     def positions(self, inputs: Mapping[str, Any]) -> NDArray:
         """Positions of the unknowns, shape (unknowns,), from their values by name, SI."""

@@ -51,7 +51,7 @@ def price_fronts(
     statement, from a search in which it has ``price_weight`` times its weight."""
     interpretation = Interpretation.of(best.name, settings)
     objective = Objective.of(judge.claims, settings, judge.base)
-    names = *(unknown.name for unknown in interpretation.unknowns), *interpretation.opposites
+    names = [unknown.name for unknown in interpretation.unknowns]
     inputs = {name: best.content["inputs"][name] for name in names}
     start = interpretation.positions(inputs)
     fronts = {}

@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.interpolation import Guesses, HermiteTable
+from thirdbody.model.interpolation import Guesses, HermiteTable
 from thirdbody.model.asperity import SummitPopulation, area_growth
 from thirdbody.model.parameters import Parameters, Surface
 
