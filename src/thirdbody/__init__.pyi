@@ -8,6 +8,10 @@ from thirdbody.answers.interface import Interface as Interface
 from thirdbody.arguments import OutOfRangeWarning as OutOfRangeWarning
 from thirdbody.atlas.catalogue import open_atlas as open_atlas
 from thirdbody.configuration.inputs import load_parameters as load_parameters
+from thirdbody.core.parameters import Parameters as Parameters
+from thirdbody.core.parameters import mccool_summits as mccool_summits
+from thirdbody.core.solve import solve as solve
+from thirdbody.core.state import Solution as Solution
 from thirdbody.data.dataset import grid as grid
 from thirdbody.data.dataset import stream as stream
 from thirdbody.figures.plot import plot as plot
@@ -17,9 +21,5 @@ from thirdbody.measured.oil import cleanliness as cleanliness
 from thirdbody.measured.oil import oil_viscosity as oil_viscosity
 from thirdbody.measured.roughness import equivalent_roughness as equivalent_roughness
 from thirdbody.measured.topography import surface as surface
-from thirdbody.model.parameters import Parameters as Parameters
-from thirdbody.model.parameters import mccool_summits as mccool_summits
-from thirdbody.solver.solution import Solution as Solution
-from thirdbody.solver.solve import solve as solve
 
 __version__: str

@@ -20,9 +20,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.core.floats import LEAST
+from thirdbody.core.parameters import Parameters
 from thirdbody.messages import did_you_mean, format_row, format_value
-from thirdbody.model.floats import LEAST
-from thirdbody.model.parameters import Parameters
 from thirdbody.units import (
     CONDITIONS,
     ENGINEERING,

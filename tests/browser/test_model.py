@@ -10,12 +10,12 @@ import pytest
 from thirdbody import solve
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.core.interpretations import INTERPRETATIONS
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.solve import DEFAULT_RTOL
+from thirdbody.core.state import QUANTITIES
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.model.interpretations import INTERPRETATIONS
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solution import QUANTITIES
-from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.study.claims import load_claims
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.judge import Judge

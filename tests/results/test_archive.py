@@ -12,8 +12,8 @@ import yaml
 
 import thirdbody as tb
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solution import QUANTITIES
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.state import QUANTITIES
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.results

@@ -2,7 +2,7 @@
 
 import pytest
 
-from thirdbody.curves.transitions import LIMITS
+from thirdbody.core.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]

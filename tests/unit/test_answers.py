@@ -12,9 +12,9 @@ import thirdbody as tb
 from thirdbody.answers.answer import Row
 from thirdbody.answers.bearing import MATERIALS, Material, derived
 from thirdbody.configuration.inputs import calibrated_ensemble
+from thirdbody.core.interpretations import INTERPRETATIONS
+from thirdbody.core.regimes import LUBRICATION_REGIMES
 from thirdbody.data.quantities import QUANTITIES
-from thirdbody.model.interpretations import INTERPRETATIONS
-from thirdbody.model.regimes import LUBRICATION_REGIMES
 
 
 @pytest.fixture

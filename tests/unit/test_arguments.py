@@ -17,7 +17,7 @@ from methods import ENGINEERING, POINT
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.solver.solution import FLAGS, QUANTITIES, VARIABLES
+from thirdbody.core.state import FLAGS, QUANTITIES, VARIABLES
 
 UNIT = pint.UnitRegistry()
 LOADS = xr.DataArray([1e-6, 1e-5], dims="load", coords={"load": [1e-6, 1e-5]})

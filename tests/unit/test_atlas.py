@@ -10,8 +10,8 @@ from thirdbody.atlas.catalogue import chart_panels, chart_rows, open_atlas, writ
 from thirdbody.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.atlas.surfaces import quantiles
 from thirdbody.configuration.inputs import calibrated_ensemble
+from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
 
 RTOL = 1e-3
 ENDS = {  # of the axes, how many values they have, and which besides

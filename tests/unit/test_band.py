@@ -7,11 +7,11 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
+from thirdbody.core.solve import solve
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, QUANTITIES
-from thirdbody.solver.solve import solve
 from thirdbody.study.band import BAND_RTOL, band
 
 DENSITY = 1e11

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import yaml
 
-from thirdbody.curves.turning_point import PROMINENCE, TurningPoints
+from thirdbody.core.turning_points import PROMINENCE, TurningPoints
 from thirdbody.study import claims
 from thirdbody.study.claim import CONDITION_KEYS, MISSING_SCORE
 from thirdbody.study.evidence import FULL_EFFORT, curve_of

@@ -14,7 +14,7 @@ from thirdbody.configuration.inputs import load_parameters, read_calibrated, rea
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema
 from thirdbody.configuration.settings import read_settings, workflow_settings
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.parameters import Parameters
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

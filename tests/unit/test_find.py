@@ -10,7 +10,7 @@ import thirdbody as tb
 from thirdbody.answers.crossings import sweep_values
 from thirdbody.answers.find import FULL_FILM
 from thirdbody.arguments import in_si
-from thirdbody.curves.transitions import LIMITS
+from thirdbody.core.transitions import LIMITS
 from thirdbody.units import ENGINEERING
 
 pytestmark = pytest.mark.filterwarnings("error")

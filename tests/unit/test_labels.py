@@ -7,9 +7,9 @@ import xarray as xr
 from methods import POINT
 
 import thirdbody as tb
+from thirdbody.core.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import VARIABLES
-from thirdbody.model.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
 
 LOADS = np.array([1e-6, 1e-5, 1e-4])
 OILS = np.array([0.0, 9e-5])

@@ -7,6 +7,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.answers.sizes import sizes_note
+from thirdbody.core.particles import ParticleLayer
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.figures.sections import (
@@ -17,7 +18,6 @@ from thirdbody.figures.sections import (
     size_quantiles,
     state_of,
 )
-from thirdbody.model.particles import ParticleLayer
 
 # the s-s, p-s and hybrid modes of figure 2
 DRY = {"load_N": 2.0, "viscosity_cSt": 0, "roughness_nm": 300, "particle_density_per_m2": 1e11}

@@ -9,10 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.curves.transitions import LIMITS
+from thirdbody.core.solve import solve
+from thirdbody.core.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import SHADES, plot
-from thirdbody.solver.solve import solve
 from thirdbody.study.evidence import FULL_EFFORT, solve_evidence
 from thirdbody.study.sensitivity import (
     STEP,

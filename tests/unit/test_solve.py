@@ -10,8 +10,8 @@ from methods import POINT
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solution import FLAGS, QUANTITIES, VARIABLES
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.state import FLAGS, QUANTITIES, VARIABLES
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),

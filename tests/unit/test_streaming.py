@@ -6,9 +6,9 @@ import pytest
 import xarray as xr
 
 import thirdbody as tb
+from thirdbody.core.solve import solve_arrays
 from thirdbody.data import dataset
 from thirdbody.data.netcdf import read_plain
-from thirdbody.solver.solve import solve_arrays
 
 pytestmark = pytest.mark.filterwarnings("error")
 

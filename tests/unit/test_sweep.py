@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solution import QUANTITIES, VARIABLES
-from thirdbody.solver.solve import solve_arrays
-from thirdbody.solver.sweep import sweep
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.solve import solve_arrays
+from thirdbody.core.state import QUANTITIES, VARIABLES
+from thirdbody.core.sweep import sweep
 
 pytestmark = pytest.mark.filterwarnings("error")
 

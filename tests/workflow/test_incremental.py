@@ -59,7 +59,7 @@ PUBLISHED = {"write_index": 1, "write_sums": 1, "paper": 1}
 
 
 def test_another_definition_of_a_turning_point_extracts_and_solves_nothing(workspace):
-    jobs = jobs_after(workspace, "src/thirdbody/curves/turning_point.py", commented)
+    jobs = jobs_after(workspace, "src/thirdbody/core/turning_points.py", commented)
     assert jobs["extract_curves"] == 11
     assert jobs["find_windows"] == 1
     assert not jobs.keys() & {"solve_scene", "solve_ensemble", "compute_schematic"}
@@ -87,7 +87,7 @@ def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
 
 
 def test_another_film_formula_remakes_curves_and_windows_but_no_table_of_the_paper(workspace):
-    workspace.rewrite("src/thirdbody/model/film.py", commented)
+    workspace.rewrite("src/thirdbody/core/film.py", commented)
     pending = workspace.pending()
     assert pending >= workspace.products(*ALL_CURVES, *WINDOWS, *CLAIMS, *SENSITIVITY)
     assert pending.isdisjoint(workspace.products(*PAPER_TABLES))
@@ -124,7 +124,7 @@ def test_another_setting_reruns_what_it_enters(workspace, file, key, value, patt
 
 
 def test_comments_in_the_configuration_and_a_touched_module_rerun_nothing(workspace):
-    (workspace.root / "src/thirdbody/model/film.py").touch()
+    (workspace.root / "src/thirdbody/core/film.py").touch()
     for file in ("config/config.yaml", "config/scenes.yaml"):
         workspace.rewrite(file, lambda text: f"# a remark\n{text}")
     assert not workspace.pending()

@@ -1,12 +1,12 @@
 """Solve the interfaces of one schematic and generate random sections through them."""
 
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import solve
 from thirdbody.data.conditions import Condition
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.figures.sections import sections, state_of
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve
 
 
 def solved_state(conditions, parameters):

@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.sensitivity import (
     Subject,

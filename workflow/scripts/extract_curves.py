@@ -1,11 +1,11 @@
 """Turning points and transitions of the curves of one dataset."""
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.extraction import tpca_rows, transition_rows
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.scene

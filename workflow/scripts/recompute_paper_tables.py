@@ -1,10 +1,10 @@
 """The tables of the paper with derived entries recomputed."""
 
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.paper_tables import paper_table
 
 with logged(snakemake.log[0]):

@@ -3,9 +3,9 @@
 import numpy as np
 
 from thirdbody.atlas.chunk import atlas_axes, write_chunk
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     settings = snakemake.params

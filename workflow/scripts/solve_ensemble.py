@@ -1,9 +1,9 @@
 """Solve the points of a dataset for each member of the ensemble, for the band around its curves."""
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.band import band
 
 with logged(snakemake.log[0]):

@@ -1,10 +1,10 @@
 """Solve one scene: the dataset of a figure."""
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.scene

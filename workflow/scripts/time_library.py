@@ -5,10 +5,10 @@ from pathlib import Path
 from benchmarks.accuracy import time_rows
 from benchmarks.baselines import load_plain_model
 from benchmarks.uses import use_rows
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     budget = snakemake.params.budget

@@ -1,9 +1,9 @@
 """Combine the parts of a table and write it as CSV with Table Schema, Markdown, HTML and LaTeX."""
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_schema
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.readable import markdown, page, readable, write_latex
 
 with logged(snakemake.log[0]):

@@ -14,8 +14,8 @@ from thirdbody.answers.answer import Answer, Row
 from thirdbody.arguments import checked_number, checked_numbers, checked_parameters
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.configuration.printed import POISSON_RATIO, STEEL_MODULUS
+from thirdbody.core.parameters import Parameters
 from thirdbody.messages import did_you_mean, format_value
-from thirdbody.model.parameters import Parameters
 from thirdbody.toml_tables import toml_beside
 from thirdbody.units import UNITS
 

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.arguments import check_count, check_points, check_rtol, ends_in_si, in_si
-from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve_arrays
+from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import solve_arrays
 from thirdbody.units import (
     ENGINEERING,
     SEARCHED,

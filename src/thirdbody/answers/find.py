@@ -21,15 +21,15 @@ from thirdbody.arguments import (
     is_column,
 )
 from thirdbody.configuration.printed import LOADS
-from thirdbody.curves.transitions import LIMITS
-from thirdbody.curves.turning_point import TurningPoints, turning_points
-from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.core.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.core.transitions import LIMITS
+from thirdbody.core.turning_points import TurningPoints, turning_points
+from thirdbody.core.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import did_you_mean, format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.progress import check_progress
-from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular, indexed
 from thirdbody.units import UNITS, Unit, unit_of
 
@@ -50,7 +50,7 @@ class Crossings(Tabular):
     the other axes, and ``query`` a flat index into it.  ``conditions`` are the level and axes that differ
     between queries, an element per query.  ``value`` is the place of the crossing in
     the unit of ``along``, increasing within a query; ``rises`` is whether the variable increases
-    there, and ``solution_status`` an index into ``thirdbody.model.regimes.SOLUTION_STATUSES``.
+    there, and ``solution_status`` an index into ``thirdbody.core.regimes.SOLUTION_STATUSES``.
     ``error`` bounds the error of ``value``: at this distance on both sides, the variable is above
     and below the level by more than its ``error_bound``; infinite if float64 cannot decide that.
     """
@@ -131,7 +131,7 @@ class Transition:
     ``query`` is the flat index into the broadcast shape of the other axes; ``before`` and ``after``
     are the regime or mode at smaller and larger values; ``value`` is the place of the change in the
     unit of the axis, and ``error`` bounds its error; ``solution_status``, one of
-    ``thirdbody.model.regimes.SOLUTION_STATUSES``, is whether the equations are valid there.
+    ``thirdbody.core.regimes.SOLUTION_STATUSES``, is whether the equations are valid there.
     """
 
     query: int
@@ -188,7 +188,7 @@ def find(
     variable : str
         A number of ``Solution``: ``solid_load_fraction``, ``total_contact_area``, ...
     level : array_like
-        Its value, in SI, or a column of pandas; ``thirdbody.model.regimes`` has the limits between regimes and modes.
+        Its value, in SI, or a column of pandas; ``thirdbody.core.regimes`` has the limits between regimes and modes.
     along : str
         The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float, optional

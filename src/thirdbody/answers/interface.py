@@ -30,13 +30,13 @@ from thirdbody.arguments import (
 )
 from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.configuration.printed import LOADS
-from thirdbody.curves.turning_point import PROMINENCE
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
+from thirdbody.core.solve import solve
+from thirdbody.core.state import Solution
+from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
 from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
-from thirdbody.solver.solution import Solution
-from thirdbody.solver.solve import solve
 from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, unit_of
 
 LENGTH = UNITS["roughness_nm"]  # unit of sizes and of the separation in answers

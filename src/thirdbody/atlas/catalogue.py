@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
+from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.data.attributes import identity
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.files import readable_file, unreadable
 from thirdbody.data.quantities import STATUS
-from thirdbody.model.regimes import SOLUTION_STATUSES
 
 CATALOGUE = "results/atlas/catalogue.json"
 CHARTS = {  # the variable of the atlas in each

@@ -15,14 +15,14 @@ import xarray as xr
 
 from thirdbody.atlas.surfaces import QUANTILES, solve_surface
 from thirdbody.configuration.rules import axis_values
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
+from thirdbody.core.state import type_of
 from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import Axes
 from thirdbody.data.netcdf import declare
 from thirdbody.data.quantities import FLAGS
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
-from thirdbody.solver.solution import type_of
 
 SAFE_DIGITS = 2  # written in addition to the requested ones
 APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own

@@ -7,22 +7,22 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import logit
 
-from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.curves.turning_point import film_turning_points
-from thirdbody.curves.windows import swept_windows
-from thirdbody.data.dataset import Axes, crossed
-from thirdbody.data.quantities import ENDS, FLAGS
-from thirdbody.model.film import Film, film_load, log_load_parameter
-from thirdbody.model.contact import Contact
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import (
+from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.contact import Contact
+from thirdbody.core.film import Film, film_load, log_load_parameter
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import (
     BOUNDARY_LIMIT,
     CONTACT_MODES,
     LUBRICATION_REGIMES,
     PARTICLE_LIMIT,
 )
-from thirdbody.solver.solve import solve_arrays
-from thirdbody.solver.sweep import is_worthwhile, sweep
+from thirdbody.core.solve import solve_arrays
+from thirdbody.core.sweep import is_worthwhile, sweep
+from thirdbody.core.turning_points import film_turning_points
+from thirdbody.core.windows import swept_windows
+from thirdbody.data.dataset import Axes, crossed
+from thirdbody.data.quantities import ENDS, FLAGS
 
 STATES = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
 SOLVED = ("separation", "particle_contact_area_ratio", "solid_load_fraction", *STATES)

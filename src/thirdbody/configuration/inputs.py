@@ -15,9 +15,9 @@ from typing import Any
 
 from thirdbody.configuration import config_directory, schema
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.core.bounds import BOUNDS
+from thirdbody.core.parameters import Parameters
 from thirdbody.messages import format_path
-from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.parameters import Parameters
 from thirdbody.units import plain_numbers
 
 Entries = Mapping[str, Mapping]

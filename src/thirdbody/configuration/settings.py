@@ -8,8 +8,8 @@ from typing import Any
 from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
+from thirdbody.core.parameters import Parameters
 from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
 
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import NO_FLAG
 from thirdbody.data.conditions import AXES, DIMENSIONS, Axis
 from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import (
@@ -20,8 +22,6 @@ from thirdbody.data.quantities import (
     VARIABLES,
     Quantity,
 )
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import NO_FLAG
 from thirdbody.units import SI, Unit
 
 # Attributes of a dataset in their order; null if they depend on its content.  The dates are those

@@ -17,6 +17,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.arguments import check_rtol, checked_names, checked_parameters, in_si
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import DEFAULT_RTOL, solve, solve_arrays
+from thirdbody.core.state import type_of
+from thirdbody.core.sweep import is_worthwhile, sweep
 from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 from thirdbody.data.files import atomic_write
@@ -30,11 +34,7 @@ from thirdbody.data.quantities import (
     VARIABLES,
 )
 from thirdbody.messages import format_path, format_value
-from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.solution import type_of
-from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
-from thirdbody.solver.sweep import is_worthwhile, sweep
 from thirdbody.units import unit_of, units_in_tables
 
 if TYPE_CHECKING:

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from thirdbody.curves.transitions import LIMITS, limit_crossings
-from thirdbody.curves.turning_point import turning_points
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.solve import solve_arrays
+from thirdbody.core.transitions import LIMITS, limit_crossings
+from thirdbody.core.turning_points import turning_points
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import STATUS, curves_of
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solve import solve_arrays
 
 FOUND = ("load", "load_error", "peak_ratio", "solid_load_fraction")  # of a turning point
 

@@ -7,10 +7,10 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from thirdbody.core.regimes import codes_to_name
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
-from thirdbody.model.regimes import codes_to_name
 from thirdbody.tabular import indexed
 from thirdbody.units import Unit, decimal
 

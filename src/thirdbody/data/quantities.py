@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.core.regimes import FLAG_MEANINGS
 from thirdbody.data.conditions import Condition
-from thirdbody.model.regimes import FLAG_MEANINGS
 from thirdbody.toml_tables import toml_beside
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from thirdbody.core.bounds import BOUNDS
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, read_csv
-from thirdbody.model.bounds import BOUNDS
 from thirdbody.places import part_of_paper
 from thirdbody.units import CONDITIONS, ENGINEERING
 

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr, ndtri
 
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, QUANTITIES
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import CONTACT_MODES
 from thirdbody.toml_tables import toml_beside
 
 SEED = 20240507  # publication date of the paper

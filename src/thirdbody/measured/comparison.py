@@ -27,12 +27,12 @@ from thirdbody.arguments import (
     without_warnings,
 )
 from thirdbody.configuration.inputs import calibrated_ensemble
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import solve
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.measured.reading import read_measured
 from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve
 from thirdbody.tabular import Tabular
 from thirdbody.units import ENGINEERING, UNITS, decimal, unit_of
 

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.arguments import checked_numbers
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solution import Solution
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.state import Solution
 from thirdbody.toml_tables import toml_beside
 
 TABLES = toml_beside(__file__)

@@ -22,8 +22,8 @@ from thirdbody.arguments import (
     checked_parameters,
     is_column,
 )
+from thirdbody.core.parameters import Parameters
 from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
 from thirdbody.units import plain_numbers
 
 if TYPE_CHECKING:

@@ -15,10 +15,10 @@ from thirdbody.arguments import (
     checked_parameters,
     warn_outside,
 )
+from thirdbody.core.parameters import Parameters, mccool_summits
 from thirdbody.data.files import readable_file
 from thirdbody.extras import require
 from thirdbody.messages import did_you_mean, format_path
-from thirdbody.model.parameters import Parameters, mccool_summits
 from thirdbody.tabular import Tabular
 from thirdbody.units import CONDITIONS, plain_numbers
 

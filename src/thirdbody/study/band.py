@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import solve
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve
 from thirdbody.toml_tables import toml_beside
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width

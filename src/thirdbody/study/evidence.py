@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thirdbody.curves.turning_point import TurningPoints, turning_points
-from thirdbody.curves.windows import WindowSearch, turning_point_windows
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import has_values
+from thirdbody.core.solve import DEFAULT_RTOL, solve
+from thirdbody.core.turning_points import TurningPoints, turning_points
+from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 from thirdbody.data.quantities import QUANTITIES
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import has_values
-from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.sampling import SolvedCurve
 
 WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm

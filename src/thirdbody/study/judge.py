@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.study.claim import Claim, Verdict
 from thirdbody.study.claims import referenced_conditions
 from thirdbody.study.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence

@@ -21,11 +21,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.curves.transitions import LIMITS, limit_crossings
-from thirdbody.curves.windows import WindowSearch
+from thirdbody.core.bounds import BOUNDS
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.transitions import LIMITS, limit_crossings
+from thirdbody.core.windows import WindowSearch
 from thirdbody.data.conditions import AXES, Condition
-from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import (
     FULL_EFFORT,
     QUICK_EFFORT,

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from thirdbody.curves.turning_point import PROMINENCE
+from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.data.quantities import spread
 from thirdbody.data.tables import TABLES
 from thirdbody.places import part_of_paper

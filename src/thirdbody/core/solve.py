@@ -20,16 +20,16 @@ from thirdbody.arguments import (
     common_index,
     in_si,
 )
-from thirdbody.model.film import has_film
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import has_particles
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.core.balance import Points
+from thirdbody.core.brackets import bracket
+from thirdbody.core.film import has_film
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import has_particles
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.root import enclose
+from thirdbody.core.state import VARIABLES, Solution, describe, type_of
+from thirdbody.core.summits import pieces_for
 from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.balance import enclose
-from thirdbody.solver.brackets import bracket
-from thirdbody.solver.points import Points
-from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
-from thirdbody.model.summits import pieces_for
 from thirdbody.units import is_labelled, units_in_tables
 
 DEFAULT_RTOL = 1e-9

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.film import THICKEST, Film, log_load_parameter
-from thirdbody.model.floats import TINY
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import (
+from thirdbody.core.film import THICKEST, Film, log_load_parameter
+from thirdbody.core.floats import TINY
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,
     NO_FLAG,
@@ -21,7 +21,7 @@ from thirdbody.model.regimes import (
     gravest_status,
     lubrication_regime,
 )
-from thirdbody.solver.balance import Balance
+from thirdbody.core.root import Balance
 from thirdbody.tabular import Tabular, with_rows
 from thirdbody.units import SI, Unit
 
@@ -52,7 +52,7 @@ class Solution(Tabular):
     film_thickness : array
         H_c = d/R_x [1] (Eq. 7); in dry contact the separation alone.
     lubrication_regime, contact_mode, solution_status : array of int8
-        Indices into the tuples of ``thirdbody.model.regimes``.
+        Indices into the tuples of ``thirdbody.core.regimes``.
     error_bound : array
         Bound on the relative error of every quantity [1], if the quantity is above 2.2e-308: the change of
         loads and areas between two separations at which the forces are too large and too small, plus

@@ -12,9 +12,9 @@ import numpy as np
 import scipy  # scipy.interpolate is loaded on first use: many jobs do not need it
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import Contact
-from thirdbody.model.logarithms import WithSlope
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.contact import Contact
+from thirdbody.core.logarithms import WithSlope
+from thirdbody.core.parameters import Parameters
 
 STEP = 0.06  # of asinh(d/sigma) between separations
 # from the smallest to the largest particle, clustered at the largest

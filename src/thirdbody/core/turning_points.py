@@ -18,13 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit
 
-from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.model.contact import Contact
-from thirdbody.model.film import film_load
-from thirdbody.model.floats import TINY
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import has_particles
-from thirdbody.solver.solve import DEFAULT_RTOL
+from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.contact import Contact
+from thirdbody.core.film import film_load
+from thirdbody.core.floats import TINY
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import has_particles
+from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.tabular import Tabular
 
 # ASSUME: prominence of a turning point on both sides [1], a line width on an axis from 0 to 1

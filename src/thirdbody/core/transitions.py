@@ -10,12 +10,12 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.curves.turning_point import load_at, particle_ratio
-from thirdbody.model.contact import Contact
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import has_particles
-from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.contact import Contact
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import has_particles
+from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.core.turning_points import load_at, particle_ratio
 
 # tolerance of d over that of the load: a relative change of d changes F_t* by more
 SEPARATION_MARGIN = 0.01

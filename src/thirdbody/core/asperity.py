@@ -20,8 +20,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.floats import TINY
-from thirdbody.model.parameters import Parameters, Surface
+from thirdbody.core.floats import TINY
+from thirdbody.core.parameters import Parameters, Surface
 
 
 def area_growth(ratio: ArrayLike, plastic_ratio: float) -> NDArray:

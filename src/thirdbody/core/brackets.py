@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.particles import separation_carrying
-from thirdbody.solver.points import Points
+from thirdbody.core.balance import Points
+from thirdbody.core.particles import separation_carrying
 
 FILM_MARGIN = 1e-3  # a film thinner by this fraction certainly carries more than the load
 # added to ln F_t*, so that the first separation lies below the root at nearly all points

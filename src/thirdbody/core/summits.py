@@ -8,9 +8,9 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.interpolation import Guesses, HermiteTable
-from thirdbody.model.asperity import SummitPopulation, area_growth
-from thirdbody.model.parameters import Parameters, Surface
+from thirdbody.core.asperity import SummitPopulation, area_growth
+from thirdbody.core.interpolation import Guesses, HermiteTable
+from thirdbody.core.parameters import Parameters, Surface
 
 TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
 # Pieces of tables: the error, which falls with their sixth power, is at most a hundredth of rtol,
@@ -23,7 +23,7 @@ QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 @dataclass(frozen=True, eq=False)
 class RoughSurfaces:
-    """The summits at each of many points, in the form that ``thirdbody.model.contact`` needs.
+    """The summits at each of many points, in the form that ``thirdbody.core.contact`` needs.
 
     ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index, for all points
     or each.  ``table`` has ln F_ss* and ln A_ss* over t for each in turn, or is None for quadrature.

@@ -20,11 +20,11 @@ import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.interpolation import Guesses
-from thirdbody.model.asperity import gauss_legendre
-from thirdbody.model.floats import EPSILON, TINY
-from thirdbody.model.logarithms import WithSlope
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.asperity import gauss_legendre
+from thirdbody.core.floats import EPSILON, TINY
+from thirdbody.core.interpolation import Guesses
+from thirdbody.core.logarithms import WithSlope
+from thirdbody.core.parameters import Parameters
 
 LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overflow
 FULL = -700.0  # ln of a bare fraction that counts as zero

@@ -12,14 +12,14 @@ import numpy as np
 import scipy  # scipy.interpolate is loaded on first use: many jobs do not need it
 from numpy.typing import NDArray
 
-from thirdbody.model.film import Film, log_load_parameter
-from thirdbody.model.floats import TINY
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import has_particles
+from thirdbody.core.film import Film, log_load_parameter
+from thirdbody.core.floats import TINY
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import has_particles
+from thirdbody.core.solid_tables import TabulatedSolids, solid_tables
+from thirdbody.core.solve import solve_arrays
+from thirdbody.core.state import Solution, add_flags, quantities, type_of
 from thirdbody.progress import Progress
-from thirdbody.solver.solid_tables import TabulatedSolids, solid_tables
-from thirdbody.solver.solution import Solution, add_flags, quantities, type_of
-from thirdbody.solver.solve import solve_arrays
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
 FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved individually

@@ -14,9 +14,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.floats import EPSILON
-from thirdbody.solver.brackets import Brackets
-from thirdbody.solver.points import Forces, Points
+from thirdbody.core.balance import Forces, Points
+from thirdbody.core.brackets import Brackets
+from thirdbody.core.floats import EPSILON
 
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 GROWTH = 4.0  # growth of an interval whose signs rounding hides

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.curves.turning_point import PROMINENCE, ratio_maxima
-from thirdbody.model.contact import Contact
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.contact import Contact
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.core.turning_points import PROMINENCE, ratio_maxima
 from thirdbody.tabular import Tabular
 
 

@@ -7,8 +7,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.core.bounds import BOUNDS
 from thirdbody.messages import format_value
-from thirdbody.model.bounds import BOUNDS
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
@@ -48,7 +48,7 @@ class Parameters:
     """All inputs of the model, in SI units.
 
     ``config/inputs.yaml`` has the symbol, unit and source of each field,
-    ``thirdbody.model.bounds`` the allowed numbers; ``thirdbody.load_parameters`` returns the
+    ``thirdbody.core.bounds`` the allowed numbers; ``thirdbody.load_parameters`` returns the
     calibrated values.  Fields that are words select interpretations of the paper, which
     ``interpretation`` holds as objects.
 
@@ -127,7 +127,11 @@ class Parameters:
     def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
         """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that thickness has the load
         ``film_load`` F* [1] in W."""
-        return np.add(solid_load, film_load) if self.film_shares_load else np.maximum(solid_load, film_load)
+        return (
+            np.add(solid_load, film_load)
+            if self.film_shares_load
+            else np.maximum(solid_load, film_load)
+        )
 
     def particle_plane_height(self, summit_offset: ArrayLike) -> ArrayLike:
         """Height above the mean plane [m] of the plane from which particles meet the separation: that of the summits,
@@ -216,7 +220,9 @@ class Parameters:
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
-        offset = self.summit_offset_ratio * scale**-self.summit_parameter_exponent  # as McCool: 1/(eta_s R)
+        offset = (
+            self.summit_offset_ratio * scale**-self.summit_parameter_exponent
+        )  # as McCool: 1/(eta_s R)
         highest = HIGHEST_PLANE * self.summit_deviation_ratio
         if np.max(offset) > highest:
             bad = np.ravel(roughness)[np.argmax(offset)]

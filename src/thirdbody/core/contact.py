@@ -13,11 +13,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.floats import EPSILON, TINY
-from thirdbody.model.logarithms import WithSlope, log_product, log_sum
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ParticleLayer, has_particles, log_bare_fraction
-from thirdbody.model.summits import RoughSurfaces
+from thirdbody.core.floats import EPSILON, TINY
+from thirdbody.core.logarithms import WithSlope, log_product, log_sum
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import ParticleLayer, has_particles, log_bare_fraction
+from thirdbody.core.summits import RoughSurfaces
 
 FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
 NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* below which the area underflows too

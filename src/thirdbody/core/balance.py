@@ -9,12 +9,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import Contact, ErrorTerms, SolidState
-from thirdbody.model.film import INVERSE_ERROR, Film, has_film, log_load_parameter
-from thirdbody.model.floats import EPSILON
-from thirdbody.model.logarithms import WithSlope, log_sum
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ParticleLayer, has_particles
+from thirdbody.core.contact import Contact, ErrorTerms, SolidState
+from thirdbody.core.film import INVERSE_ERROR, Film, has_film, log_load_parameter
+from thirdbody.core.floats import EPSILON
+from thirdbody.core.logarithms import WithSlope, log_sum
+from thirdbody.core.parameters import Parameters
 
 SOLIDS = "particle_diameter", "roughness", "particle_density"  # conditions of the solids
 
