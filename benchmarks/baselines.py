@@ -19,7 +19,7 @@ from scipy.special import erfc, expit, log_expit
 import thirdbody as tb
 from benchmarks.points import VARIABLES
 from thirdbody.data.attributes import model_attribute
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.variables import DIMENSIONS
 
 CHUNK = 4096  # points solved together
 NODES = 8, 22, 16  # for elastic, elastoplastic, plastic summits: 1e-10 for d/sigma_s from -1 to 6

@@ -27,10 +27,9 @@ from tabulate import tabulate
 from thirdbody.command import EXAMPLES
 from thirdbody.command import main as main_of_command
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.study.calibration import Interpretation, Unknown
+from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (

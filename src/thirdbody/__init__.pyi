@@ -5,13 +5,13 @@ from thirdbody.answers.find import transitions as transitions
 from thirdbody.answers.find import turning_point as turning_point
 from thirdbody.answers.find import turning_window as turning_window
 from thirdbody.answers.interface import Interface as Interface
-from thirdbody.arguments import OutOfRangeWarning as OutOfRangeWarning
+from thirdbody.conditions import OutOfRangeWarning as OutOfRangeWarning
 from thirdbody.atlas.catalogue import open_atlas as open_atlas
 from thirdbody.configuration.inputs import load_parameters as load_parameters
 from thirdbody.core.parameters import Parameters as Parameters
 from thirdbody.core.parameters import mccool_summits as mccool_summits
-from thirdbody.core.solve import solve as solve
-from thirdbody.core.state import Solution as Solution
+from thirdbody.points import solve as solve
+from thirdbody.points import Solution as Solution
 from thirdbody.data.dataset import grid as grid
 from thirdbody.data.dataset import stream as stream
 from thirdbody.figures.plot import plot as plot

@@ -16,9 +16,10 @@ from typing import NamedTuple
 
 from tabulate import tabulate
 
-from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
+from thirdbody.data.conditions import row_key
 from thirdbody.data.tables import Column, cells
 from thirdbody.typeset import html
+from thirdbody.variables import AXES, CONDITION_AXES
 
 DIGITS = 3
 NEGLIGIBLE = 0.005  # of an elasticity or a fraction of variance
@@ -85,7 +86,7 @@ def result_name(row: Mapping) -> str:
     value = row[axis.column]
     if axis.name == "viscosity" and value == 0.0:
         return f"{name}, dry"
-    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.unit}"
+    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.alias_unit}"
 
 
 def readable(
@@ -265,7 +266,9 @@ def _curves(rows, printed):
 
 
 def _conditions(row, axes) -> dict[str, str]:
-    return {f"{axis.sign} [{axis.unit}]": _in_unit(axis.name, row[axis.column]) for axis in axes}
+    return {
+        f"{axis.sign} [{axis.alias_unit}]": _in_unit(axis.name, row[axis.column]) for axis in axes
+    }
 
 
 def _in_unit(name, value) -> str:

@@ -14,12 +14,12 @@ from thirdbody.core.interpretations import INTERPRETATIONS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.core.state import QUANTITIES
-from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.study.claims import load_claims
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.judge import Judge
 from thirdbody.study.verdicts import outcome
+from thirdbody.variables import CONDITION_AXES
 
 POINTS = 1000
 RTOL = 1e-6

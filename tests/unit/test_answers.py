@@ -14,7 +14,7 @@ from thirdbody.answers.bearing import MATERIALS, Material, derived
 from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.core.interpretations import INTERPRETATIONS
 from thirdbody.core.regimes import LUBRICATION_REGIMES
-from thirdbody.data.quantities import QUANTITIES
+from thirdbody.variables import QUANTITIES
 
 
 @pytest.fixture

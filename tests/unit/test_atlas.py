@@ -11,7 +11,7 @@ from thirdbody.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.atlas.surfaces import quantiles
 from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.variables import DIMENSIONS
 
 RTOL = 1e-3
 ENDS = {  # of the axes, how many values they have, and which besides

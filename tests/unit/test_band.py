@@ -8,11 +8,12 @@ from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
 from thirdbody.core.solve import solve
-from thirdbody.data.conditions import DIMENSIONS, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import read_plain, write_dataset
-from thirdbody.data.quantities import FILL_FLAG, QUANTITIES
+from thirdbody.data.quantities import FILL_FLAG
 from thirdbody.study.band import BAND_RTOL, band
+from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 DENSITY = 1e11
 GROUPS = ([0, 90], [500], [300], [DENSITY]), ([0], [0], [300], [DENSITY])

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
+from thirdbody.data.conditions import Condition
+from thirdbody.variables import AXES, CONDITION_AXES
 
 
 @pytest.mark.parametrize("value", [0.1, 0.3, 1.1, 70, 120, 325, 999.999])

@@ -7,8 +7,9 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.data.extraction import tpca_rows, transition_rows
+from thirdbody.variables import CONDITION_AXES
 
 AXES = {
     "load": np.geomspace(1e-8, 1e-2, 80),

@@ -10,9 +10,8 @@ import yaml
 from matplotlib.colors import to_rgb
 
 import thirdbody as tb
-from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
+from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption, read_caption
 from thirdbody.figures.crowding import GREY_TEXT
@@ -25,6 +24,7 @@ from thirdbody.figures.scales import power_text
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import STRETCH, sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
+from thirdbody.variables import CONDITION_AXES, QUANTITIES
 
 pytestmark = pytest.mark.usefixtures("style")
 

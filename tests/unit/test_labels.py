@@ -8,8 +8,7 @@ from methods import POINT
 
 import thirdbody as tb
 from thirdbody.core.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
-from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import VARIABLES
+from thirdbody.variables import AXES, VARIABLES
 
 LOADS = np.array([1e-6, 1e-5, 1e-4])
 OILS = np.array([0.0, 9e-5])

@@ -17,7 +17,7 @@ from thirdbody.command import BAD_INPUT, main
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.settings import workflow_settings
-from thirdbody.core.bounds import BOUNDS
+from thirdbody.core.parameters import BOUNDS
 from thirdbody.core.interpretations import INTERPRETATIONS
 from thirdbody.core.parameters import Parameters
 from thirdbody.data.attributes import model_attribute

@@ -4,10 +4,10 @@ import numpy as np
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.windows import WindowSearch, turning_point_windows
-from thirdbody.data.conditions import AXES
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
+from thirdbody.variables import AXES
 
 with logged(snakemake.log[0]):
     search = snakemake.params.windows

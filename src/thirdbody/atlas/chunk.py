@@ -19,10 +19,9 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.core.state import type_of
 from thirdbody.data.attributes import described_grid
-from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import Axes
 from thirdbody.data.netcdf import declare
-from thirdbody.data.quantities import FLAGS
+from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, FLAGS
 
 SAFE_DIGITS = 2  # written in addition to the requested ones
 APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own
@@ -38,7 +37,9 @@ COMMENT = (
 
 def atlas_axes(configured: Mapping[str, Mapping]) -> Axes:
     """The five axes of ``config/atlas.yaml``, increasing, SI; the load is F_t [N]."""
-    others = {axis.name: axis.values(axis_values(configured[axis.key])) for axis in CONDITION_AXES}
+    others = {
+        axis.name: axis.values(axis_values(configured[axis.alias])) for axis in CONDITION_AXES
+    }
     return {"load": np.array(axis_values(configured["load_N"])), **others}
 
 

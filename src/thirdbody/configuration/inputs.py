@@ -10,15 +10,15 @@ import math
 import warnings
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+from thirdbody.conditions import numbers_in
 from thirdbody.configuration import config_directory, schema
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.core.bounds import BOUNDS
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import BOUNDS, Parameters
 from thirdbody.messages import format_path
-from thirdbody.units import plain_numbers
 
 Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
@@ -67,8 +67,10 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     calibrated = directory.parent / settings["calibrated"]
     chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
     inputs = {
-        name: plain_numbers(name, each, entries[name].get("unit", "1")) if name in entries else each
-        for name, each in inputs.items()
+        name: numbers_in(name, value, entries[name]["unit"]).tolist()
+        if "unit" in entries.get(name, {})
+        else value
+        for name, value in inputs.items()
     }
     schema.validate(inputs, values_schema(entries), "load_parameters")
     values = chosen["parameters"] | plain_values(inputs)
@@ -77,6 +79,17 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     if HELD_IN.keys() & changed.keys():
         _warn_of_what_stays(changed, choose_inputs(entries, chosen["calibrated"], {})["parameters"])
     return Parameters(**values)
+
+
+def or_calibrated(parameters: Parameters | None) -> Parameters:
+    """``parameters``, or the calibrated ones if it is None."""
+    return _calibrated() if parameters is None else parameters
+
+
+@cache
+def _calibrated():
+    """Cached: reading the files takes longer than solving one point."""
+    return load_parameters()
 
 
 # film parameters that depend on a modulus, a hardness or the radius (below Eq. 8)

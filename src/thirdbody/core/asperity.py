@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.core.floats import TINY
+from thirdbody.core.logarithms import TINY
 from thirdbody.core.parameters import Parameters, Surface
 
 

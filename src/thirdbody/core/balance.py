@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from thirdbody.core.contact import Contact, ErrorTerms, SolidState
 from thirdbody.core.film import INVERSE_ERROR, Film, has_film, log_load_parameter
-from thirdbody.core.floats import EPSILON
-from thirdbody.core.logarithms import WithSlope, log_sum
+from thirdbody.core.logarithms import EPSILON, WithSlope, log_sum
 from thirdbody.core.parameters import Parameters
 
 SOLIDS = "particle_diameter", "roughness", "particle_density"  # conditions of the solids

@@ -13,8 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.core.floats import EPSILON, TINY
-from thirdbody.core.logarithms import WithSlope, log_product, log_sum
+from thirdbody.core.logarithms import EPSILON, TINY, WithSlope, log_product, log_sum
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, has_particles, log_bare_fraction
 from thirdbody.core.summits import RoughSurfaces

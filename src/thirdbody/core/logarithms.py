@@ -1,9 +1,13 @@
-"""Quantities at a separation d with their slopes, and how those combine that are kept as logarithms."""
+"""The limits of float64, and quantities at a separation d that are kept as logarithms because of them."""
 
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+EPSILON = np.finfo(float).eps  # relative spacing of numbers
+TINY = np.finfo(float).tiny  # below it numbers lose digits
+LEAST = 5e-324  # smallest positive number: the spacing below TINY
 
 
 class WithSlope(NamedTuple):

@@ -3,12 +3,11 @@
 import math
 from dataclasses import asdict, dataclass
 from functools import cached_property
+from numbers import Real
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-
-from thirdbody.core.bounds import BOUNDS
-from thirdbody.messages import format_value
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
@@ -20,6 +19,51 @@ MATERIALS = (  # of which the elastic factor consists
 # ASSUME: what the paper leaves open. X_min is 0, the film fills the separation of the mean planes
 WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
+
+
+class Bounds(NamedTuple):
+    """A closed interval of numbers, in SI."""
+
+    least: float
+    most: float
+
+    def hold(self, value: object) -> bool:
+        """Whether ``value`` is a number in the interval."""
+        is_number = isinstance(value, Real) and not isinstance(value, bool)
+        return is_number and self.least <= value <= self.most
+
+    def __str__(self) -> str:
+        return f"a number from {self.least:g} to {self.most:g}"
+
+
+# within which the model is known to be computed correctly: much wider than real materials and surfaces
+BOUNDS = {
+    "elastic_modulus_surfaces": Bounds(1e8, 1e13),
+    "elastic_modulus_particle": Bounds(1e8, 1e13),
+    "hardness_surface_1": Bounds(1e6, 1e14),
+    "hardness_surface_2": Bounds(1e6, 1e14),
+    "yield_pressure_ratio": Bounds(0.1, 1.0),
+    "plastic_interference_ratio": Bounds(1.0, 1e5),
+    "ball_radius": Bounds(1e-6, 1.0),
+    "material_parameter": Bounds(1.0, 1e5),
+    "hardness_parameter": Bounds(1e-4, 1.0),
+    "speed_per_viscosity": Bounds(1e-10, 1.0),
+    "ellipticity": Bounds(0.1, 10.0),
+    "apparent_area": Bounds(1e-12, 1e-2),
+    "reference_roughness": Bounds(1e-12, 1e-2),
+    "summit_parameter": Bounds(0.0193, 100.0),
+    "summit_parameter_exponent": Bounds(-2.0, 2.0),
+    "summit_radius": Bounds(1e-7, 1e-2),
+    "summit_radius_exponent": Bounds(-2.0, 2.0),
+    "summit_deviation_ratio": Bounds(0.05, 5.0),
+    "summit_offset_ratio": Bounds(0.0, 5.0),
+    "mean_ratio": Bounds(0.0, 2.0),
+    # narrower sizes make a step in the load that float64 cannot resolve to 1e-9
+    "spread_ratio": Bounds(1e-6, 10.0),
+    "truncation": Bounds(0.5, 10.0),
+    "participation": Bounds(1e-6, 1.0),
+    "elastic_depth_ratio": Bounds(0.0, 5.0),
+}
 
 
 @dataclass(frozen=True)
@@ -47,8 +91,8 @@ class Surface:
 class Parameters:
     """All inputs of the model, in SI units.
 
-    ``config/inputs.yaml`` has the symbol, unit and source of each field,
-    ``thirdbody.core.bounds`` the allowed numbers; ``thirdbody.load_parameters`` returns the
+    ``config/inputs.yaml`` has the symbol, unit and source of each field, ``BOUNDS`` the allowed
+    numbers; ``thirdbody.load_parameters`` returns the
     calibrated values.  Fields that are words select interpretations of the paper, which
     ``interpretation`` holds as objects.
 
@@ -111,11 +155,11 @@ class Parameters:
     def __post_init__(self):
         for name, known in WORDS.items():
             if getattr(self, name) not in known:
-                word = format_value(getattr(self, name))
+                word = repr(getattr(self, name))
                 raise ValueError(f"{name} is {word}; allowed: {', '.join(known)}")
         for name, bounds in BOUNDS.items():
             if not bounds.hold(getattr(self, name)):
-                value = format_value(getattr(self, name))
+                value = repr(getattr(self, name))
                 raise ValueError(f"{name} is {value}; allowed: {bounds} (SI)")
 
     @property

@@ -21,9 +21,8 @@ import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.core.asperity import gauss_legendre
-from thirdbody.core.floats import EPSILON, TINY
 from thirdbody.core.interpolation import Guesses
-from thirdbody.core.logarithms import WithSlope
+from thirdbody.core.logarithms import EPSILON, TINY, WithSlope
 from thirdbody.core.parameters import Parameters
 
 LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overflow

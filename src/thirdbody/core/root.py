@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from thirdbody.core.balance import Forces, Points
 from thirdbody.core.brackets import Brackets
-from thirdbody.core.floats import EPSILON
+from thirdbody.core.logarithms import EPSILON
 
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 GROWTH = 4.0  # growth of an interval whose signs rounding hides

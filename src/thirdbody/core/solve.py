@@ -1,25 +1,21 @@
-"""``solve``: the contact state of any number of points."""
+"""Points solved together: the way of a number from the conditions to the variables.
+
+1. ``solve_points`` sorts points by kind and solves those of one kind together.
+2. ``brackets.bracket`` finds separations d on both sides of the root of Eq. 1.
+3. ``root.enclose`` narrows them by Newton's method, and checks the signs at both.
+4. ``balance.Points.forces`` evaluates Eq. 1 at a separation.
+5. ``state.describe`` derives the variables and the bound of their errors.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Collection, Mapping
 from enum import IntFlag
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from thirdbody.arguments import (
-    CONDITIONS,
-    broadcast_by_name,
-    check_points,
-    check_rtol,
-    checked_names,
-    checked_parameters,
-    common_index,
-    in_si,
-)
 from thirdbody.core.balance import Points
 from thirdbody.core.brackets import bracket
 from thirdbody.core.film import has_film
@@ -27,11 +23,10 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.root import enclose
-from thirdbody.core.state import VARIABLES, Solution, describe, type_of
+from thirdbody.core.state import VARIABLES, describe, type_of
 from thirdbody.core.summits import pieces_for
-from thirdbody.progress import Progress, check_progress
-from thirdbody.units import is_labelled, units_in_tables
 
+CONDITIONS = "load", "viscosity", "particle_diameter", "roughness", "particle_density"
 DEFAULT_RTOL = 1e-9
 ROUNDING_LIMIT = 1e-12  # tolerance of points limited only by rounding
 TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
@@ -41,140 +36,55 @@ FEW_ITERATIONS, MOST_ITERATIONS = 5, 200  # the few points that need more are so
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
-def solve(
-    *,
-    parameters: Parameters | None = None,
-    rtol: float = DEFAULT_RTOL,
-    variables: str | Collection[str] | None = None,
-    progress: bool = True,
-    **conditions: ArrayLike,
-) -> Solution:
-    """Contact state of the interface at each point (Eqs. 1-10).
-
-    The five conditions are given by name and broadcast against each other.  Each is a number in the
-    unit of its name, or a quantity of pint, astropy, unyt or quantities in any compatible unit.
-    Arrays of xarray broadcast by dimension name; their attribute ``units`` is used.  Columns of
-    pandas, which must have equal indexes, give results with that index in ``to_dataframe``.
-
-    Parameters
-    ----------
-    load, load_N : array_like
-        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive, or F_t [N].  Of each condition, give
-        one of the two names.
-    viscosity, viscosity_cSt : array_like
-        Kinematic viscosity of the lubricant [m2/s] or [cSt]; 0 for dry contact.
-    particle_diameter, particle_diameter_nm : array_like
-        The mean diameter of the paper, x_a [m] or [nm]; 0 for two-body contact.  If the size
-        distribution is ``uncentred``, nearly all particles are smaller.
-    roughness, roughness_nm : array_like
-        Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m, where the power laws
-        of ``parameters`` do not lift the summits too high: with the calibrated ones from 1e-11 m.
-        ``thirdbody.equivalent_roughness`` gives it from Rq or Ra of two surfaces.
-    particle_density, particle_density_per_m2 : array_like
-        Number eta_a of particles per area [m-2]; 0 for two-body contact.
-    parameters : Parameters, optional
-        Materials, geometry and interpretations of the model, by default the calibrated ones.
-    rtol : float
-        Requested relative error of every variable, from 1e-11 to 1e-2.  A larger one saves little time
-        here, much in ``grid``.
-    variables : str or collection of str, optional
-        Names of the fields of ``Solution`` to keep; the others are None.
-    progress : bool, optional
-        Whether a long call reports progress on standard error: a bar on a terminal, after two
-        seconds, otherwise a line every half minute.
-
-    Returns
-    -------
-    Solution
-        Arrays of the broadcast shape; of xarray, with dimensions and coordinates, if a condition
-        is.  ``solution_status`` marks points without values, and values to use with care;
-        ``error_bound`` is valid for numbers above 2.2e-308, below which float64 loses digits.
-
-    Raises
-    ------
-    ValueError
-        For a negative, infinite or missing number, a zero load or roughness, a quantity of the
-        wrong dimension, arrays that do not broadcast, more than 1e9 points, inputs that are not
-        ``Parameters``, an ``rtol`` out of range, an unknown variable, a ``progress`` that is not a
-        bool, and particles with an ``elastic_factor`` of ``Parameters`` above 1.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        Once, for conditions outside their usual ranges, probably given in another unit: F_t* 1e-13 to 0.02,
-        nu 3e-7 to 0.01 m2/s, x_a 1 nm to 1 mm, sigma 1 nm to 1 mm, eta_a 1e6 to 1e16 m-2.
-
-    Examples
-    --------
-    Two rough surfaces with particles of 0.5 um, dry and in an oil of 120 mm2/s:
-
-    >>> import thirdbody as tb
-    >>> given = dict(particle_diameter=0.5e-6, roughness_nm=300, particle_density=1e11)
-    >>> found = tb.solve(load=1e-5, viscosity_cSt=[0, 120], **given)
-    >>> found.solid_load_fraction.round(4)
-    array([1.    , 0.8232])
-    >>> found.separation.round(10)  # [m]
-    array([1.1302e-06, 1.2537e-06])
-
-    Loads and viscosities with named dimensions give a table:
-
-    >>> import xarray as xr
-    >>> loads = xr.DataArray([1e-6, 1e-5], dims="load")
-    >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
-    >>> found = tb.solve(load=loads, viscosity=oils, **given)
-    >>> found.solid_load_fraction.sel(oil="thick").round(4).values
-    array([0.9995, 0.8232])
-    """
-    parameters = checked_parameters(parameters)
-    check_rtol(rtol)
-    variables = VARIABLES if variables is None else checked_names("variables", variables, VARIABLES)
-    check_progress(progress)
-    arrays = in_si(conditions, parameters)  # copies, which the caller cannot change later
-    units = units_in_tables(conditions)
-    if not any(map(is_labelled, conditions.values())):
-        check_points(arrays, conditions)
-        solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-        return replace(solution, units=units)._with_index(common_index(conditions))
-    named, arrays, pattern = broadcast_by_name(conditions, arrays)
-    solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-    known = {
-        name: pattern.copy(data=values).rename(name) for name, values in solution.known.items()
-    }
-    return replace(solution, **known, conditions=named, units=units)
-
-
-def solve_arrays(
-    arrays: Mapping[str, NDArray],
+def solve_points(
+    conditions: Mapping[str, NDArray],
     parameters: Parameters,
-    rtol: float,
-    variables: Collection[str],
-    progress: bool = False,
-) -> Solution:
-    """What ``solve`` returns, for ``arrays`` of checked conditions by name.
+    rtol: float = DEFAULT_RTOL,
+    variables: Collection[str] = VARIABLES,
+    callback: Callable[[int], None] | None = None,
+) -> dict[str, NDArray]:
+    """Solve the force balance (Eq. 1) at many points.
 
     If enough points have the same roughness, its summits are tabulated.  The other points, and those
     that magnify the table error beyond ``rtol``, are solved by quadrature.
+
+    Parameters
+    ----------
+    conditions : mapping of arrays
+        The five ``CONDITIONS`` by name: F_t* [1], nu [m2/s], x_a [m], sigma [m] and eta_a [m-2], float64
+        arrays that broadcast against each other.  None is checked.
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float
+        Requested relative error of every variable [1].
+    variables : collection of str
+        Those of ``state.VARIABLES`` to return.
+    callback : callable, optional
+        Called with the number of points that have been solved since its last call.
+
+    Returns
+    -------
+    dict of arrays
+        The variables by name, of the broadcast shape; nan, or -1 for regime and mode, where a point has no values.
     """
-    check_points(arrays)
-    shape = np.broadcast(*(arrays[name] for name in CONDITIONS)).shape
-    columns = {name: np.broadcast_to(arrays[name], shape).ravel() for name in CONDITIONS}
+    shape = np.broadcast(*(conditions[name] for name in CONDITIONS)).shape
+    columns = {name: np.broadcast_to(conditions[name], shape).ravel() for name in CONDITIONS}
     roughness = columns["roughness"]
     result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
-    # points that cannot be computed get a status
-    with np.errstate(all="ignore"), Progress(roughness.size, "points", progress) as bar:
+    with np.errstate(all="ignore"):  # points that cannot be computed get a status
         by_table = _worth_a_table(roughness, rtol)
         left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
-            for places, balance in _balances(columns, chosen, parameters, attempt):
-                found = describe(balance, rtol)
+            for indices, balance in _balances(columns, chosen, parameters, attempt):
+                solved = describe(balance, rtol)
                 for name, values in result.items():
-                    values[places] = found[name]
-                failed = found["solution_status"] == NOT_CONVERGED
-                left[places] = failed & attempt.uses_tables
-                bar.add(np.count_nonzero(~left[places]))
-    solved = {name: values.reshape(shape) for name, values in result.items()}
-    return Solution(**solved, conditions=dict(arrays), newtons_per_load=parameters.newtons_per_load)
+                    values[indices] = solved[name]
+                failed = solved["solution_status"] == NOT_CONVERGED
+                left[indices] = failed & attempt.uses_tables
+                if callback is not None:
+                    callback(np.count_nonzero(~left[indices]))
+    return {name: values.reshape(shape) for name, values in result.items()}
 
 
 class Attempt(NamedTuple):
@@ -211,7 +121,7 @@ def _worth_a_table(roughness, rtol):
 
 
 def _balances(columns, chosen, parameters, attempt):
-    """Solve the ``chosen`` points: yields the places of some among all, and their balance."""
+    """Solve the ``chosen`` points: yields indices of points among all, and their balance."""
     for batch in _batches(columns, chosen, attempt.chunk):
         conditions = {name: column[batch] for name, column in columns.items()}
         points = Points.of(conditions, parameters, attempt.table_rtol)
@@ -231,6 +141,6 @@ def _batches(columns, chosen, most):
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
     kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
-        places = np.flatnonzero(chosen & (kinds == kind))
-        places = places[np.argsort(columns["roughness"][places], kind="stable")]
-        yield from (places[start : start + most] for start in range(0, places.size, most))
+        indices = np.flatnonzero(chosen & (kinds == kind))
+        indices = indices[np.argsort(columns["roughness"][indices], kind="stable")]
+        yield from (indices[start : start + most] for start in range(0, indices.size, most))

@@ -1,207 +1,43 @@
-"""``Solution``, the variables of solved points, and how they follow from the forces."""
+"""The variables of solved points: how they follow from the forces (Eqs. 3, 9 and 10), and the bound of their errors."""
 
 from __future__ import annotations
-
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.core.film import THICKEST, Film, log_load_parameter
-from thirdbody.core.floats import TINY
+from thirdbody.core.logarithms import TINY
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,
     NO_FLAG,
-    codes_to_name,
     contact_mode,
     gravest_status,
     lubrication_regime,
 )
 from thirdbody.core.root import Balance
-from thirdbody.tabular import Tabular, with_rows
-from thirdbody.units import SI, Unit
 
-if TYPE_CHECKING:
-    import pandas as pd
-    import xarray as xr
-
-
-@dataclass(frozen=True, eq=False)
-class Solution(Tabular):
-    """Solved points: what ``solve`` returns.
-
-    Every variable is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
-    one of them is), or None if it was not requested.  Points without solution hold nan, or -1 for
-    regime and mode.  The printed form lists the variables, with regimes, modes and statuses by name;
-    ``to_dataset`` and ``to_dataframe`` return all of them with labels.  A full film has no name of a mode.
-
-    Attributes
-    ----------
-    total_contact_area : array
-        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eq. 3).
-    particle_contact_area_ratio, surface_contact_area_ratio : array
-        A_sa,t* and A_ss,t* [1] (Eq. 10).
-    solid_load_fraction, fluid_load_fraction : array
-        L_s and L_f [1] (Eq. 9).
-    separation : array
-        Mean separation d [m].
-    film_thickness : array
-        H_c = d/R_x [1] (Eq. 7); in dry contact the separation alone.
-    lubrication_regime, contact_mode, solution_status : array of int8
-        Indices into the tuples of ``thirdbody.core.regimes``.
-    error_bound : array
-        Bound on the relative error of every quantity [1], if the quantity is above 2.2e-308: the change of
-        loads and areas between two separations at which the forces are too large and too small, plus
-        rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
-    conditions : mapping
-        The five conditions by name, SI: arrays that broadcast to the shape.
-    units : mapping
-        The unit of each condition as it was given, by name; of quantities the one in engineering units.
-    newtons_per_load : float, optional
-        F_t/F_t* [N]; datasets then include the load in newtons.
-    """
-
-    total_contact_area: NDArray | None = None
-    particle_contact_area_ratio: NDArray | None = None
-    surface_contact_area_ratio: NDArray | None = None
-    solid_load_fraction: NDArray | None = None
-    fluid_load_fraction: NDArray | None = None
-    separation: NDArray | None = None
-    film_thickness: NDArray | None = None
-    lubrication_regime: NDArray | None = None
-    contact_mode: NDArray | None = None
-    solution_status: NDArray | None = None
-    error_bound: NDArray | None = None
-    conditions: Mapping[str, Any] = field(default_factory=dict)
-    units: Mapping[str, Unit] = field(default_factory=lambda: SI)
-    newtons_per_load: float | None = None
-
-    @property
-    def known(self) -> dict[str, Any]:
-        """The requested variables, by name."""
-        return {name: getattr(self, name) for name in VARIABLES if getattr(self, name) is not None}
-
-    def to_dataset(self) -> xr.Dataset:
-        """The points as a dataset: each variable and condition with its name, unit and symbol.
-
-        Returns
-        -------
-        xarray.Dataset
-            The requested variables; flags are integers with ``flag_values`` and ``flag_meanings``.
-            The conditions and ``normal_load`` [N] are coordinates.  A dimension is named after the
-            condition if only one varies along it, otherwise ``point``; arrays of xarray keep their
-            dimensions and coordinates.  The index of columns of a table is a coordinate of its name, or
-            ``row``.
-
-        Raises
-        ------
-        ModuleNotFoundError
-            If xarray is not installed: the extra ``data`` installs it.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import thirdbody as tb
-        >>> curves = tb.solve(
-        ...     load=np.geomspace(1e-6, 1e-4, 5)[:, np.newaxis],
-        ...     viscosity=[0.0, 90e-6],
-        ...     particle_diameter=3e-7,
-        ...     roughness=3e-7,
-        ...     particle_density=1e11,
-        ...     parameters=tb.load_parameters(),
-        ... )
-        >>> dataset = curves.to_dataset()
-        >>> dict(dataset.sizes)
-        {'load': 5, 'viscosity': 2}
-        >>> dataset["separation"].attrs["units"]
-        'm'
-        """
-        return with_rows(self._labelled(), self._index)
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """The points as a table: one row per point, its conditions first.
-
-        Returns
-        -------
-        pandas.DataFrame
-            Headings have units: conditions are in those in which they were given, variables in SI.
-            Flags are categories by name, nan where a point has none.  The index is that of the
-            columns of a table, if conditions are such.
-
-        Raises
-        ------
-        ModuleNotFoundError
-            If xarray and pandas are not installed: the extra ``data`` installs them.
-
-        Examples
-        --------
-        >>> import thirdbody as tb
-        >>> points = tb.solve(
-        ...     load=[1e-6, 1e-4],
-        ...     viscosity=90e-6,
-        ...     particle_diameter=3e-7,
-        ...     roughness=3e-7,
-        ...     particle_density=1e11,
-        ...     parameters=tb.load_parameters(),
-        ... )
-        >>> table = points.to_dataframe()
-        >>> table[["load [1]", "lubrication_regime"]].to_dict("list")
-        {'load [1]': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
-        """
-        from thirdbody.data.labels import labelled_frame
-
-        return labelled_frame(self._labelled(), self.units, self.newtons_per_load, self._index)
-
-    def _labelled(self) -> xr.Dataset:
-        from thirdbody.data.labels import labelled_dataset
-
-        return labelled_dataset(self.known, self.conditions, self.units, self.newtons_per_load)
-
-    def __repr__(self) -> str:
-        known = {name: np.asarray(each) for name, each in self.known.items()}
-        known |= codes_to_name(known)
-        shape = next(iter(known.values())).shape if known else ()
-        lines = [f"{name:<28}{_in_words(name, each)}" for name, each in known.items()]
-        return "\n".join([f"Solution of shape {shape}", *lines])
-
-    __str__ = __repr__
-
-
-OTHERS = "conditions", "units", "newtons_per_load"
-VARIABLES = tuple(each.name for each in fields(Solution) if each.name not in OTHERS)
+QUANTITIES = (
+    "total_contact_area",
+    "particle_contact_area_ratio",
+    "surface_contact_area_ratio",
+    "solid_load_fraction",
+    "fluid_load_fraction",
+    "separation",
+    "film_thickness",
+)
 FLAGS = tuple(FLAG_MEANINGS)
-QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
-
-
-def _in_words(name, values) -> str:
-    """A number, or the range of numbers; for a flag the names with their counts."""
-    if name in FLAGS:
-        words = *FLAG_MEANINGS[name], "none"  # NO_FLAG indexes the last
-        if values.size == 1:
-            return words[values.item()]
-        found = np.unique(values, return_counts=True)
-        return ", ".join(f"{words[flag]} ({count})" for flag, count in zip(*found, strict=True))
-    known = values[~np.isnan(values)]
-    if known.size == 0:
-        return "none"
-    unit = ""
-    if name == "separation":
-        known, unit = 1e9 * known, " nm"
-    ends = f"{known.min():.6g}", f"{known.max():.6g}"
-    return (ends[0] if values.size == 1 else " to ".join(ends)) + unit
+VARIABLES = (*QUANTITIES, *FLAGS, "error_bound")
 
 
 def type_of(variable: str) -> type:
-    """Data type of a ``variable`` of ``Solution``."""
+    """Data type of a ``variable``."""
     return np.int8 if variable in FLAGS else float
 
 
 def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
-    """Variables of ``Solution`` by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
+    """The ``VARIABLES`` by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
     points, ends = balance.points, balance.forces
     solid, fluid = fractions(ends.log_solid.value - ends.log_fluid)  # Eq. 9, F_t = F_s + F_f
     both = quantities(

@@ -5,7 +5,7 @@ independent of load and lubricant.  They are tabulated (``solid_tables``), and E
 contact, and points where the interpolation error exceeds ``rtol``, are solved individually.
 """
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -13,13 +13,12 @@ import scipy  # scipy.interpolate is loaded on first use: many jobs do not need 
 from numpy.typing import NDArray
 
 from thirdbody.core.film import Film, log_load_parameter
-from thirdbody.core.floats import TINY
+from thirdbody.core.logarithms import TINY
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.solid_tables import TabulatedSolids, solid_tables
-from thirdbody.core.solve import solve_arrays
-from thirdbody.core.state import Solution, add_flags, quantities, type_of
-from thirdbody.progress import Progress
+from thirdbody.core.solve import solve_points
+from thirdbody.core.state import add_flags, quantities, type_of
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
 FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved individually
@@ -40,8 +39,8 @@ def sweep(
     parameters: Parameters,
     rtol: float,
     variables: Collection[str],
-    progress: bool = False,
-) -> Solution:
+    callback: Callable[[int], None] | None = None,
+) -> dict[str, NDArray]:
     """Solve all combinations of five axes by interpolation over the separation.
 
     Parameters
@@ -54,14 +53,14 @@ def sweep(
     rtol : float
         Requested relative error, at least ``LEAST_RTOL``.
     variables : collection of str
-        Names of the fields of ``Solution`` to compute.
-    progress : bool
-        Whether a long call reports its progress.
+        Those of ``state.VARIABLES`` to return.
+    callback : callable, optional
+        Called with the number of points that have been solved since its last call.
 
     Returns
     -------
-    Solution
-        Arrays over the five axes.  ``error_bound`` is twice the interpolation error midway between
+    dict of arrays
+        The variables by name, over the five axes.  ``error_bound`` is twice the interpolation error midway between
         two separations, of the quantity most affected, plus the remaining error of the iteration.
     """
     shape = tuple(axes[name].size for name in ORDER)
@@ -69,28 +68,26 @@ def sweep(
     unsure = np.zeros(shape, bool)
     dry = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
     sizes, densities = axes["particle_diameter"], axes["particle_density"]
-    with np.errstate(all="ignore"), Progress(unsure.size, "points", progress) as bar:
+    with np.errstate(all="ignore"):
         for number, roughness in enumerate(axes["roughness"]):
             surface = _Surface(axes, roughness, parameters)
             for size, density in _pairs(sizes, densities):
-                solved = surface.solved(sizes[size], densities[density], rtol, values)
-                for i, j, found in zip(size, density, solved, strict=True):
+                solids = surface.solved(sizes[size], densities[density], rtol, values)
+                for i, j, solved in zip(size, density, solids, strict=True):
                     at = i, number, j
                     for name, array in values.items():
-                        array[at][:dry], array[at][dry:] = found.dry[name], found.films[name]
-                    unsure[at][dry:] = found.unsure
-                    bar.add(unsure[at].size)
+                        array[at][:dry], array[at][dry:] = solved.dry[name], solved.films[name]
+                    unsure[at][dry:] = solved.unsure
+                    if callback is not None:
+                        callback(unsure[at].size)
         index = np.nonzero(unsure)
         if index[0].size:
-            given = {name: axes[name][place] for name, place in zip(ORDER, index, strict=True)}
-            some = solve_arrays(given, parameters, rtol, variables)
+            points = {name: axes[name][which] for name, which in zip(ORDER, index, strict=True)}
+            alone = solve_points(points, parameters, rtol, variables)
             for name, array in values.items():
-                array[index] = getattr(some, name)
+                array[index] = alone[name]
     back = [ORDER.index(name) for name in axes]
-    return Solution(
-        **{name: array.transpose(back) for name, array in values.items()},
-        conditions=dict(zip(axes, np.ix_(*axes.values()), strict=True)),
-    )
+    return {name: array.transpose(back) for name, array in values.items()}
 
 
 def _pairs(sizes, densities):
@@ -151,21 +148,21 @@ class _Surface:
         tables = solid_tables(diameter, roughness, density, low, high, self.parameters)
         for number, table in enumerate(tables):
             with_particles = bool(has_particles(diameter[number], density[number]))
-            found = self._sharing(table, log_film) if self.films_share else self._explicit(table)
-            add_flags(found, self.film, self.log_load, self.parameters, with_particles)
-            unsure = ~(found["error_bound"] <= rtol)
-            unsure |= found["total_contact_area"] < TINY  # where float64 loses digits
+            films = self._sharing(table, log_film) if self.films_share else self._explicit(table)
+            add_flags(films, self.film, self.log_load, self.parameters, with_particles)
+            unsure = ~(films["error_bound"] <= rtol)
+            unsure |= films["total_contact_area"] < TINY  # where float64 loses digits
             alone = {name: dry[name][1:, number] for name in variables}
-            carried = found["fluid_load_fraction"] <= 0.0  # by the solids, at their dry separation
+            carried = films["fluid_load_fraction"] <= 0.0  # by the solids, at their dry separation
             if carried.any():
                 for name in variables:
-                    found[name] = np.where(carried, alone[name], found[name])
-            yield _Solved(dry=alone, films=found, unsure=unsure)
+                    films[name] = np.where(carried, alone[name], films[name])
+            yield _Solved(dry=alone, films=films, unsure=unsure)
 
     def _dry(self, diameter, density, rtol, variables):
         """Variables of dry contact by name, at half the least load and at all loads: shape (loads +
         1, solids)."""
-        given = {
+        points = {
             "load": np.append(0.5 * self.load[0], self.load)[:, np.newaxis],
             "viscosity": np.zeros(1),
             "particle_diameter": diameter,
@@ -173,8 +170,7 @@ class _Surface:
             "particle_density": density,
         }
         names = dict.fromkeys([*variables, "separation"])
-        found = solve_arrays(given, self.parameters, rtol, names)
-        return {name: getattr(found, name) for name in names}
+        return solve_points(points, self.parameters, rtol, names)
 
     def _ends(self, dry_separation):
         """The least and largest separation [m] of each of the solids under any load and film."""
@@ -224,17 +220,17 @@ class _Surface:
     def _first_fluid(self, table, log_film):
         """Approximate ln L_f, interpolated over the load that solids and film carry at each
         separation of the table."""
-        places = table.separations[::-1]
-        solids = table(places)
+        separations = table.separations[::-1]
+        solids = table(separations)
         log_particles = np.log(solids.particle_area.value * self.parameters.particle_pressure)
         log_solid = np.logaddexp(solids.log_summit_load.value, log_particles)
         log_solid = np.nan_to_num(log_solid, nan=MOST_LOG_LOAD, neginf=-np.inf)
-        log_film = log_film(places)
+        log_film = log_film(separations)
         log_load = np.logaddexp(log_solid, log_film)
         # all films in a single interpolation, shifted apart
         apart = np.arange(len(log_load))[:, np.newaxis] * (np.ptp(log_load) + 1.0)
-        wanted = np.clip(self.log_load, log_load[:, :1], log_load[:, -1:]) + apart
-        log_film = np.interp(wanted, (log_load + apart).ravel(), log_film.ravel())
+        log_total = np.clip(self.log_load, log_load[:, :1], log_load[:, -1:]) + apart
+        log_film = np.interp(log_total, (log_load + apart).ravel(), log_film.ravel())
         return np.minimum(log_film - self.log_load, 0.0)
 
     def _step(self, table, log_fluid):
@@ -266,10 +262,10 @@ class _Surface:
 
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], accurate enough to start Newton's method."""
-        places = np.geomspace(max(low, 0.5 * self.film_separation.min()), high, FILM_SAMPLES)
-        log_film, _ = self.film.log_W_and_slope(places / self.parameters.ball_radius)
+        separations = np.geomspace(max(low, 0.5 * self.film_separation.min()), high, FILM_SAMPLES)
+        log_film, _ = self.film.log_W_and_slope(separations / self.parameters.ball_radius)
         log_film -= log_load_parameter(0.0, self.parameters)
-        return scipy.interpolate.make_interp_spline(places, log_film, k=1, axis=-1)
+        return scipy.interpolate.make_interp_spline(separations, log_film, k=1, axis=-1)
 
     def _summits(self, log_load):
         """Fraction of F_t carried by summits."""

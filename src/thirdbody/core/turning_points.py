@@ -21,11 +21,10 @@ from scipy.special import expit
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
 from thirdbody.core.film import film_load
-from thirdbody.core.floats import TINY
+from thirdbody.core.logarithms import TINY
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.solve import DEFAULT_RTOL
-from thirdbody.tabular import Tabular
 
 # ASSUME: prominence of a turning point on both sides [1], a line width on an axis from 0 to 1
 PROMINENCE = 0.02
@@ -35,7 +34,7 @@ SAMPLES = 60  # separations between which the maxima under all films are sought
 
 
 @dataclass(frozen=True, eq=False)
-class TurningPoints(Tabular):
+class TurningPoints:
     """The most prominent interior maximum of A_sa,t* of each curve: its turning point if ``exists``.
 
     Arrays of shape (curves,), nan without one: the load F_TPCA* [1] and a bound on its error, A_sa,t*

@@ -12,13 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.turning_points import PROMINENCE, ratio_maxima
-from thirdbody.tabular import Tabular
 
 
 @dataclass(frozen=True)
-class Window(Tabular):
+class Window:
     """Range of x_a/sigma [1] with a turning point, nan if there is none; the bounds on the errors of its
     ends are infinite if the sweep ends inside the window."""
 
@@ -61,7 +60,7 @@ def turning_point_windows(
         names = "particle_diameter", "roughness", "particle_density"
         points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
         points |= dict(zip(names, columns, strict=True))
-        first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
+        first, last = solve_points(points, parameters, search.rtol, ("separation",))["separation"]
         solids = Contact.of(*columns, parameters, search.rtol)
         between = _separations(first, last, sigma, search.separations)
         curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)

@@ -11,12 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.core.bounds import BOUNDS
-from thirdbody.data.conditions import AXES, CONDITION_AXES
-from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
+from thirdbody.core.parameters import BOUNDS
 from thirdbody.data.tables import DRAWN_POINTS, read_csv
 from thirdbody.places import part_of_paper
-from thirdbody.units import CONDITIONS, ENGINEERING
+from thirdbody.variables import AXES, CONDITION_AXES, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
 FIRST = "main.js"  # the script that imports all others
@@ -83,9 +81,9 @@ def page_content(
         "axes": [
             {
                 "name": axis.name,
-                "key": ENGINEERING[axis.name],
+                "key": axis.alias,
                 "scale": axis.scale,
-                "usual": CONDITIONS[axis.name]["usual"],
+                "usual": axis.usual,
                 "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
             }
             for axis in AXES.values()

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from thirdbody.data.conditions import AXES, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.figures import marks
 from thirdbody.figures.panels import CURVE, Panel
 from thirdbody.figures.scales import (
@@ -21,6 +21,7 @@ from thirdbody.figures.scales import (
     value_text,
 )
 from thirdbody.toml_tables import toml_beside
+from thirdbody.variables import AXES
 
 WORDS = toml_beside(__file__)
 ZONES = WORDS.pop("zones")

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.solve import solve
-from thirdbody.data.conditions import DIMENSIONS, Condition
+from thirdbody.core.solve import solve_points
+from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
-from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
+from thirdbody.data.quantities import FILL_FLOAT, curves_of
 from thirdbody.toml_tables import toml_beside
+from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
 # Suffix of a variable: the word in its long name, and the function, which ignores nan.
@@ -31,16 +32,11 @@ def band(
     start = {name: dataset[name].values[:, shown] for name in QUANTITIES}
     envelope = {end: dict(start) for end in ENDS}
     for member in ensemble:
-        solution = solve(
-            load=load,
-            **Condition(*conditions)._asdict(),
-            parameters=replace(base, **member),
-            rtol=BAND_RTOL,
-            variables=tuple(QUANTITIES),
-        )
+        points = {"load": load, **Condition(*conditions)._asdict()}
+        solved = solve_points(points, replace(base, **member), BAND_RTOL, tuple(QUANTITIES))
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():
-                envelope[end][name] = widest(values, getattr(solution, name))
+                envelope[end][name] = widest(values, solved[name])
     variables = {}
     for end, (extreme, _) in ENDS.items():
         for name in QUANTITIES:

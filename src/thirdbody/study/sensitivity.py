@@ -21,11 +21,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.core.bounds import BOUNDS
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import BOUNDS, Parameters
 from thirdbody.core.transitions import LIMITS, limit_crossings
 from thirdbody.core.windows import WindowSearch
-from thirdbody.data.conditions import AXES, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.study.evidence import (
     FULL_EFFORT,
     QUICK_EFFORT,
@@ -34,6 +33,7 @@ from thirdbody.study.evidence import (
     Evidence,
     solve_evidence,
 )
+from thirdbody.variables import AXES
 
 # Relative change of an input, at which the errors of the difference and of the solver balance
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
