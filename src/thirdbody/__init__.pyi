@@ -7,6 +7,7 @@ from thirdbody.answers.find import turning_window as turning_window
 from thirdbody.answers.interface import Interface as Interface
 from thirdbody.arguments import OutOfRangeWarning as OutOfRangeWarning
 from thirdbody.atlas.catalogue import open_atlas as open_atlas
+from thirdbody.configuration.inputs import ensemble as ensemble
 from thirdbody.configuration.inputs import load_parameters as load_parameters
 from thirdbody.data.dataset import grid as grid
 from thirdbody.data.dataset import stream as stream

@@ -2,12 +2,11 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
 
-from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
+from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles, range_note
 from thirdbody.answers.crossings import SWEEP, queries, sweep_values
 from thirdbody.answers.find import (
     BORDERS,
@@ -28,7 +27,6 @@ from thirdbody.arguments import (
     in_si,
     without_warnings,
 )
-from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.configuration.printed import LOADS
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
@@ -113,10 +111,10 @@ class Interface:
         """The five conditions by their names in engineering units."""
         return {key: getattr(self, key) for key in ENGINEERING.values()}
 
-    @cached_property
+    @property
     def members(self) -> tuple[Parameters, ...]:
-        """The sets of inputs of the ensemble (see ``calibrated_ensemble``)."""
-        return calibrated_ensemble(self.parameters)
+        """The sets of inputs of the ensemble."""
+        return self.parameters.members
 
     def changed(self, **conditions: float | Parameters) -> Self:
         """The same interface with other conditions, or other ``parameters``."""
@@ -316,7 +314,7 @@ class Interface:
         if self.particle_density_per_m2 > 0.0:
             roughness, *sizes = LENGTH.to_si([self.roughness_nm, *diameters_nm]).tolist()
             notes = [sizes_note(each, roughness, self.parameters) for each in sizes if each > 0.0]
-        return notes if self.members else [*notes, NO_ENSEMBLE]
+        return [*notes, range_note(self.members)]
 
 
 def _rows(described: Mapping, mine: State, of_members: Sequence[State]) -> tuple[Row, ...]:

@@ -229,7 +229,6 @@ class Trend(CourseClaim, NumberClaim):
         return not (beyond[1:] & beyond[:-1]).any()
 
 
-
 @dataclass(frozen=True, kw_only=True)
 class Absence(CourseClaim):
     """No interior maximum over load stands out by more than the tolerance."""
@@ -241,7 +240,6 @@ class Absence(CourseClaim):
 
     def check(self, evidence: "Evidence") -> Verdict:
         return self.check_courses(self.courses(evidence))[1]
-
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -18,7 +18,7 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.quantities import spread
 from thirdbody.data.tables import TABLES
 from thirdbody.places import part_of_paper
-from thirdbody.study.choice import Candidate, printed_numbers, rank_interpretations
+from thirdbody.study.choice import Candidate, rank_interpretations
 from thirdbody.study.claim import Claim
 from thirdbody.study.evidence import QUICK_EFFORT
 from thirdbody.study.judge import (
@@ -160,7 +160,7 @@ def _range_text(report: Report, id: str) -> str:
 
 
 def number_ranges(report: Report, id: str) -> np.ndarray:
-    """Range of 90 % of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
+    """Range, 5 to 95 %, of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
     members = [each[id].numbers for each in report.members if each[id].numbers]
     places = range(len(report.verdicts[id].numbers))
     ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
@@ -188,12 +188,13 @@ def claims_markdown(report: Report) -> str:
     return ENVIRONMENT.get_template("claims.md.j2").render(
         report=report,
         score=score_sentence(report),
-        reached=numbers["reached"].sum(),
-        headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
+        reached=numbers["verdict"].eq(HOLDS).sum(),
+        headline=numbers.drop(columns="id"),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
         words=dict(zip(table["id"], table["verdict"], strict=True)),
         counts=counts_by_figure(report),
-        comparison=report.comparison.drop(columns="predicted_fraction", errors="ignore"),
+        comparison=report.comparison,
+        limits={claim.id: claim.limit for claim in report.claims},
         statements=table.to_dict("records"),
         failing=failing.to_dict("records"),
     )
@@ -205,9 +206,10 @@ def claims_html(report: Report) -> str:
     parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
     reasons = {claim.id: claim.reason for claim in report.claims}
+    limits = {claim.id: claim.limit for claim in report.claims}
     template = ENVIRONMENT.get_template("claims.html.j2")
     given = {"score": score, "counts": counts_sentence(report), "groups": groups}
-    return template.render(reasons=reasons, **given)
+    return template.render(reasons=reasons, limits=limits, **given)
 
 
 def claims_json(report: Report) -> str:
@@ -252,7 +254,12 @@ def score_sentence(report: Report) -> str:
     fitted = count_once(report.claims, report.verdicts)
     predicted = count_once(report.claims, report.predicted)
     texts = ENVIRONMENT.get_template("claims.macros.j2").module
-    return texts.score(fitted=fitted, predicted=predicted, prominence=PROMINENCE)
+    compared = (
+        int(report.comparison["left_out_loss"].notna().sum()) if len(report.comparison) else 0
+    )
+    return texts.score(
+        fitted=fitted, predicted=predicted, compared=compared, prominence=PROMINENCE
+    ).replace("\n", " ")
 
 
 def counts_sentence(report: Report) -> str:
