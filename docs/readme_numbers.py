@@ -4,6 +4,7 @@ Each stands between two markers that name it.
 
     python docs/readme_numbers.py            say which pages differ from results/, exit 1 if any
     python docs/readme_numbers.py --write    renew them
+    python docs/readme_numbers.py --show deviations    print one of them
 
 What `make accuracy` measures differs from run to run: a page agrees with it if its words do
 and its numbers up to a factor, and keeps what it says where there is no such run.
@@ -22,12 +23,16 @@ from textwrap import fill
 
 import numpy as np
 import pandas as pd
+from scipy.optimize import brentq
+from scipy.special import erf
 from tabulate import tabulate
 
+import thirdbody
 from thirdbody.command import EXAMPLES
 from thirdbody.command import main as main_of_command
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.core.film import Film
 from thirdbody.study.calibration import Interpretation, Unknown
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
@@ -61,12 +66,6 @@ def turning_points_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
-def calibrated_files() -> list[dict]:
-    """Contents of all calibrated files, lowest objective first."""
-    paths = sorted((ROOT / "config" / "calibrated").glob("*.yaml"))
-    return sorted(map(read_yaml, paths), key=lambda content: content["objective"])
-
-
 def headline_block() -> str:
     """The headline numbers of the paper beside those of the default."""
     content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
@@ -89,31 +88,140 @@ def headline_block() -> str:
 
 
 def interpretations_block() -> str:
-    """Every interpretation: statements predicted, in all and by fold, and fitted; headline numbers; inputs."""
+    """Every interpretation in the order of the rule: loss of what was left out, and what follows."""
     rows = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))[
         "interpretations"
     ]
-    columns = ["interpretation", "predicted", "folds", "fitted", "headline", "summit_parameter"]
-    columns += ["penalty", "inputs", "objective"]
-    return pd.DataFrame(rows)[columns].to_markdown(index=False, disable_numparse=True)
+    table = pd.DataFrame(rows).drop(columns=["folds", "median_deviation"])
+    table["mean_deviation"] = table["mean_deviation"].map("{:.1%}".format)
+    table["summit_parameter"] = table["summit_parameter"].map("{:.3f}".format)
+    table["equal"] = table["equal"].map({True: "yes", False: ""})
+    headings = {name: name.replace("_", " ") for name in table}
+    table = table.rename(columns=headings).astype(object)
+    return table.where(table.notna(), "").to_markdown(index=False, disable_numparse=True)
 
 
-def fronts_block() -> str:
-    """The least objective of all other statements where one holds, by interpretation."""
-    contents = [content for content in calibrated_files() if content["fronts"]]
+def deviations_block() -> str:
+    """Every printed number of the headline statements beside the computed one."""
+    rows = pd.DataFrame(read_csv(RESULTS / "tables" / "deviations.csv", TABLES["deviations"]))
+    sizes = rows["deviation"].abs()
+    table = pd.DataFrame(
+        {
+            "place": rows["place"].str.removesuffix(", section 3.3"),
+            "statement": rows["id"].map("`{}`".format),
+            "printed": rows["printed"].map("{:.4g}".format),
+            "computed": rows["computed"].map("{:.4g}".format),
+            "deviation": rows["deviation"].map("{:+.1%}".format),
+        }
+    )
+    counted = f"Of {len(rows)} printed numbers the median deviation is {sizes.median():.1%}, the mean {sizes.mean():.1%}."
+    return f"{counted}\n\n{table.to_markdown(index=False, disable_numparse=True)}"
+
+
+def departures_block() -> str:
+    """Statements that hold with each departure from the print taken back."""
+    rows = read_csv(RESULTS / "tables" / "departures.csv", TABLES["departures"])
+    table = [
+        {
+            "taken back": row["departure"],
+            "statements that hold": f"{row['holds']:g} of {row['judged']:g}",
+            "headline": "" if row["headline"] is None else f"{row['headline']:g}",
+            "median deviation": percent(row["median_deviation"]),
+            "mean deviation": percent(row["mean_deviation"]),
+        }
+        for row in rows
+    ]
+    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
+
+
+def percent(fraction: float | None) -> str:
+    """A fraction in per cent; empty if there is none."""
+    return "" if fraction is None else f"{fraction:.1%}"
+
+
+# printed ends of H_c in Figure 11C, with one unit of the last digit, by viscosity [cSt]
+PRINTED_FILMS = (1.15e-4, 70), (1.63e-4, 120), (2.34e-4, 120)
+LAST_DIGIT = 0.01e-4
+
+
+def film_loads_block() -> str:
+    """The load in W at which Eq. 7 gives the printed ends of H_c on 300 nm, with their rounding."""
+    inputs = thirdbody.load_parameters()
+    newtons = inputs.elastic_modulus_surfaces * inputs.ball_radius**2
+
+    def load_of(thickness, viscosity):
+        film = Film.of(np.array([1e-6 * viscosity]), np.array([3e-7]), inputs)
+
+        def excess(log_load):
+            return film.thickness(np.array([log_load - np.log(newtons)]))[0].item() - thickness
+
+        return np.exp(brentq(excess, np.log(1e-4), np.log(1e4)))
+
     table = []
-    for statement in dict.fromkeys(name for content in contents for name in content["fronts"]):
-        row = {"statement": f"`{statement}`"}
-        for content in contents:
-            front = content["fronts"].get(statement, ())
-            held = [others for score, others in front if score <= 1.0]
-            row[content["interpretation"]] = f"{min(held):.1f}" if held else ""
-        table.append(row)
+    for thickness, viscosity in PRINTED_FILMS:
+        half = 0.5 * LAST_DIGIT
+        load, high, low = (
+            f"{load_of(each, viscosity):.3g}" for each in (thickness, thickness - half, thickness + half)
+        )
+        table.append(
+            {
+                "printed H_c": f"{thickness:.3g} at {viscosity} cSt",
+                "load in W": f"{load} N ({low} to {high})",
+            }
+        )
+    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
+
+
+def took_block() -> str:
+    """What the calibrated inputs assume beyond the print, and how many statements hold without it."""
+    inputs = thirdbody.load_parameters()
+    rows = read_csv(RESULTS / "tables" / "departures.csv", TABLES["departures"])
+    held = {row["departure"]: f"{row['holds']:g} of {row['judged']:g}" for row in rows}
+    below = erf(1.0 / (inputs.spread_ratio * np.sqrt(2.0)))
+    first_yield = inputs.elastic_depth_ratio / 0.0111
+    lines = [
+        ("all of them", "", "", held["as it is"]),
+        (
+            "depth h_e of the elastic zone",
+            "no value",
+            f"{inputs.elastic_depth_ratio:.2f} x_a, {first_yield:.0f} times that of first yield",
+            held["h_e at first yield"],
+        ),
+        (
+            "size x_a",
+            '"mean particle diameter", but Eq. 6 has no mean',
+            f"{100 * below:.0f} in 100 particles are smaller",
+            held["x_a as the mean size"],
+        ),
+        (
+            "deviation of the summits",
+            "no value",
+            f"{inputs.summit_deviation_ratio:.2f} σ",
+            held["summits scatter as the surface"],
+        ),
+        (
+            "plane of the summits",
+            "not mentioned",
+            f"{inputs.summit_offset_ratio:.2f} σ above the mean plane, at 300 nm",
+            held["one plane for summits and surface"],
+        ),
+        (
+            "particles that carry load",
+            "all",
+            f"{inputs.participation:.0%} of them",
+            held["all particles carry load"],
+        ),
+        ("load in W of Eq. 8", "F_t", "F_f, that of the film", held["W of F_t"]),
+        ("apparent area A_n", "no value", f"{1e6 * inputs.apparent_area:.2f} mm²", ""),
+        ("none: the text's words", "", "", held["baseline: all as the text words it"]),
+    ]
+    names = "assumed", "the paper", "here", "statements that hold without it"
+    table = [dict(zip(names, line, strict=True)) for line in lines]
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
 def disagreement(unknown: Unknown, found: dict) -> float:
-    """The most by which medians, or either end, of the 90 % ranges that seeds draw differ, as a share of
+    """The most by which medians, or either end, of the ranges that seeds draw differ, as a share of
     these ranges, on the scale on which the input is searched."""
     medians, lows, highs = (
         np.array([unknown.position(value) for value in values])
@@ -135,7 +243,7 @@ def identified_block() -> str:
             "input": name,
             "chosen": f"{content['inputs'][name]:.3g}",
             "acceptable": "{:.3g} to {:.3g}".format(*found["acceptable"]),
-            "90 % of what each seed draws": ", ".join(
+            "5 to 95 % of what each seed draws": ", ".join(
                 "{:.3g} to {:.3g}".format(*ends) for ends in found["range_of_each_seed"]
             ),
             "seeds differ by": f"{disagreement(unknowns[name], found):.2f}",
@@ -246,7 +354,10 @@ BLOCKS = {
     "windows": turning_points_block,
     "headline": headline_block,
     "interpretations": interpretations_block,
-    "fronts": fronts_block,
+    "deviations": deviations_block,
+    "departures": departures_block,
+    "film loads": film_loads_block,
+    "took": took_block,
     "identified": identified_block,
 }
 MEASURED = {"accuracy": accuracy_block, "oracle": oracle_block}
@@ -288,6 +399,9 @@ def agree(text: str, other: str) -> bool:
 
 def main(arguments) -> int:
     """Exit status: 0 if the pages say what results/ say."""
+    if "--show" in arguments:
+        print(BLOCKS[arguments[-1]]())
+        return 0
     stale = []
     there = {"accuracy": is_measured(), "oracle": is_compared()}
     measured = {name: block for name, block in MEASURED.items() if there[name]}

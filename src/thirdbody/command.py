@@ -271,14 +271,19 @@ def bearing(
     given = locals()
     from thirdbody.answers.bearing import bearing as inputs_of
     from thirdbody.answers.bearing import derived
-    from thirdbody.configuration.inputs import load_parameters
 
     changes = {name: given[name] for name in given.keys() - {"write", "json"}}
-    found = inputs_of(load_parameters(), **changes)
+    found = inputs_of(**changes)
     if write is not None:
         import yaml
 
-        _write(write, yaml.safe_dump(found.as_dict(), sort_keys=False))
+        # what all members have is known; what they do not stays unknown where the file is read
+        known = {
+            name: value
+            for name, value in found.as_dict().items()
+            if all(getattr(member, name) == value for member in found.members)
+        }
+        _write(write, yaml.safe_dump(known, sort_keys=False))
     return derived(found, viscosity_cSt), json
 
 

@@ -11,6 +11,7 @@ from html import escape
 from itertools import groupby
 from os import PathLike
 from pathlib import Path
+from statistics import fmean, median
 from string import Template
 from typing import NamedTuple
 
@@ -218,10 +219,52 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
             (_conditions(row, held), f"{row['load_N']:g} N", ", ".join(filter(None, texts)))
         )
     note = (
-        "At the load of each column, with the range of nine in ten members of the calibrated "
-        f"ensemble in brackets. none, all: of the {limited.replace('_', ' ')} values in the atlas."
+        "At the load of each column, with the range, 5 to 95 % of the calibrated ensemble, in "
+        f"brackets. none, all: of the {limited.replace('_', ' ')} values in the atlas."
     )
     return [Sheet(title, note, _pivoted(cells))]
+
+
+def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
+    sizes = sorted(abs(row["deviation"]) for row in rows)
+    lines = [
+        {
+            "place": row["place"].removesuffix(", section 3.3"),
+            "statement": row["statement"],
+            "printed": _short(f"{row['printed']:.4g}"),
+            "computed": "none" if row["computed"] is None else _short(f"{row['computed']:.4g}"),
+            "deviation": f"{100.0 * row['deviation']:+.1f} %",
+        }
+        for row in rows
+    ]
+    note = (
+        f"All numbers that the headline statements print. The median of the deviations is "
+        f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of H_c are those from "
+        "0.04 to 80 N."
+    )
+    return [Sheet("Printed numbers and computed ones", note, lines)]
+
+
+def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
+    lines = [
+        {
+            "taken back": row["departure"],
+            "inputs": row["inputs"],
+            "statements that hold": f"{row['holds']:g} of {row['judged']:g}",
+            "headline": "" if row["headline"] is None else f"{row['headline']:g}",
+            "median deviation": _percent(row["median_deviation"]),
+            "mean deviation": _percent(row["mean_deviation"]),
+        }
+        for row in rows
+    ]
+    note = (
+        "Each departure of the calibrated inputs from the words of the paper is taken back alone."
+    )
+    return [Sheet("What carries the agreement", note, lines)]
+
+
+def _percent(fraction) -> str:
+    return "" if fraction is None else f"{100.0 * fraction:.1f} %"
 
 
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
@@ -231,6 +274,8 @@ READABLE: dict[str, Callable[..., list[Sheet]]] = {
     "tpca_windows": _windows,
     "transitions": _transitions,
     "sensitivity": _sensitivities,
+    "deviations": _deviations,
+    "departures": _departures,
     "largest_particle": partial(
         _chart,
         "Largest particles that avoid the particle-surface mode [nm]",

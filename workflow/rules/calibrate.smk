@@ -4,7 +4,7 @@
 
 rule sample_inputs:
     input:
-        evaluations=SEARCHED,
+        evaluations=lambda wildcards: searches_of(wildcards.interpretation),
     output:
         samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
@@ -26,7 +26,7 @@ rule sample_inputs:
 
 rule summarise_inputs:
     input:
-        evaluations=branch(is_cross_validated, then=SEARCHED, otherwise=SEARCHED[:1]),
+        evaluations=lambda wildcards: searches_of(wildcards.interpretation),
         samples=branch(
             is_cross_validated, then=expand(f"{FOUND}/seed{{seed}}_samples.csv", seed=SEEDS)
         ),
@@ -38,10 +38,8 @@ rule summarise_inputs:
     conda:
         "../envs/thirdbody.yaml"
     params:
-        claims=configured("claims"),
         settings=settings_of,
-        parameters=settings["uncalibrated"],
-        sources=sources_of("summarise_inputs.py", config=["claims"]),
+        sources=sources_of("summarise_inputs.py"),
     message:
         "Summarising the calibration of {wildcards.interpretation}"
     script:
@@ -68,7 +66,7 @@ rule choose_default:
         parameters=settings["uncalibrated"],
         sources=sources_of("choose_default.py", config=["claims"]),
     message:
-        "Choosing the default, and the cost of the headline numbers that it misses"
+        "Choosing the default and the ensemble of those equal to it"
     script:
         "../scripts/choose_default.py"
 

@@ -1,4 +1,4 @@
-# The verdict on every statement of the paper, and the cost of the missed headline numbers.
+# The verdict on every statement of the paper, and what carries the agreement.
 
 CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
 CALIBRATED_SUM = digest([*CALIBRATED, settings["calibrated"]])
@@ -36,11 +36,30 @@ rule judge_claims:
         "../scripts/judge_claims.py"
 
 
+# printed numbers beside computed ones, and the verdicts with departures from the print taken back
+rule judge_departures:
+    output:
+        deviations="<results>/extracted/deviations/all.csv",
+        departures="<results>/extracted/departures/all.csv",
+    log:
+        "<logs>/judge_departures.log",
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        claims=configured("claims"),
+        settings=settings["calibration"],
+        parameters=settings["parameters"],
+        sources=sources_of("judge_departures.py", config=["claims"]),
+    message:
+        "Evaluating the statements with departures from the print taken back"
+    script:
+        "../scripts/judge_departures.py"
+
+
 # summary figures, and the data of each
 SUMMARIES = {
     "claims": "<results>/claims/claims.csv",
     "sensitivity": "<results>/tables/sensitivity.csv",
-    "fronts": [],  # drawn from calibrated files
 }
 
 
@@ -58,14 +77,8 @@ rule render_summary:
     conda:
         "../envs/thirdbody.yaml"
     params:
-        default=Path(settings["calibrated"]).stem,
-        claims=configured("claims"),
-        calibrated=CALIBRATED,
-        calibrated_sum=CALIBRATED_SUM,
         sources=lambda wildcards: sources_of(
-            "render_summary.py",
-            f"thirdbody.figures.{wildcards.summary}",
-            config=["claims"] if wildcards.summary == "fronts" else [],
+            "render_summary.py", f"thirdbody.figures.{wildcards.summary}"
         ),
     message:
         "Drawing {wildcards.summary}"

@@ -8,7 +8,6 @@ SEARCHED_WIDELY = [
     name for name, each in CALIBRATION["interpretations"].items() if "nearby" not in each
 ]
 FOUND = "<results>/calibration/{{interpretation}}"
-SEARCHED = expand(f"{FOUND}/seed{{seed}}.csv", seed=SEEDS)
 
 
 def settings_of(wildcards):
@@ -31,9 +30,14 @@ def start_of(wildcards):
     for name in nearby(wildcards):
         if "fold" in wildcards.keys():
             return [f"{RESULTS}/calibration/{name}/fold{wildcards.fold}.csv"]
-        seeds = SEEDS if name in shortlisted() else SEEDS[:1]
-        return [f"{RESULTS}/calibration/{name}/seed{seed}.csv" for seed in seeds]
+        return searches_of(name)
     return [f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"]
+
+
+def searches_of(name):
+    """The files of the searches over all statements of an interpretation."""
+    seeds = SEEDS if name in shortlisted() else SEEDS[:1]
+    return [f"{RESULTS}/calibration/{name}/seed{seed}.csv" for seed in seeds]
 
 
 def shortlisted():

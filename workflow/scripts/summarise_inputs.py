@@ -5,19 +5,12 @@ import yaml
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.study.calibration import Interpretation, read_rows
-from thirdbody.study.claims import load_claims
-from thirdbody.study.judge import Judge
 from thirdbody.study.results import summary
 
 with logged(snakemake.log[0]):
     settings = snakemake.params.settings
     content = summary(
         Interpretation.of(snakemake.wildcards.interpretation, settings),
-        Judge(
-            load_claims(snakemake.params.claims),
-            snakemake.params.parameters,
-            settings["newtons"],
-        ),
         [read_rows(path) for path in snakemake.input.evaluations],
         [read_rows(path) for path in snakemake.input.samples],
         [read_rows(path) for path in snakemake.input.folds],

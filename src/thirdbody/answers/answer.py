@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import StringIO
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ Value = float | str | None  # a number, the name of a regime or mode, or None: d
 DIGITS = 4
 # a rule below the headings, in ASCII
 RULED = "    \n    \n -- \n    \n    \n    \n    \n    \n"
-NO_ENSEMBLE = "no ensemble: these inputs leave nothing in which the calibrated sets differ"
 HEADINGS = {
     f"{name}{end}": f"{name}{end} [{unit}]"
     for name, unit in (("separation", "m"), ("film_thickness", "1"))
@@ -69,6 +68,15 @@ class Row:
         return ", ".join(parts)
 
 
+def range_note(members: Sequence[Any]) -> str:
+    """What a range is, once for an answer with ``members`` of the ensemble."""
+    if not members:
+        return (
+            "no range: these inputs have no ensemble, or leave nothing in which its members differ"
+        )
+    return f"ranges are 5 to 95 % over {len(members)} sets of inputs that explain the paper about equally well"
+
+
 def _text(value: Value) -> str:
     if value is None:
         return "none"
@@ -115,10 +123,10 @@ class Answer(Tabular):
         from rich.console import Console
         from rich.table import Table
 
-        headings = ["value", "90 % range"]
+        headings = ["value", "range"]
         compares = any(row.other is not None for row in self.rows)
         if compares:
-            headings = ["first", "second", "90 % of the change"]
+            headings = ["first", "second", "range of the change"]
         box = Box(RULED, ascii=True)
         table = Table("quantity", *headings, "unit", box=box, show_edge=False, pad_edge=False)
         for row in self.rows:

@@ -8,7 +8,7 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from thirdbody.answers.answer import Answer, Row
 from thirdbody.conditions import checked_number, checked_numbers
@@ -163,7 +163,7 @@ def bearing(
     if "apparent_area_mm2" in numbers:
         changes["apparent_area"] = 1e-6 * numbers["apparent_area_mm2"]
     try:
-        found = replace(parameters, **changes)
+        found = parameters.changed(**changes)
         if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
             check_ball(found.as_dict(), "bearing")
         return found

@@ -2,12 +2,11 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
 
-from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Curve, Row, Value, few_particles
+from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles, range_note
 from thirdbody.answers.find import (
     BORDERS,
     IN_FULL_FILM,
@@ -31,7 +30,7 @@ from thirdbody.conditions import (
     read_conditions,
     without_warnings,
 )
-from thirdbody.configuration.inputs import calibrated_ensemble, or_calibrated
+from thirdbody.configuration.inputs import or_calibrated
 from thirdbody.configuration.printed import LOADS
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
@@ -111,10 +110,10 @@ class Interface:
         """The five conditions by their names in engineering units."""
         return {key: getattr(self, key) for key in BY_ALIAS}
 
-    @cached_property
+    @property
     def members(self) -> tuple[Parameters, ...]:
-        """The sets of inputs of the ensemble (see ``calibrated_ensemble``)."""
-        return calibrated_ensemble(self.parameters)
+        """The sets of inputs of the ensemble."""
+        return self.parameters.members
 
     def changed(self, **conditions: float | Parameters) -> Self:
         """The same interface with other conditions, or other ``parameters``."""
@@ -314,7 +313,7 @@ class Interface:
             lengths = AXES["roughness"].to_si([self.roughness_nm, *diameters_nm])
             roughness, *sizes = lengths.tolist()
             notes = [sizes_note(each, roughness, self.parameters) for each in sizes if each > 0.0]
-        return notes if self.members else [*notes, NO_ENSEMBLE]
+        return [*notes, range_note(self.members)]
 
 
 def _rows(described: Mapping, mine: State, of_members: Sequence[State]) -> tuple[Row, ...]:

@@ -9,7 +9,6 @@ in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
 import math
 import warnings
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -49,8 +48,9 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     Warns
     -----
     UserWarning
-        For a modulus, hardness or radius without G, V or U/nu, which depend on it;
-        ``thirdbody.bearing`` changes them together.
+        For a modulus, hardness or radius without G, V or U/nu, which depend on it:
+        ``thirdbody.bearing`` changes them together; and for another mean of the sizes, plane of the particles
+        or load of the film without the inputs that were calibrated for it.
 
     Examples
     --------
@@ -73,12 +73,13 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
         for name, value in inputs.items()
     }
     schema.validate(inputs, values_schema(entries), "load_parameters")
-    values = chosen["parameters"] | plain_values(inputs)
-    check_ball(values, "load_parameters")
+    inputs = plain_values(inputs)
+    check_ball(chosen["parameters"] | inputs, "load_parameters")
     changed = chosen["inputs"] | inputs
-    if HELD_IN.keys() & changed.keys():
+    if BELONGS_TO.keys() & changed.keys():
         _warn_of_what_stays(changed, choose_inputs(entries, chosen["calibrated"], {})["parameters"])
-    return Parameters(**values)
+    members = [Parameters(**chosen["parameters"] | member) for member in chosen["ensemble"]]
+    return Parameters(**chosen["parameters"]).with_members(members).changed(**inputs)
 
 
 def or_calibrated(parameters: Parameters | None) -> Parameters:
@@ -92,21 +93,66 @@ def _calibrated():
     return load_parameters()
 
 
-# film parameters that depend on a modulus, a hardness or the radius (below Eq. 8)
-HELD_IN = {
-    "elastic_modulus_surfaces": ("material_parameter", "hardness_parameter", "speed_per_viscosity"),
-    "hardness_surface_1": ("hardness_parameter",),
-    "hardness_surface_2": ("hardness_parameter",),
-    "ball_radius": ("speed_per_viscosity",),
+def ensemble(parameters: Parameters | None = None) -> tuple[Parameters, ...]:
+    """The sets of inputs that explain the paper about equally well, from which ranges are computed.
+
+    They are the members of the calibrated file of ``parameters``, by default that of the project, with as many
+    members from each interpretation that explains the paper as well as the best.  What was given to
+    ``load_parameters``, ``bearing`` or ``Parameters.changed`` is known: all members have it.  The range of a
+    result is 5 to 95 % of its values over them.
+
+    Parameters
+    ----------
+    parameters : Parameters, optional
+        Inputs of the model, by default the calibrated ones.
+
+    Returns
+    -------
+    tuple of Parameters
+        The members; none for inputs that were built without them.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thirdbody as tb
+    >>> interface = dict(load_N=10, viscosity_cSt=120, roughness_nm=300)
+    >>> shares = [
+    ...     float(tb.solve(**interface, parameters=member).solid_load_fraction)
+    ...     for member in tb.ensemble()
+    ... ]
+    >>> low, high = np.quantile(shares, (0.05, 0.95))
+    >>> bool(low < tb.solve(**interface).solid_load_fraction < high)
+    True
+    """
+    return or_calibrated(parameters).members
+
+
+# inputs that were found for one value of another, or are derived from it (below Eq. 8), and what changes them together
+BEARING = "thirdbody.bearing changes them together"
+CALIBRATED = "they were found for the value of the calibrated file"
+BELONGS_TO = {
+    "elastic_modulus_surfaces": (
+        ("material_parameter", "hardness_parameter", "speed_per_viscosity"),
+        BEARING,
+    ),
+    "hardness_surface_1": (("hardness_parameter",), BEARING),
+    "hardness_surface_2": (("hardness_parameter",), BEARING),
+    "ball_radius": (("speed_per_viscosity",), BEARING),
+    "mean_ratio": (("spread_ratio", "elastic_depth_ratio"), CALIBRATED),
+    "particle_plane": (("elastic_depth_ratio", "summit_offset_ratio"), CALIBRATED),
+    "film_load": (("summit_parameter", "summit_radius", "apparent_area"), CALIBRATED),
 }
 
 
-def _warn_of_what_stays(given, before):
-    """Warn of inputs that differ from ``before`` without the film parameters that depend on them."""
-    for name in HELD_IN.keys() & given.keys():
-        stay = ", ".join(other for other in HELD_IN[name] if other not in given)
-        if stay and not math.isclose(given[name], before[name]):
-            message = f"{name} is changed without {stay}; thirdbody.bearing changes them together"
+def _warn_of_what_stays(changed, before):
+    """Warn of inputs that differ from ``before`` without those that belong to their value."""
+    for name in BELONGS_TO.keys() & changed.keys():
+        dependents, reason = BELONGS_TO[name]
+        stay = ", ".join(other for other in dependents if other not in changed)
+        value, old = changed[name], before[name]
+        same = value == old if isinstance(value, str) else math.isclose(value, old)
+        if stay and not same:
+            message = f"{name} is changed without {stay}; {reason}"
             warnings.warn(message, UserWarning, stacklevel=3)
 
 
@@ -162,19 +208,6 @@ def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
     differ."""
     members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
     return members if any(member != members[0] for member in members) else []
-
-
-def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
-    """The sets of inputs that explain the paper about equally well: those in the calibrated file of
-    ``config/config.yaml``, each with the changes of ``parameters`` from the best set.
-
-    Empty if they then do not differ.
-    """
-    directory = config_directory()
-    content = read_calibrated(directory.parent / read_yaml(directory / "config.yaml")["calibrated"])
-    best, given = content["inputs"], parameters.as_dict()
-    changed = {name: value for name, value in given.items() if best.get(name) != value}
-    return tuple(replace(parameters, **member) for member in ensemble_of(content, changed))
 
 
 def check_ball(values: Values, place: str) -> None:

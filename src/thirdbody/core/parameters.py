@@ -1,7 +1,8 @@
 """The inputs of the model: a frozen dataclass of all numbers and interpretations."""
 
 import math
-from dataclasses import asdict, dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from numbers import Real
 from typing import NamedTuple
@@ -91,10 +92,10 @@ class Surface:
 class Parameters:
     """All inputs of the model, in SI units.
 
-    ``config/inputs.yaml`` has the symbol, unit and source of each field, ``BOUNDS`` the allowed
-    numbers; ``thirdbody.load_parameters`` returns the
-    calibrated values.  Fields that are words select interpretations of the paper, which
-    ``interpretation`` holds as objects.
+    ``config/inputs.yaml`` has the symbol, unit and source of each field,
+    ``BOUNDS`` the allowed numbers; ``thirdbody.load_parameters`` returns the
+    calibrated values.  Fields that are words select interpretations of the paper.  ``members`` are those of the ensemble,
+    from which ranges are computed: ``changed`` gives other inputs to them too.
 
     Raises
     ------
@@ -151,6 +152,8 @@ class Parameters:
     particle_plane: str  # from which particles meet the separation
     # force balance
     film_load: str  # the load in W of Eq. 8
+    # other sets of inputs that explain the paper about equally well; ``dataclasses.replace`` drops them
+    members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
 
     def __post_init__(self):
         for name, known in WORDS.items():
@@ -171,11 +174,8 @@ class Parameters:
     def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
         """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that thickness has the load
         ``film_load`` F* [1] in W."""
-        return (
-            np.add(solid_load, film_load)
-            if self.film_shares_load
-            else np.maximum(solid_load, film_load)
-        )
+        combine = np.add if self.film_shares_load else np.maximum
+        return combine(solid_load, film_load)
 
     def particle_plane_height(self, summit_offset: ArrayLike) -> ArrayLike:
         """Height above the mean plane [m] of the plane from which particles meet the separation: that of the summits,
@@ -264,9 +264,8 @@ class Parameters:
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
-        offset = (
-            self.summit_offset_ratio * scale**-self.summit_parameter_exponent
-        )  # as McCool: 1/(eta_s R)
+        # as McCool: y_s is proportional to 1/(eta_s R)
+        offset = self.summit_offset_ratio * scale**-self.summit_parameter_exponent
         highest = HIGHEST_PLANE * self.summit_deviation_ratio
         if np.max(offset) > highest:
             bad = np.ravel(roughness)[np.argmax(offset)]
@@ -286,8 +285,19 @@ class Parameters:
         )
 
     def as_dict(self) -> dict:
-        """All inputs as a dict."""
-        return asdict(self)
+        """All inputs as a dict, without the members."""
+        return {each.name: getattr(self, each.name) for each in fields(self) if each.init}
+
+    def changed(self, **inputs: float | str) -> "Parameters":
+        """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too."""
+        members = [replace(member, **inputs) for member in self.members]
+        return replace(self, **inputs).with_members(members)
+
+    def with_members(self, members: Iterable["Parameters"]) -> "Parameters":
+        """The same inputs with other ``members``."""
+        inputs = replace(self)
+        object.__setattr__(inputs, "members", tuple(members))
+        return inputs
 
 
 # McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R)
@@ -320,9 +330,8 @@ def mccool_summits(summit_parameter: float) -> dict[str, float]:
     Examples
     --------
     >>> import thirdbody
-    >>> from dataclasses import replace
     >>> inputs = thirdbody.load_parameters(summit_parameter=0.05)
-    >>> round(replace(inputs, **mccool_summits(0.05)).summit_offset_ratio, 5)
+    >>> round(inputs.changed(**mccool_summits(0.05)).summit_offset_ratio, 5)
     0.91888
     """
     least = math.sqrt(SUMMIT_VARIANCE)

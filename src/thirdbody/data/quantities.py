@@ -32,7 +32,7 @@ def curves_of(dataset: "PlainDataset") -> tuple[NDArray[np.float64], NDArray[np.
 
 
 def spread(values: Iterable[float]) -> tuple[float, float] | None:
-    """The range of nine in ten of ``values``, those of an ensemble; None if there are none."""
+    """The range, 5 to 95 %, of ``values``, those of an ensemble; None if there are none."""
     known = [value for value in values if np.isfinite(value)]
     return tuple(np.quantile(known, ENDS).tolist()) if known else None
 

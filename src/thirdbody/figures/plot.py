@@ -235,7 +235,10 @@ def plot_comparison(comparison: Any) -> Figure:
         for axes, name in zip(figure.subplots(1, len(names), squeeze=False)[0], names):
             axes.plot(x, model[f"{name}_model"], color=BLUE, label="model", **look)
             if f"{name}_low" in model:
-                ends, label = (model[f"{name}_low"], model[f"{name}_high"]), "90 % of the ensemble"
+                ends, label = (
+                    (model[f"{name}_low"], model[f"{name}_high"]),
+                    "5 to 95 % of the ensemble",
+                )
                 if len(curve):
                     axes.fill_between(x, *ends, color=BLUE, alpha=0.2, linewidth=0.0, label=label)
                 else:

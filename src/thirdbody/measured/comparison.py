@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.answer import NO_ENSEMBLE, Answer, Row
+from thirdbody.answers.answer import Answer, Row, range_note
 from thirdbody.answers.bearing import (
     LUBRICANT_DENSITIES,
     USUAL_BEARING,
@@ -26,7 +26,7 @@ from thirdbody.conditions import (
     read_conditions,
     without_warnings,
 )
-from thirdbody.configuration.inputs import calibrated_ensemble, or_calibrated
+from thirdbody.configuration.inputs import or_calibrated
 from thirdbody.core.parameters import Parameters
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
@@ -72,7 +72,7 @@ class Comparison(Tabular):
             if f"{name}_low" in known:
                 inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"])
                 count = f"{inside.sum()} of {len(known)}"
-                notes.append(f"{name} is within the 90 % range in {count} measurements")
+                notes.append(f"{name} is within the range in {count} measurements")
         title = f"{len(self.table)} measurements beside the model, along {self.along}"
         found = any(row.value is not None for row in rows)
         return Answer(title, tuple(rows), (*notes, *self.notes), found)
@@ -153,7 +153,7 @@ def compare(
     except ValueError as error:  # perhaps a condition is among the columns left out
         raise ValueError("; ".join([str(error), *notes])) from None
     along, curve = _curve(table)
-    members = calibrated_ensemble(parameters)
+    members = parameters.members
     table, curve = (
         _with_model(each, observed, (parameters, *members), speed, assumed)
         for each in (table, curve)
@@ -165,8 +165,7 @@ def compare(
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
         if name in FORMULAS:
             notes.append(f"{name} is an estimate: {FORMULAS[name].format(**asdict(assumed))}")
-    if not members:
-        notes.append(NO_ENSEMBLE)
+    notes.append(range_note(members))
     unsolved = int(table[f"{name}_model"].isna().sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")

@@ -24,7 +24,7 @@ COMPLETED = {  # of each action
 # folders of products, named as in results/, and their titles
 KINDS = {
     "datasets": "solved points, one file a figure",
-    "bands": "lowest and highest value (_low, _high) of each quantity over calibrated inputs",
+    "bands": "range of each quantity, 5 to 95 % (_low, _high), over the calibrated ensemble",
     "tables": "tables of the paper and what was extracted from the datasets",
     "figures": "figures, with the points drawn as CSV",
     "claims": "statements of the paper and their verdicts",

@@ -115,11 +115,6 @@ class Objective:
         """Statements to which the inputs are fitted."""
         return self.judge.claims
 
-    def repeating(self, name: str) -> NDArray:
-        """Which of ``claims`` is the one with the id ``name``, or repeats it."""
-        (own,) = (claim.counted_as for claim in self.claims if claim.id == name)
-        return np.array([claim.counted_as == own for claim in self.claims])
-
     def scores(self, interpretation: Interpretation, inputs: Mapping[str, Any]) -> NDArray:
         """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these inputs."""
         try:
@@ -127,6 +122,11 @@ class Objective:
         except ValueError:
             return np.full(len(self.claims), MISSING_SCORE)
         return np.array([verdict.score for verdict in verdicts.values()])
+
+    def losses(self, scores: ArrayLike, claims: Sequence[Claim]) -> NDArray:
+        """The weighted loss [1] of each of some ``claims`` with these scores."""
+        weights = dict(zip((claim.id for claim in self.claims), self.weights, strict=True))
+        return np.array([weights[claim.id] for claim in claims]) * loss(np.asarray(scores))
 
     def value(self, penalty: float, scores: ArrayLike) -> float:
         """The objective [1]: the penalty plus the weighted losses of the scores."""

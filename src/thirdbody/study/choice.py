@@ -1,21 +1,155 @@
-"""The default interpretation, chosen by the rule, what the headline numbers that it misses would cost, and the
-ensemble over the interpretations that predict about as much."""
+"""The rule that chooses the default among calibrated interpretations, and the ensemble of its equals.
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from typing import Any
+1. The loss of what was left out: that of the objective, over the statements of each fold, for the inputs
+   that were found without them.
+2. Interpretations are equal if their loss is above the least by no more than one standard error of the
+   difference, from the differences by figure (Breiman et al. 1984, Classification and Regression Trees;
+   Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning, section 7.10).
+3. Of equals, the least mean deviation of the printed numbers; then the fewest unknowns; then the least
+   penalty.
+"""
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Self
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
-from thirdbody.study.calibration import Interpretation, Objective
-from thirdbody.study.judge import Judge
-from thirdbody.study.results import rounded
-from thirdbody.study.search import search
-from thirdbody.study.verdicts import Candidate, rank_interpretations
+from thirdbody.study.calibration import Fold, Interpretation, Objective, make_folds
+from thirdbody.study.claim import Claim
+from thirdbody.study.judge import Judge, Verdicts, count_once
 
-PRICED = 100  # number of best sets of a cost search that are evaluated again
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """An interpretation that may be the default: the ``content`` of its calibrated file, the ``verdicts`` for its
+    inputs, and those ``predicted``, of each statement for the inputs found in the fold that leaves it out."""
+
+    content: Mapping[str, Any]
+    verdicts: Verdicts
+    predicted: Verdicts
+    folds: Sequence[Fold] = ()
+
+    @classmethod
+    def of(cls, judge: Judge, content: Mapping[str, Any], verdicts: Verdicts | None = None) -> Self:
+        """Evaluate all statements for a calibrated file; ``verdicts`` are those for its inputs, if known."""
+        entries = content.get("folds", ())
+        folds = make_folds(judge.claims, [entry["figures"] for entry in entries])
+        predicted = {}
+        for fold, entry in zip(folds, entries, strict=True):
+            predicted |= judge(entry["inputs"], claims=fold.left_out)
+        fitted = verdicts or judge(content["inputs"])
+        return cls(content=content, verdicts=fitted, predicted=predicted, folds=folds)
+
+    @property
+    def name(self) -> str:
+        """The name of the interpretation in ``config/calibration.yaml``."""
+        return self.content["interpretation"]
+
+    @property
+    def fold_counts(self) -> list[tuple[int, int]]:
+        """Numbers of statements left out of each fold that hold and are tested."""
+        return [count_once(fold.left_out, self.predicted) for fold in self.folds]
+
+
+def left_out_losses(objective: Objective, predicted: Verdicts) -> pd.Series:
+    """Loss [1] of the statements ``predicted`` without their figures, by the figure of a statement; empty if
+    there are none."""
+    claims = [claim for claim in objective.claims if claim.id in predicted]
+    figures = [min(claim.all_figures) for claim in claims]
+    losses = objective.losses([predicted[claim.id].score for claim in claims], claims)
+    return pd.Series(losses, index=figures, dtype=float).groupby(level=0).sum()
+
+
+def excess_over(losses: pd.Series, least: pd.Series) -> tuple[float, float]:
+    """Sum of the differences of two ``left_out_losses`` [1], and its standard error from those by figure."""
+    differences = losses - least
+    return differences.sum(), math.sqrt(len(differences)) * differences.std()
+
+
+def printed_numbers(
+    claims: Iterable[Claim], verdicts: Verdicts, ids: Sequence[str]
+) -> pd.DataFrame:
+    """Each number that the statements ``ids`` print, the computed one, and the relative deviation of the
+    latter; -1 where the model has no such number."""
+    rows = []
+    for claim in claims:
+        if claim.id not in ids or claim.published is None or isinstance(claim.published, str):
+            continue
+        published = np.atleast_1d(claim.published)
+        if published.dtype.kind != "f":
+            continue
+        verdict = verdicts[claim.id]
+        computed = verdict.numbers if published.size > 1 else (verdict.value,)
+        for printed, number in zip(published.tolist(), computed, strict=True):
+            deviation = number / printed - 1.0 if np.isfinite(number) else -1.0
+            rows.append({"id": claim.id, "place": claim.place, "statement": claim.statement})
+            rows[-1] |= {"printed": printed, "computed": number, "deviation": deviation}
+    return pd.DataFrame(rows)
+
+
+def rank_interpretations(
+    judge: Judge, candidates: Iterable[Candidate], settings: Mapping[str, Any]
+) -> pd.DataFrame:
+    """Compare the interpretations, in the order of the rule: a row for each, with the loss of what was left out,
+    by how much that is above the least, the standard error of the excess, and whether it is ``equal``."""
+    objective = Objective.of(judge.claims, settings, judge.base)
+    candidates = list(candidates)
+    losses = {each.name: left_out_losses(objective, each.predicted) for each in candidates}
+    totals = {name: series.sum() if len(series) else np.nan for name, series in losses.items()}
+    cross_validated = {name: total for name, total in totals.items() if not math.isnan(total)}
+    least = losses[min(cross_validated, key=cross_validated.get)] if cross_validated else None
+    rows = []
+    for candidate in candidates:
+        inputs, verdicts = candidate.content["inputs"], candidate.verdicts
+        interpretation = Interpretation.of(candidate.name, settings)
+        penalty = interpretation.penalty(inputs)
+        scores = [verdicts[claim.id].score for claim in objective.claims]
+        predicted, predicted_of = count_once(judge.claims, candidate.predicted)
+        excess, error = np.nan, np.nan
+        if predicted_of:
+            excess, error = excess_over(losses[candidate.name], least)
+        deviations = printed_numbers(judge.claims, verdicts, settings["headline"])["deviation"]
+        reached = [id for id in settings["headline"] if id in verdicts and verdicts[id].holds]
+        rows.append(
+            {
+                "interpretation": candidate.name,
+                "left_out_loss": round(totals[candidate.name], 2),
+                "above_least": round(excess, 2),
+                "standard_error": round(error, 2),
+                "equal": bool(excess <= error),
+                "mean_deviation": deviations.abs().mean(),
+                "median_deviation": deviations.abs().median(),
+                "predicted": f"{predicted}/{predicted_of}"
+                if predicted_of
+                else "not cross-validated",
+                "folds": ", ".join(f"{held}/{tested}" for held, tested in candidate.fold_counts),
+                "fitted": "{}/{}".format(*count_once(judge.claims, verdicts)),
+                "headline": f"{len(reached)}/{len(settings['headline'])}",
+                "summit_parameter": largest_summit_parameter(judge.base | inputs, settings),
+                "penalty": round(penalty, 2),
+                "unknowns": len(interpretation.unknowns),
+                "objective": round(objective.value(penalty, scores), 2),
+            }
+        )
+    table = pd.DataFrame(rows)
+    if table.empty:
+        return table
+    table["unequal"] = ~table["equal"]
+    # what is not equal is in the order of its loss
+    table["first"] = table["left_out_loss"].where(table["unequal"], 0.0)
+    order = ["unequal", "first", "mean_deviation", "unknowns", "penalty"]
+    return table.sort_values(order, ignore_index=True).drop(columns=["unequal", "first"])
+
+
+def largest_summit_parameter(inputs: Mapping[str, Any], settings: Mapping[str, Any]) -> float:
+    """The largest eta_s R sigma [1] of ``inputs`` on the surfaces of Table 2."""
+    ends = 1e-9 * np.array(settings["roughness_nm"])
+    relative = ends / inputs["reference_roughness"]
+    power = inputs["summit_parameter_exponent"]
+    return float(np.max(inputs["summit_parameter"] * relative**power))
 
 
 def choose_default(
@@ -25,87 +159,28 @@ def choose_default(
     order of the rule, from the ``contents`` of their calibrated files."""
     candidates = {each["interpretation"]: Candidate.of(judge, each) for each in contents}
     table = rank_interpretations(judge, candidates.values(), settings)
-    ranking = [candidates[name] for name in table["interpretation"]]
-    fractions = {
-        each.name: [held / max(of, 1) for held, of in each.fold_counts]
-        for each in ranking
-        if each.folds
-    }
-    members, labels = mixed_ensemble(
-        [each.content for each in ranking], fractions, settings["ensemble"]
+    equals = table.loc[table["equal"], "interpretation"]
+    members, names = equal_ensemble(
+        [candidates[name].content for name in equals], settings["ensemble"]
     )
-    best = ranking[0]
     chosen = {
-        "interpretation": best.name,
-        "fronts": price_fronts(judge, best, settings),
+        "interpretation": table.loc[0, "interpretation"],
         "ensemble": members,
-        "ensemble_interpretations": labels,
+        "ensemble_interpretations": names,
     }
     return chosen, table
 
 
-def price_fronts(
-    judge: Judge, best: Candidate, settings: Mapping[str, Any]
-) -> dict[str, list[list[float]]]:
-    """The ``price_front`` of each headline number that the ``best`` interpretation misses, by the id of its
-    statement, from a search in which it has ``price_weight`` times its weight."""
-    interpretation = Interpretation.of(best.name, settings)
-    objective = Objective.of(judge.claims, settings, judge.base)
-    names = [unknown.name for unknown in interpretation.unknowns]
-    inputs = {name: best.content["inputs"][name] for name in names}
-    start = interpretation.positions(inputs)
-    fronts = {}
-    for name, verdict in best.verdicts.items():
-        if name not in settings["headline"] or verdict.holds:
-            continue
-        emphasis = np.where(objective.repeating(name), settings["price_weight"], 1.0)
-        raised = replace(objective, weights=objective.weights * emphasis)
-        rows = search(interpretation, raised, start, settings["budget"], settings["seeds"][0])
-        fronts[name] = price_front(interpretation, objective, name, rows, inputs)
-    return fronts
-
-
-def price_front(
-    interpretation: Interpretation,
-    objective: Objective,
-    name: str,
-    rows: NDArray,
-    inputs: Mapping[str, float],
-) -> list[list[float]]:
-    """Pareto front of the score of the statement ``name`` and the objective without it and its repetitions,
-    from the published ``inputs`` and ``rows`` of a search with a higher weight of this statement."""
-    place = [claim.id for claim in objective.claims].index(name)
-    own = objective.repeating(name)
-    best = rows[np.argsort(rows[:, -1], kind="stable")[:PRICED]]
-    points = set()
-    for some in (dict(inputs), *(interpretation.values(row[:-1]) for row in best)):
-        scores = objective.scores(interpretation, some)
-        others = objective.value(interpretation.penalty(some), np.where(own, 0.0, scores))
-        points.add((rounded(scores[place]), rounded(others)))
-    front, least = [], np.inf
-    for score, others in sorted(points):
-        if others < least:
-            front.append([score, others])
-            least = others
-    return front
-
-
-def mixed_ensemble(
-    contents: Sequence[Mapping[str, Any]], fractions: Mapping[str, Sequence[float]], size: int
+def equal_ensemble(
+    contents: Sequence[Mapping[str, Any]], least: int
 ) -> tuple[list[dict[str, Any]], list[str]]:
-    """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each, from calibrated
-    files, the default first.  An interpretation has members in proportion to its mean predicted fraction,
-    if that is at most one standard deviation (of the default's) below that of the default."""
-    means = {name: float(np.mean(each)) for name, each in fractions.items()}
-    first = contents[0]["interpretation"]
-    least = means[first] - float(np.std(fractions[first]))
-    taken = [each for each in contents if means.get(each["interpretation"], -np.inf) >= least]
-    weights = np.array([means[each["interpretation"]] for each in taken])
-    ends = np.round(np.cumsum(weights) / weights.sum() * size).astype(int)
-    members, labels = [], []
-    for content, count in zip(taken, np.diff(ends, prepend=0), strict=True):
+    """The inputs of an ensemble of at least ``least`` members, SI, and the interpretation of each: as many from
+    each of the calibrated files, evenly among theirs, those of the default first."""
+    members, names = [], []
+    count = math.ceil(least / len(contents))
+    for content in contents:
         sets = content["ensemble"]
         places = np.linspace(0, len(sets) - 1, count).round().astype(int)
         members += [{**content["inputs"], **sets[place]} for place in places]
-        labels += [content["interpretation"]] * int(count)
-    return members, labels
+        names += [content["interpretation"]] * count
+    return members, names

@@ -6,9 +6,9 @@ by ``thirdbody.study.evidence``, and holds if it is off by at most one tolerance
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -84,10 +84,10 @@ class Claim:
     tolerance: float
     tolerance_kind: str
     reason: str
-    fine_tolerance: float = 0.0  # relative, if loads were read on a fine axis; 0 if it is the same
     must_be_reached: bool = False
     figures: Sequence[int] = ()
     contradicts: Sequence[str] = ()
+    limit: str = ""
     aside: str = ""
     cluster: str = ""
 
@@ -202,16 +202,6 @@ class Claim:
             return value / self.tolerance, value * self.tolerance
         margin = abs(value) * self.tolerance if self.relative else self.tolerance
         return value - margin, value + margin
-
-    def on_a_fine_axis(self) -> Self:
-        """The same statement, if loads were read on a fine axis."""
-        if not self.fine_tolerance:
-            return self
-        return replace(self, tolerance=self.fine_tolerance, tolerance_kind="relative")
-
-    def visible_from(self, prominence: float) -> Self:
-        """The same statement, if maxima were visible from this ``prominence`` [1] on."""
-        return self
 
     def table(
         self, evidence: "Evidence", group: Sequence[Condition], quantity: str

@@ -19,10 +19,10 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
     claims = []
     for entry in read_valid(path, "claims"):
         given = dict(entry["tolerance"])
-        reason, fine = given.pop("reason"), given.pop("on_a_fine_axis", 0.0)
+        reason = given.pop("reason")
         ((kind, size),) = given.items()
         fields = {"tolerance": size, "tolerance_kind": kind, "reason": reason}
-        claims.append(KINDS[entry["kind"]](**entry | fields, fine_tolerance=fine))
+        claims.append(KINDS[entry["kind"]](**entry | fields))
     return tuple(claims)
 
 

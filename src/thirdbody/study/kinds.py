@@ -1,8 +1,8 @@
 """The ten kinds of claims: the fields that each has beside those of all, and its check."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Self
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -228,10 +228,6 @@ class Trend(CourseClaim, NumberClaim):
         beyond = loads >= last
         return not (beyond[1:] & beyond[:-1]).any()
 
-    def visible_from(self, prominence: float) -> Self:
-        is_peak = self.direction == "rising_then_falling"
-        return replace(self, tolerance=prominence) if is_peak else self
-
 
 @dataclass(frozen=True, kw_only=True)
 class Absence(CourseClaim):
@@ -244,9 +240,6 @@ class Absence(CourseClaim):
 
     def check(self, evidence: "Evidence") -> Verdict:
         return self.check_courses(self.courses(evidence))[1]
-
-    def visible_from(self, prominence: float) -> Self:
-        return replace(self, tolerance=prominence)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,21 +9,16 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Interpretation
-from thirdbody.study.evidence import QUICK_EFFORT
-from thirdbody.study.judge import Judge
-from thirdbody.study.verdicts import count_once
 
 DIGITS = 6  # significant digits of numbers in the file
 IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
 NOTABLE_CORRELATION = 0.6  # smaller coefficients are left out
 QUANTILES = 0.05, 0.5, 0.95  # of the sample of each seed
 PROFILE_BINS = 12  # equal parts of an input's bounds
-COMPARED = 100  # number of best acceptable sets among which the inputs are chosen
 
 
 def summary(
     interpretation: Interpretation,
-    judge: Judge,
     searches: Sequence[NDArray],
     samples: Sequence[NDArray],
     folds: Sequence[NDArray],
@@ -35,14 +30,12 @@ def summary(
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]
     drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
-    chosen = _most_held(interpretation, judge, good[:COMPARED])
-    inputs = inputs_of(interpretation, chosen)
+    inputs = inputs_of(interpretation, good[0])
     members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
     best = [found[found[:, -1].argmin()] for found in folds]
     return {
         "interpretation": interpretation.name,
-        "objective": rounded(chosen[-1]),
-        "least_objective": rounded(good[0, -1]),
+        "objective": rounded(good[0, -1]),
         "penalty": rounded(interpretation.penalty(inputs)),
         "objective_of_each_seed": [rounded(each[:, -1].min()) for each in searches],
         "evaluations": sum(map(len, searches)),
@@ -60,7 +53,6 @@ def summary(
         "ensemble_interpretations": [interpretation.name] * (1 + len(members)),
         "identification": _identification(interpretation, rows, good, samples),
         "correlations": _correlations(interpretation, pooled),
-        "fronts": {},
     }
 
 
@@ -80,18 +72,6 @@ def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]
 def inputs_of(interpretation: Interpretation, row: NDArray) -> dict[str, float]:
     """The unknowns of a row of positions and objective, SI, rounded to ``DIGITS``."""
     return {name: rounded(value) for name, value in interpretation.values(row[:-1]).items()}
-
-
-def _most_held(interpretation, judge: Judge, sets):
-    """The set for which most statements hold; of several the most plausible."""
-
-    def rank(row):
-        inputs = inputs_of(interpretation, row)
-        verdicts = judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
-        held, _ = count_once(judge.claims, verdicts)
-        return -held, interpretation.penalty(inputs)
-
-    return min(sets, key=rank)
 
 
 def rounded(value: float) -> float:

@@ -8,6 +8,7 @@ import { FULL_FILM, modeText, notable, numberText, statusText, valueText, withUn
 import { escaped, plain, readable, typeset } from "./text.js";
 
 const DIGITS = 3; // of numbers without an ensemble
+const ENDS = [0.05, 0.95]; // quantiles at the ends of a range
 const MOST_DIGITS = 4; // of numbers with one
 const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
 let shownFor = "";
@@ -25,14 +26,15 @@ export function showPoint(parent) {
   const isCalibrated = Object.keys(state.inputs).length === 0;
   const members = isCalibrated ? ensembleEngines().map((each) => each.state(point)) : [];
   const rows = VALUES.map((name) => {
-    const [low, high] = d3.extent(members, (member) => notable(name, member[name]));
+    const values = members.map((member) => notable(name, member[name]));
+    const [low, high] = ENDS.map((fraction) => d3.quantile(values, fraction));
     const words = `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;
     if (!(high > low)) return [words, numberText(name, found[name], DIGITS)];
     const [value, ...range] = supported(name, [found[name], low, high]);
     return [words, withUnit(name, value), withUnit(name, ...new Set(range))];
   });
   const words = [
-    ["", "", isCalibrated ? "ensemble" : ""],
+    ["", "", isCalibrated ? "5 to 95 % of the ensemble" : ""],
     ["Contact mode", found.regime === FULL_FILM ? "" : modeText(found)],
     ["Lubrication", found.status === "outside_film_formula" ? "" : REGIME_TEXT[found.regime]],
     ["Status", statusText(found.status)],
