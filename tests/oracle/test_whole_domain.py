@@ -15,7 +15,7 @@ from tests.oracle.comparison import PLACES, ROUND, compare, draw_points
 from tests.oracle.extended import why_not
 from tests.oracle.points import PUBLISHED
 from thirdbody.model.asperity import SummitPopulation
-from thirdbody.solver.summits import QUADRATURE_ERROR
+from thirdbody.model.summits import QUADRATURE_ERROR
 
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),

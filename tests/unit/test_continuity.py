@@ -14,8 +14,8 @@ from benchmarks.points import VARIABLES, relative_error
 from thirdbody.data.attributes import model_attribute
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.regimes import SOLUTION_STATUSES, has_values
+from thirdbody.model.summits import pieces_for
 from thirdbody.solver.solve import TABLE_WORTH
-from thirdbody.solver.summits import pieces_for
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),

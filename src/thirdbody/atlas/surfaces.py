@@ -12,8 +12,8 @@ from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import ENDS, FLAGS
-from thirdbody.model.film import Film, film_load, log_load_parameter
 from thirdbody.model.contact import Contact
+from thirdbody.model.film import Film, film_load, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
     BOUNDARY_LIMIT,

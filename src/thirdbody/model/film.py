@@ -21,8 +21,8 @@ import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.interpolation import HermiteTable
 from thirdbody.model.floats import EPSILON
+from thirdbody.model.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters
 
 THICKEST = 0.01  # largest H_c that still describes a film between two bodies

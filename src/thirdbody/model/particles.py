@@ -20,9 +20,9 @@ import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.interpolation import Guesses
 from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.floats import EPSILON, TINY
+from thirdbody.model.interpolation import Guesses
 from thirdbody.model.logarithms import WithSlope
 from thirdbody.model.parameters import Parameters
 

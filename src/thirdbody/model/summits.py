@@ -8,8 +8,8 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.interpolation import Guesses, HermiteTable
 from thirdbody.model.asperity import SummitPopulation, area_growth
+from thirdbody.model.interpolation import Guesses, HermiteTable
 from thirdbody.model.parameters import Parameters, Surface
 
 TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s

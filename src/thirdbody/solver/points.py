@@ -14,7 +14,6 @@ from thirdbody.model.film import INVERSE_ERROR, Film, has_film, log_load_paramet
 from thirdbody.model.floats import EPSILON
 from thirdbody.model.logarithms import WithSlope, log_sum
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ParticleLayer, has_particles
 
 SOLIDS = "particle_diameter", "roughness", "particle_density"  # conditions of the solids
 
@@ -64,7 +63,7 @@ class Points:
         cls, conditions: Mapping[str, NDArray], parameters: Parameters, table_rtol: float | None
     ) -> Points:
         """The points at five ``conditions`` by name, 1-D and SI.  All have particles, and a film, if the
-        first point has; ``table_rtol`` is as in ``make_contact``."""
+        first point has; ``table_rtol`` is as in ``Contact.of``."""
         solids = {name: conditions[name] for name in SOLIDS}
         contact = Contact.of(**solids, parameters=parameters, table_rtol=table_rtol)
         film, viscosity = None, conditions["viscosity"]

@@ -24,12 +24,12 @@ from thirdbody.model.film import has_film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
 from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.model.summits import pieces_for
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.balance import enclose
 from thirdbody.solver.brackets import bracket
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
-from thirdbody.model.summits import pieces_for
 from thirdbody.units import is_labelled, units_in_tables
 
 DEFAULT_RTOL = 1e-9
@@ -64,8 +64,8 @@ def solve(
     viscosity, viscosity_cSt : array_like
         Kinematic viscosity of the lubricant [m2/s] or [cSt]; 0 for dry contact.
     particle_diameter, particle_diameter_nm : array_like
-        The mean diameter of the paper, x_a [m] or [nm]; 0 for two-body contact.  If the size
-        distribution is ``uncentred``, nearly all particles are smaller.
+        The mean diameter of the paper, x_a [m] or [nm]; 0 for two-body contact.  If the
+        ``mean_ratio`` of the inputs is 0, nearly all particles are smaller.
     roughness, roughness_nm : array_like
         Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m, where the power laws
         of ``parameters`` do not lift the summits too high: with the calibrated ones from 1e-11 m.
