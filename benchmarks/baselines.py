@@ -167,8 +167,7 @@ class ElementwiseRoots:
     def _sizes(self, diameter):
         """Mean, spread and largest size of phi_a (Eq. 6)."""
         model = self.model
-        mean = 0.0 if model.phi_a == "uncentred" else model.mean_ratio * diameter
-        spread = model.sigma_a_ratio * diameter
+        mean, spread = model.mean_ratio * diameter, model.sigma_a_ratio * diameter
         return mean, spread, mean + model.truncation * spread
 
     def _moment(self, low, high, diameter):

@@ -71,7 +71,6 @@ def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters
         summit_radius_exponent=0.0,
         summit_deviation_ratio=deviation / roughness,
         summit_offset_ratio=offset / roughness,
-        summit_offset_exponent=0.0,
     )
 
 

@@ -31,8 +31,8 @@ import thirdbody
 from thirdbody.command import EXAMPLES
 from thirdbody.command import main as main_of_command
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.core.film import Film
+from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.study.calibration import Interpretation, Unknown
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 

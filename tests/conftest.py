@@ -31,8 +31,6 @@ INPUTS = {
     # McCool (1986)
     "summit_deviation_ratio": (1.0 - 3.717e-4 / 0.65**2) ** 0.5,
     "summit_offset_ratio": 0.045944 / 0.65,
-    "summit_offset_exponent": 0.80,
-    "size_distribution": "uncentred",
     "mean_ratio": 0.0,
     "spread_ratio": 1.60,
     "truncation": 2.44,
@@ -43,7 +41,7 @@ INPUTS = {
 }
 INTERPRETATIONS = {
     "uncentred": {},
-    "centred": {"size_distribution": "centred", "mean_ratio": 0.48, "spread_ratio": 1.42},
+    "centred": {"mean_ratio": 0.48, "spread_ratio": 1.42},
     "film_of_the_total_load": {"film_load": "total"},
     "no_offset": {"summit_offset_ratio": 0.0, "summit_deviation_ratio": 1.0},
     "summit_plane": {"summit_deviation_ratio": 1.2, "particle_plane": "summit"},
@@ -95,7 +93,7 @@ def interpretation(request, parameters):
 
 @pytest.fixture(scope="session", params=["uncentred", "centred"])
 def sizes(request, parameters):
-    """The inputs of each interpretation of phi_a in turn."""
+    """The inputs with sizes about 0 and about a mean, in turn."""
     return replace(parameters, **INTERPRETATIONS[request.param])
 
 

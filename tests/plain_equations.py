@@ -64,4 +64,4 @@ class PlainEquations:
     @property
     def largest(self):
         """X_max [m], of each point."""
-        return np.array([plain.size_distribution(self.model, point)[2] for point in self.points])
+        return np.array([plain.sizes(self.model, point)[2] for point in self.points])

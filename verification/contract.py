@@ -86,7 +86,6 @@ INPUTS = {
     "kappa": "ellipticity",
     "U_per_viscosity": "speed_per_viscosity",
     "A_n": "apparent_area",
-    "phi_a": "size_distribution",
     "mean_ratio": "mean_ratio",
     "sigma_a_ratio": "spread_ratio",
     "truncation": "truncation",
@@ -248,16 +247,19 @@ def configuration_findings(data, name, config, inputs):
 
 def input_findings(data, inputs):
     """Inputs in ``model_parameters`` that are not those of the configuration."""
-    known = {*INPUTS, "eta_s", "R", "sigma_s", "y_s"}
+    known = {*INPUTS, "phi_a", "eta_s", "R", "sigma_s", "y_s"}
     yield from (f"unexpected input {key}" for key in sorted(data.model.keys() - known))
     for key, name in INPUTS.items():
         if data.model[key] != inputs[name]:
             yield f"{key} is {data.model[key]}, in the configuration {inputs[name]}"
+    sizes = "uncentred" if inputs["mean_ratio"] == 0.0 else "centred"
+    if data.model["phi_a"] != sizes:
+        yield f"phi_a is {data.model['phi_a']}, with a mean_ratio of {inputs['mean_ratio']}"
     sigma = data.axes["roughness"]
     ratio = sigma / inputs["reference_roughness"]
     radius = inputs["summit_radius"] * ratio ** inputs["summit_radius_exponent"]
     parameter = inputs["summit_parameter"] * ratio ** inputs["summit_parameter_exponent"]
-    offset = inputs["summit_offset_ratio"] * ratio ** inputs["summit_offset_exponent"]
+    offset = inputs["summit_offset_ratio"] / ratio ** inputs["summit_parameter_exponent"]
     for key, expected in (
         ("R", radius),
         ("eta_s", parameter / (radius * sigma)),

@@ -9,6 +9,7 @@ recomputes.  All quantities SI; loads are divided by A_n E_ss, areas by A_n.
 
 What the paper leaves open is read so.  The separation d is that of the mean planes of the
 surfaces; summits see d - y_s, and particles d, or d - y_s where the `particle_plane` is "summit".
+The sizes of particles have the mean `mean_ratio` x_a: 0 as Eq. 6 is printed, 1 where x_a is the mean.
 Summits have the hardness of the softer surface.  No particle is smaller than X_min = 0, nor larger
 than X_max; only particles that take part (`participation`) bear load or cover anything.  Where they
 would cover more than everything, Eq. 4 has no meaning.  Surfaces are no closer than d = 0.  Inputs
@@ -183,9 +184,9 @@ def log_summit_area(separation, model, point):
 # --- third particles (Eqs. 4 to 6) ---
 
 
-def size_distribution(model, point):
-    """Mean m and spread S of the sizes [m] in the interpretation ``phi_a``, and the largest, X_max."""
-    mean = 0.0 if model["phi_a"] == "uncentred" else model["mean_ratio"] * point.diameter
+def sizes(model, point):
+    """Mean m and spread S of the sizes [m], and the largest, X_max."""
+    mean = model["mean_ratio"] * point.diameter
     spread = model["sigma_a_ratio"] * point.diameter
     return mean, spread, mean + model["truncation"] * spread
 
@@ -195,7 +196,7 @@ def second_moment(low, high, model, point):
 
     No size is smaller than X_min = 0, or larger than X_max.
     """
-    mean, spread, x_max = size_distribution(model, point)
+    mean, spread, x_max = sizes(model, point)
 
     def weight(x):
         density = math.exp(-0.5 * ((x - mean) / spread) ** 2) / (math.sqrt(2.0 * math.pi) * spread)

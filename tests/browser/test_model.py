@@ -10,7 +10,7 @@ import pytest
 from thirdbody import solve
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.core.interpretations import INTERPRETATIONS
+from thirdbody.core.parameters import WORDS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.core.state import QUANTITIES
@@ -35,8 +35,8 @@ return arguments[0].map(([inputs, condition, load]) => {
 """
 
 
-def random_inputs(random, words, defaults):
-    """Inputs within the bounds of the search for them, with these words for the interpretations."""
+def random_inputs(random, changes, defaults):
+    """Inputs within the bounds of the search for them, but with these ``changes``."""
     unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
     bounds = {name: unknown["bounds"] for name, unknown in unknowns.items()}
     drawn = {
@@ -45,7 +45,7 @@ def random_inputs(random, words, defaults):
         else random.uniform(*ends)
         for name, ends in bounds.items()
     }
-    return replace(defaults, **drawn, **words)
+    return replace(defaults, **drawn | changes)
 
 
 def random_conditions(random):
@@ -69,13 +69,15 @@ def has_summits(inputs, roughness):
 
 @pytest.fixture(scope="module")
 def points(defaults):
-    """Inputs, conditions and loads, every combination of interpretations in turn."""
+    """Inputs, conditions and loads, every combination of words in turn, without and with a mean of the sizes."""
     random = np.random.default_rng(20240507)
-    interpretations = itertools.cycle(itertools.product(*map(list, INTERPRETATIONS.values())))
+    combinations = itertools.cycle(itertools.product((False, True), *WORDS.values()))
     found = []
     while len(found) < POINTS:
-        words = dict(zip(INTERPRETATIONS, next(interpretations), strict=True))
-        inputs = random_inputs(random, words, defaults)
+        has_mean, *words = next(combinations)
+        changes = dict(zip(WORDS, words, strict=True))
+        changes["mean_ratio"] = has_mean * random.uniform(0.0, 1.3)
+        inputs = random_inputs(random, changes, defaults)
         conditions = random_conditions(random)
         load = float(np.exp(random.uniform(*np.log(NEWTONS)))) / inputs.newtons_per_load
         if not has_summits(inputs, conditions["roughness"]):

@@ -11,14 +11,13 @@ import numpy as np
 
 import thirdbody as tb
 from benchmarks.points import relative_error
-from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, Oracle, Solved
-from tests.oracle.points import draw_for_library, move_to_kinks
+from tests.oracle.extended import CONDITIONS, QUANTITIES, Oracle, Solved
+from tests.oracle.points import COMBINATIONS, draw_for_library, move_to_kinks
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.state import VARIABLES
 
 RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
-# as many surfaces as there are interpretations, times as many as there are values of rtol
-ROUND = np.prod([len(words) for words in INTERPRETATIONS.values()]).item() * len(RTOLS)
+ROUND = len(COMBINATIONS) * len(RTOLS)  # surfaces that have each of the one with each of the other
 PLACES = "anywhere", "next to kinks"
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 ROUNDING = (

@@ -19,7 +19,7 @@
  *     and where the paper itself needs one hardness of the pair it takes "the Vickers hardness of
  *     softer material" (below Eq. 8).  In Table 1 both are 5.0 GPa.
  * 3.  Sizes.  Eq. 6 prints phi_a without a mean, while Table 2 calls x_a the "mean particle
- *     diameter".  `phi_a`: "uncentred" as printed, "centred" about `mean_ratio` x_a.
+ *     diameter".  Their mean is `mean_ratio` x_a: 0 as printed, 1 as the table has it.
  * 4.  Truncation.  "x_max is maximum particle size": X_max = mean + `truncation` times the spread of
  *     sizes.  The density is that of Eq. 6, not divided by what truncation leaves of it.
  * 5.  Smallest size.  "x_min is minimum particle size", of which no value is given: zero.  No integral
@@ -48,7 +48,6 @@
 typedef long double real;
 
 enum { NODES = 24 };
-enum { UNCENTRED, CENTRED };
 enum { ELASTIC, ELASTOPLASTIC, PLASTIC };
 enum { LOAD, AREA };
 
@@ -66,7 +65,6 @@ typedef struct {
 } Numbers;
 
 typedef struct {
-    int phi_a;  /* UNCENTRED, CENTRED */
     int summit; /* particle_plane: 1 = summit */
     int total;  /* film_load */
 } Interpretations;
@@ -445,7 +443,7 @@ static Point set_point(const double *numbers, const int *interpretations)
     p.last = n->omega_ratio * p.first;
     p.log_ratio = logl(n->omega_ratio);
     real x_a = n->diameter;
-    p.mean = p.how.phi_a == UNCENTRED ? 0 : n->mean_ratio * x_a;
+    p.mean = n->mean_ratio * x_a;
     p.spread = n->sigma_a_ratio * x_a;
     p.x_max = p.mean + n->truncation * p.spread;
     p.h_e = n->h_e_ratio * x_a;
@@ -479,11 +477,11 @@ static Root set_root(const Point *p, Gap gap)
     return r;
 }
 
-/* numbers[count][26], interpretations[count][3]; found[i]: whether roots[i] has values. */
+/* numbers[count][26], interpretations[count][2]; found[i]: whether roots[i] has values. */
 void solve(long count, const double *numbers, const int *interpretations, Root *roots, int *found)
 {
     for (long i = 0; i < count; i++) {
-        Point p = set_point(numbers + 26 * i, interpretations + 3 * i);
+        Point p = set_point(numbers + 26 * i, interpretations + 2 * i);
         Gap gap;
         if ((found[i] = balanced(&p, &gap)))
             roots[i] = set_root(&p, gap);
@@ -494,7 +492,7 @@ void solve(long count, const double *numbers, const int *interpretations, Root *
 void evaluate(long count, const double *numbers, const int *interpretations, const real *h, real *forces)
 {
     for (long i = 0; i < count; i++) {
-        Point p = set_point(numbers + 26 * i, interpretations + 3 * i);
+        Point p = set_point(numbers + 26 * i, interpretations + 2 * i);
         forces[4 * i] = solids(&p, at(h[i]));
         forces[4 * i + 1] = summits(&p, at(h[i]), AREA);
         forces[4 * i + 2] = particles(&p, at(h[i]));

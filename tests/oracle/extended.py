@@ -27,7 +27,6 @@ NUMBERS = (  # in the order of ``Numbers`` in contact.c
     *("mean_ratio", "sigma_a_ratio", "truncation", "participation", "h_e_ratio"),
 )
 INTERPRETATIONS = {  # in the order of ``Interpretations`` in contact.c, the first name is 0
-    "phi_a": ("uncentred", "centred"),
     "particle_plane": ("surface", "summit"),
     "film_load": ("fluid", "total"),
 }
@@ -110,7 +109,7 @@ class Oracle:
 
 
 def arrays_of(given, at_least=1):
-    """Numbers (n, 26) and interpretations (n, 3) in the order that ``contact.c`` wants."""
+    """Numbers (n, 26) and interpretations (n, 2) in the order that ``contact.c`` wants."""
     given = {"particle_plane": "surface", **given}
     columns = np.broadcast_arrays(
         *(np.ravel(np.asarray(given[name], np.float64)) for name in NUMBERS),

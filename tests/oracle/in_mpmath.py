@@ -16,7 +16,7 @@ class Interface:
         self.plane = self.y_s if given["particle_plane"] == "summit" else mpf(0)
         x_a = self.particle_diameter
         self.spread = self.sigma_a_ratio * x_a
-        self.mean = mpf(0) if given["phi_a"] == "uncentred" else self.mean_ratio * x_a
+        self.mean = self.mean_ratio * x_a
         self.x_max = self.mean + self.truncation * self.spread
         self.h_e = self.h_e_ratio * x_a
 

@@ -9,19 +9,22 @@ import numpy as np
 from benchmarks.points import parameters_on_one_surface
 from tests.oracle.extended import INTERPRETATIONS, SURFACE
 
+# what points have in turn: whether the sizes have a mean, and the words of the interpretations
+COMBINATIONS = list(itertools.product((False, True), *INTERPRETATIONS.values()))
 PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
     **{"E_ss": 112e9, "E_sa": 112e9, "H_s1": 5e9, "H_s2": 5e9, "k": 0.4, "omega_ratio": 54.0},
     **{"R_x": 6.35e-3, "G": 2038.0, "V": 0.04, "kappa": 1.0, "U_per_viscosity": 7.3e-10 / 150e-6},
-    **{"A_n": 2e-6, "mean_ratio": 0.9, "sigma_a_ratio": 1.0, "truncation": 3.0},
+    **{"A_n": 2e-6, "mean_ratio": 0.0, "sigma_a_ratio": 1.0, "truncation": 3.0},
     **{"participation": 0.02, "h_e_ratio": 0.33},
     **{"eta_s": 0.04 / (2e-5 * 3e-7), "R": 2e-5, "sigma_s": 3e-7, "y_s": 0.0},
     **{name: names[0] for name, names in INTERPRETATIONS.items()},
 }
 
 
-def draw(n, seed):
+def draw(n, seed, combinations=None):
     """A model whose numbers and interpretations are arrays of n, and conditions to go with them.
 
+    ``combinations`` are n of ``COMBINATIONS``, by default random ones: half of the sizes have no mean.
     In a quarter of the materials E/H is low, with an elastic factor up to 1; a part of the surfaces
     and sizes is extreme; coverage by all particles stays below 2.
     """
@@ -33,7 +36,10 @@ def draw(n, seed):
     def mostly(share, usual, other):
         return np.where(rng.random(n) < share, usual, other)
 
-    model = {name: rng.choice(names, n) for name, names in INTERPRETATIONS.items()}
+    if combinations is None:
+        combinations = [COMBINATIONS[i] for i in rng.integers(len(COMBINATIONS), size=n)]
+    has_mean, *words = map(np.array, zip(*combinations))
+    model = dict(zip(INTERPRETATIONS, words, strict=True))
     model["E_ss"] = mostly(0.75, 112e9, logarithmic(1e8, 2e10))
     model["E_sa"] = mostly(0.5, model["E_ss"], logarithmic(1e9, 1e12))
     model["H_s1"] = mostly(0.5, 5e9, logarithmic(1e8, 2e10))
@@ -47,7 +53,7 @@ def draw(n, seed):
     model |= {"R_x": logarithmic(1e-4, 1e-1), "G": logarithmic(100.0, 1e4)}
     model |= {"V": logarithmic(1e-3, 1.0), "kappa": logarithmic(0.1, 10.0)}
     model |= {"U_per_viscosity": logarithmic(1e-7, 1e-4), "A_n": logarithmic(1e-8, 1e-4)}
-    model["mean_ratio"] = rng.uniform(0.0, 2.0, n)
+    model["mean_ratio"] = np.where(has_mean, rng.uniform(0.0, 2.0, n), 0.0)
     model["sigma_a_ratio"] = mostly(0.8, rng.uniform(0.1, 2.0, n), logarithmic(1e-5, 3.0))
     model["truncation"] = rng.uniform(0.5, 10.0, n)
     model["participation"] = logarithmic(1e-4, 1.0)
@@ -84,16 +90,13 @@ def covered_by_one(diameter, model):
 
 def draw_for_library(surfaces, points, seed):
     """What ``draw`` gives, with ``points`` points in turn on each of so many surfaces that the
-    library knows, of which any 8 in turn have all interpretations; and the surfaces' ``Parameters``.
+    library knows, of which any 8 in turn have all ``COMBINATIONS``; and the surfaces' ``Parameters``.
     """
-    drawn, conditions = draw(surfaces * points, seed)
+    every = itertools.islice(itertools.cycle(COMBINATIONS), surfaces)
+    combinations = [one for one in every for _ in range(points)]
+    drawn, conditions = draw(surfaces * points, seed, combinations)
     shared = np.repeat(np.arange(surfaces) * points, points)
     model = {name: values[shared] for name, values in drawn.items()}
-    every = itertools.cycle(itertools.product(*INTERPRETATIONS.values()))
-    for index, words in zip(range(surfaces), every):
-        here = slice(index * points, (index + 1) * points)
-        for name, word in zip(INTERPRETATIONS, words, strict=True):
-            model[name][here] = word
     roughness = conditions["roughness"][shared]
     diameter = conditions["particle_diameter"] * roughness / conditions["roughness"]
     covered = (
@@ -136,8 +139,7 @@ def move_to_kinks(model, conditions, oracle, seed):
     n, sigma = conditions["load"].size, conditions["roughness"]
     diameter = np.where(conditions["particle_diameter"] > 0, conditions["particle_diameter"], sigma)
     conditions = conditions | {"particle_diameter": diameter}
-    mean = np.where(model["phi_a"] == "uncentred", 0.0, model["mean_ratio"] * diameter)
-    spread = model["sigma_a_ratio"] * diameter
+    mean, spread = model["mean_ratio"] * diameter, model["sigma_a_ratio"] * diameter
     largest, depth = mean + model["truncation"] * spread, model["h_e_ratio"] * diameter
     kink = np.where(rng.random(n) < 0.5, largest, largest + depth)
     kink = np.where((rng.random(n) < 0.2) & (depth > 0.0), depth, kink)

@@ -112,7 +112,7 @@ def test_areas_keep_their_digits_next_to_a_kink(oracle):
     """Where particles alone touch, A_t* H_s1/E_ss = L_s F_t*, however close X_max + h_e."""
     model = PUBLISHED | {"sigma_a_ratio": 0.1}
     conditions = dict(viscosity=0.0, particle_diameter=2e-6, roughness=3e-8, particle_density=1e10)
-    model |= {"phi_a": "centred", "mean_ratio": 1.0, "sigma_s": 3e-8}
+    model |= {"mean_ratio": 1.0, "sigma_s": 3e-8}
     loads = 10.0 ** np.linspace(-300.0, -8.0, 400)
     solved = oracle.solve(model, load=loads, **conditions)
     assert solved.exists.all()

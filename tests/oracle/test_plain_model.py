@@ -1,14 +1,13 @@
 """``verification/plain_model.py`` against the extended-precision oracle, in all interpretations."""
 
-import itertools
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from benchmarks.baselines import load_plain_model
-from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, SURFACE, why_not
-from tests.oracle.points import PUBLISHED, draw, one
+from tests.oracle.extended import CONDITIONS, QUANTITIES, SURFACE, why_not
+from tests.oracle.points import COMBINATIONS, PUBLISHED, draw, one
 
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),
@@ -16,19 +15,10 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:Extremely bad integrand:scipy.integrate.IntegrationWarning"),
 ]
 
-COMBINATIONS = list(itertools.product(*INTERPRETATIONS.values()))
 RTOL = 1e-8
 TINIEST = 1e-290  # what is smaller has fewer digits in float64
 ROUNDING = 1e-15  # of a separation: what next to X_max a few particles bear depends on it
 plain = load_plain_model(Path(__file__).parents[2] / "verification" / "plain_model.py")
-
-
-def drawn(of_each, seed):
-    """``of_each`` points of each combination of interpretations."""
-    model, conditions = draw(of_each * len(COMBINATIONS), seed)
-    for name, words in zip(INTERPRETATIONS, zip(*COMBINATIONS)):
-        model[name] = np.tile(words, of_each)
-    return model, conditions
 
 
 def each_of(model, conditions):
@@ -51,7 +41,8 @@ def errors(found, expected):
 
 
 def test_it_agrees_with_the_oracle_in_every_quantity(oracle, tell):
-    model, conditions = drawn(of_each=40, seed=17)
+    every = 40 * COMBINATIONS
+    model, conditions = draw(len(every), 17, every)
     expected = oracle.solve(model, **conditions)
     sound = expected.values["separation"] >= 0.0  # closer than d = 0 none are
     worst = 0.0

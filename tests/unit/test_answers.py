@@ -12,7 +12,7 @@ import thirdbody as tb
 from thirdbody.answers.answer import Row
 from thirdbody.answers.bearing import MATERIALS, Material, derived
 from thirdbody.configuration.inputs import calibrated_ensemble
-from thirdbody.core.interpretations import INTERPRETATIONS
+from thirdbody.core.parameters import WORDS
 from thirdbody.core.regimes import LUBRICATION_REGIMES
 from thirdbody.variables import QUANTITIES
 
@@ -174,7 +174,7 @@ def test_inputs_without_an_ensemble_have_no_range_and_say_so(interface, defaults
     members, changed = [each.as_dict() for each in calibrated_ensemble(defaults)], {}
     for name, value in defaults.as_dict().items():
         if len({each[name] for each in members}) > 1:  # another of the words, or another number
-            words = [word for word in INTERPRETATIONS.get(name, ()) if word != value]
+            words = [word for word in WORDS.get(name, ()) if word != value]
             changed[name] = words[0] if words else 1.001 * value
     alone = interface.changed(parameters=replace(defaults, **changed))
     assert alone.members == ()

@@ -104,12 +104,6 @@ def test_an_interpretation_searches_what_it_does_not_fix():
     assert values.items() <= natural.fixed.items()
 
 
-def test_an_exponent_may_follow_from_another_input():
-    two = replace(TWO, opposites={"summit_offset_exponent": "mean_ratio"})
-    assert two.values([0.25, 0.5])["summit_offset_exponent"] == -1.0
-    assert two.positions(two.values([0.25, 0.5])) == pytest.approx([0.25, 0.5])
-
-
 def test_no_fold_sees_what_it_is_judged_on(parameters):
     folds = make_folds(CLAIMS, SETTINGS["folds"])
     left_out = [claim.id for fold in folds for claim in fold.left_out]

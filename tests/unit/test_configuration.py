@@ -119,8 +119,8 @@ def test_the_inputs_have_an_entry_for_each_field_and_no_other():
 
 
 def test_single_inputs_win_over_a_file_and_a_file_over_the_calibrated_inputs(write, defaults):
-    path = write("truncation: 3.0\nmean_ratio: 0.5\nsize_distribution: {value: centred}\n")
-    expected = replace(defaults, truncation=4.0, mean_ratio=0.5, size_distribution="centred")
+    path = write("truncation: 3.0\nmean_ratio: 0.5\nfilm_load: {value: total}\n")
+    expected = replace(defaults, truncation=4.0, mean_ratio=0.5, film_load="total")
     assert load_parameters(path, truncation=4) == expected
 
 

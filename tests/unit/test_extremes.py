@@ -111,8 +111,10 @@ def test_a_roughness_whose_surface_float64_cannot_hold_is_refused(parameters, me
 def test_a_roughness_whose_summits_are_too_high_is_refused_with_the_input_that_lifts_them(
     parameters, method
 ):
-    steep = replace(parameters, summit_offset_exponent=-1.0)
-    message = "^roughness is 1e-12 m, at which summit_offset_exponent -1 puts .*; allowed: at most "
+    steep = replace(parameters, summit_parameter_exponent=1.0)
+    message = (
+        "^roughness is 1e-12 m, at which summit_parameter_exponent 1 puts .*; allowed: at most "
+    )
     with pytest.raises(ValueError, match=message):
         solve(steep, roughness=1e-12)
 

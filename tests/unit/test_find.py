@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.answers.crossings import sweep_values
 from thirdbody.answers.find import FULL_FILM
-from thirdbody.arguments import in_si
+from thirdbody.conditions import in_si
 from thirdbody.core.transitions import LIMITS
 from thirdbody.units import ENGINEERING
 

@@ -19,7 +19,7 @@ INPUTS = {
     **{"summit_offset_ratio": 0.0, "summit_deviation_ratio": 1.0},
     **{"summit_parameter": 1.5168, "summit_parameter_exponent": 0.40724},
     **{"summit_radius": 6.92447e-06, "summit_radius_exponent": -0.760942},
-    **{"size_distribution": "centred", "mean_ratio": 0.893311, "spread_ratio": 1.98554},
+    **{"mean_ratio": 0.893311, "spread_ratio": 1.98554},
     **{"truncation": 1.59456, "participation": 0.00315168, "elastic_depth_ratio": 0.0111},
 }
 ROWS = read_rows(Path(__file__).parents[1] / "golden" / "kinks.csv")

@@ -8,7 +8,7 @@ import pytest
 from methods import solved_by
 
 import thirdbody as tb
-from thirdbody.core.balance import make_contact
+from thirdbody.core.contact import Contact
 from thirdbody.core.film import Film, log_load_parameter
 from thirdbody.core.regimes import SOLUTION_STATUSES
 
@@ -23,14 +23,14 @@ INSIDE, OUTSIDE = 1.0 - 10.0 * SPREAD, 1.0 + 7.0 * SPREAD  # of all sizes, of a 
 def narrow(parameters):
     """Inputs with nearly one size."""
     sizes = {"mean_ratio": 1.0, "spread_ratio": SPREAD, "truncation": 7.0, "participation": 1.0}
-    return replace(parameters, size_distribution="centred", elastic_depth_ratio=0.1, **sizes)
+    return replace(parameters, elastic_depth_ratio=0.1, **sizes)
 
 
 def borne(inputs, separation, **given):
     """F_s* at separations [m]."""
     separation = np.asarray(separation, float)
     columns = [np.full(separation.shape, value) for value in {**GIVEN, **given}.values()]
-    return np.exp(make_contact(*columns, inputs, None).at(separation).log_load.value)
+    return np.exp(Contact.of(*columns, inputs).at(separation).log_load.value)
 
 
 @pytest.mark.parametrize("film_load", ["fluid", "total"])

@@ -17,9 +17,7 @@ from thirdbody.command import BAD_INPUT, main
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.settings import workflow_settings
-from thirdbody.core.parameters import BOUNDS
-from thirdbody.core.interpretations import INTERPRETATIONS
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
 from thirdbody.data.attributes import model_attribute
 from thirdbody.messages import format_value
 
@@ -109,9 +107,17 @@ def test_each_number_of_the_attribute_is_its_own_input(parameters):
     distinct = dict(zip(BOUNDS, most * np.linspace(1.0, 0.97, len(most)), strict=True))
     model = attribute(replace(parameters, **distinct))
     names = runpy.run_path(str(CONTRACT))["INPUTS"]
-    assert set(model) == {*names, *LISTS}
+    assert set(model) == {*names, *LISTS, "phi_a"}
     given = {key: distinct[name] for key, name in names.items() if name in distinct}
     assert {key: model[key] for key in given} == given
+
+
+@pytest.mark.parametrize(("mean_ratio", "word"), [(0.0, "uncentred"), (1e-9, "centred")])
+def test_the_attribute_says_whether_the_sizes_have_a_mean(parameters, mean_ratio, word):
+    model = attribute(replace(parameters, mean_ratio=mean_ratio))
+    assert (model["phi_a"], model["mean_ratio"]) == (word, mean_ratio)
+    keys = list(model)
+    assert keys.index("phi_a") + 1 == keys.index("mean_ratio")
 
 
 @pytest.mark.parametrize("index", [0, 1, 2])
@@ -134,7 +140,7 @@ def test_summits_follow_their_laws_about_the_reference_roughness(parameters, sca
     product = inputs.summit_parameter * scale**inputs.summit_parameter_exponent
     assert_allclose(surface.summit_radius, radius, rtol=1e-14)
     assert_allclose(surface.summit_density * radius * roughness, product, rtol=1e-14)
-    offset = inputs.summit_offset_ratio * scale**inputs.summit_offset_exponent
+    offset = inputs.summit_offset_ratio * scale**-inputs.summit_parameter_exponent
     assert_allclose(surface.summit_offset, offset * roughness, rtol=1e-15)
     assert_allclose(surface.summit_deviation, inputs.summit_deviation_ratio * roughness, rtol=1e-15)
 
@@ -163,16 +169,16 @@ def test_equal_inputs_are_equal_whatever_their_numbers_are_made_of(parameters):
         parameters.truncation = 1.0
 
 
-@pytest.mark.parametrize("name", INTERPRETATIONS)
+@pytest.mark.parametrize("name", WORDS)
 def test_the_configuration_allows_the_words_that_are_known(name):
     entry = read_yaml(config_directory() / "inputs.yaml")[name]
-    assert entry["allowed"] == list(INTERPRETATIONS[name])
+    assert entry["allowed"] == list(WORDS[name])
 
 
-@pytest.mark.parametrize("name", INTERPRETATIONS)
+@pytest.mark.parametrize("name", WORDS)
 @pytest.mark.parametrize("word", ["solid", None, ["fluid"], 0.5])
 def test_an_unknown_word_is_refused_by_name(parameters, name, word):
-    allowed = ", ".join(map(str, INTERPRETATIONS[name]))
+    allowed = ", ".join(WORDS[name])
     with pytest.raises(ValueError) as refusal:
         replace(parameters, **{name: word})
     assert str(refusal.value) == f"{name} is {word!r}; allowed: {allowed}"

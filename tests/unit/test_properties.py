@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.core.balance import make_contact
+from thirdbody.core.contact import Contact
 from thirdbody.core.regimes import FILM_COUNTS, SOLUTION_STATUSES, contact_mode, lubrication_regime
 from thirdbody.core.state import QUANTITIES
 from thirdbody.data.attributes import model_attribute
@@ -45,12 +45,10 @@ def elastic_factor(inputs):
 
 INTERPRETATIONS = st.fixed_dictionaries(
     {
-        "size_distribution": st.sampled_from(["uncentred", "centred"]),
         "particle_plane": st.sampled_from(["surface", "summit"]),
         "film_load": st.sampled_from(["fluid", "total"]),
         "summit_deviation_ratio": st.floats(0.3, 3.0),
         "summit_offset_ratio": st.one_of(st.just(0.0), st.floats(0.0, 3.0)),
-        "summit_offset_exponent": st.just(0.0),
         "hardness_surface_1": between(1e9, 2e10),
         "hardness_surface_2": between(1e9, 2e10),
         "elastic_modulus_surfaces": between(5e10, 5e11),
@@ -60,7 +58,7 @@ INTERPRETATIONS = st.fixed_dictionaries(
         "summit_parameter": between(0.025, 5.0),
         "summit_parameter_exponent": st.just(0.0),
         "summit_radius": between(1e-6, 1e-3),
-        "mean_ratio": st.floats(0.0, 2.0),
+        "mean_ratio": st.one_of(st.just(0.0), st.floats(0.0, 2.0)),
         "spread_ratio": st.floats(0.05, 3.0),
         "truncation": st.floats(0.5, 10.0),
         "participation": between(1e-3, 1.0),
@@ -262,7 +260,7 @@ def test_solids_bear_less_the_farther_the_surfaces_are_apart(solved, changes, ro
     softest = replace(points.inputs, **{each: changes[each] * softer for each in moduli})
     assert softest.elastic_factor == pytest.approx(1.0)
     for inputs in (points.inputs, softest):
-        contact = make_contact(points.diameter, np.array([roughness]), points.density, inputs)
+        contact = Contact.of(points.diameter, np.array([roughness]), points.density, inputs)
         reach = contact.particles.reach[0] if contact.particles else 0.0
         separation = np.linspace(0.0, max(reach, 8.0 * roughness), 3000)
         with np.errstate(all="ignore"):

@@ -90,10 +90,9 @@ def test_conditions_without_a_solution_are_refused(parameters):
         solved_state(crowded, parameters)
 
 
-@pytest.mark.parametrize("distribution", ["uncentred", "centred"])
-def test_what_x_a_stands_for_is_the_mean_and_the_largest_of_the_sizes_drawn(distribution):
-    mean = 1.0 if distribution == "centred" else 0.0
-    inputs = tb.load_parameters(size_distribution=distribution, mean_ratio=mean)
+@pytest.mark.parametrize("mean_ratio", [0.0, 1.0])
+def test_what_x_a_stands_for_is_the_mean_and_the_largest_of_the_sizes_drawn(mean_ratio):
+    inputs = tb.load_parameters(mean_ratio=mean_ratio)
     drawn = size_quantiles((np.arange(20000) + 0.5) / 20000, 0.0, 500e-9, inputs)
     note = sizes_note(500e-9, 300e-9, inputs)
     mean, largest, reach = (1e-9 * float(each) for each in re.findall(r"([\d.]+) nm", note)[1:])

@@ -83,7 +83,7 @@ def test_how_far_a_maximum_stands_out_is_what_a_brute_scan_says(sizes, count):
 def test_of_several_maxima_the_one_that_stands_out_most_is_the_turning_point(parameters):
     # large particles touch first, and yield under heavier loads
     sizes = dict(mean_ratio=0.4536, spread_ratio=0.3677, truncation=3.608, participation=0.841)
-    inputs = replace(parameters, size_distribution="centred", elastic_depth_ratio=0.3354, **sizes)
+    inputs = replace(parameters, elastic_depth_ratio=0.3354, **sizes)
     loads = np.geomspace(1e-7, 1e-4, 400)
     conditions = curves(0.0, 700.0 * NANOMETRE, 300.0 * NANOMETRE, 3.077e11)
     odds = odds_at(loads, conditions, inputs)

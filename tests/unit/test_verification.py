@@ -303,6 +303,7 @@ IN_FIG04 = {
     "another k": inputs(k=1.0001),
     "another sigma_s": inputs(sigma_s=1.0001),
     "another interpretation": inputs(film_load="total"),
+    "another word for the sizes": inputs(phi_a="centred"),
     "unknown input": inputs(friction=0.1),
     "no inputs": lambda dataset: dataset.delncattr("model_parameters"),
     "rubbish for inputs": attribute("", "model_parameters", "rubbish"),

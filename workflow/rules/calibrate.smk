@@ -56,6 +56,7 @@ rule choose_default:
         calibrated=SUMMARISED,
     output:
         chosen="<results>/calibration/chosen.json",
+        ranking="<results>/calibration/ranking.csv",
     log:
         "<logs>/choose_default.log",
     conda:
@@ -75,6 +76,7 @@ rule calibrate:
     input:
         calibrated=SUMMARISED,
         chosen="<results>/calibration/chosen.json",
+        ranking="<results>/calibration/ranking.csv",
     output:
         adopted="<results>/calibration/adopted.txt",
     log:
@@ -83,6 +85,7 @@ rule calibrate:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        kept=CALIBRATION["kept"],
         sources=sources_of("adopt_calibration.py"),
     message:
         "Copying the calibrated inputs to config/calibrated"

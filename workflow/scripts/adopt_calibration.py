@@ -1,8 +1,9 @@
-"""Copy calibrated inputs to where the default run reads them."""
+"""Copy the calibrated inputs of the best interpretations to where the default run reads them."""
 
 import json
 from pathlib import Path
 
+import pandas as pd
 import yaml
 
 from thirdbody.configuration.plain_yaml import read_yaml
@@ -15,8 +16,15 @@ HEADER = "# Calibrated inputs of one interpretation, made by `snakemake -c2 cali
 with logged(snakemake.log[0]):
     PLACE.mkdir(parents=True, exist_ok=True)
     default = json.loads(Path(snakemake.input.chosen).read_text(encoding="utf-8"))
+    ranking = pd.read_csv(snakemake.input.ranking)["interpretation"]
+    kept = set(ranking[: snakemake.params.kept])
+    for old in PLACE.glob("*.yaml"):
+        if old.stem not in kept:
+            old.unlink()
     for source in map(Path, snakemake.input.calibrated):
         content = read_yaml(source)
+        if content["interpretation"] not in kept:
+            continue
         if content["interpretation"] == default["interpretation"]:
             content |= default
         with atomic_write(PLACE / source.name) as part, open(part, "w", encoding="utf-8") as stream:

@@ -1,4 +1,4 @@
-"""Choose the default by the rule, and search for the cost of each headline number that it misses."""
+"""Rank the interpretations and choose the default by the rule, with the ensemble of its equals."""
 
 import json
 
@@ -15,7 +15,7 @@ with logged(snakemake.log[0]):
     judge = Judge(claims, snakemake.params.parameters, settings["newtons"])
     contents = [read_yaml(path) for path in snakemake.input.calibrated]
     chosen, table = choose_default(judge, contents, settings)
-    columns = ["interpretation", "predicted", "fitted", "penalty", "inputs"]
-    print(table[columns].to_string(index=False))
-    with atomic_write(snakemake.output.chosen) as part:
-        part.write_text(json.dumps(chosen, indent=1) + "\n", encoding="utf-8")
+    print(table.to_string(index=False))
+    with atomic_write(snakemake.output.chosen, snakemake.output.ranking) as (as_json, as_csv):
+        as_json.write_text(json.dumps(chosen, indent=1) + "\n", encoding="utf-8")
+        table.to_csv(as_csv, index=False, float_format="%.6g")

@@ -62,7 +62,7 @@ class Points:
         cls, conditions: Mapping[str, NDArray], parameters: Parameters, table_rtol: float | None
     ) -> Points:
         """The points at five ``conditions`` by name, 1-D and SI.  All have particles, and a film, if the
-        first point has; ``table_rtol`` is as in ``make_contact``."""
+        first point has; ``table_rtol`` is as in ``Contact.of``."""
         solids = {name: conditions[name] for name in SOLIDS}
         contact = Contact.of(**solids, parameters=parameters, table_rtol=table_rtol)
         film, viscosity = None, conditions["viscosity"]

@@ -79,6 +79,7 @@ def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
     model = {key: getattr(parameters, name) for name, key in KEYS["body"].items()}
     for name, key in KEYS["surface"].items():
         model[key] = [getattr(surface, name) for surface in surfaces]
+    model["phi_a"] = "centred" if parameters.mean_ratio > 0.0 else "uncentred"
     model |= {key: getattr(parameters, name) for name, key in KEYS["particles"].items()}
     return json.dumps(model)
 

@@ -58,7 +58,7 @@ function surfaceOf(inputs, roughness) {
   const radius = inputs.summit_radius * scale ** inputs.summit_radius_exponent;
   const density = parameter / (radius * roughness);
   const deviation = inputs.summit_deviation_ratio * roughness;
-  const offset = inputs.summit_offset_ratio * scale ** inputs.summit_offset_exponent * roughness;
+  const offset = inputs.summit_offset_ratio * scale ** -inputs.summit_parameter_exponent * roughness; // as McCool
   return { roughness, density, radius, deviation, offset };
 }
 
@@ -113,8 +113,7 @@ const summitTable = remembered(({ hardness, radius, k, w1, w2, density }) => {
 }, 200);
 
 // phi_a of Eq. 6, over x_a: m and S, and the least alpha = (x - m)/S.
-function sizesOf({ size_distribution: word, mean_ratio: centre, spread_ratio: spread }) {
-  const mean = word === "centred" ? centre : 0;
+function sizesOf({ mean_ratio: mean, spread_ratio: spread }) {
   return { mean, spread, least: Math.max(-mean / spread, LOWEST) };
 }
 

@@ -39,10 +39,9 @@ function surfacesOf(sigma, length, d, touching, normal) {
 
 // A size drawn from the distribution of the particles.
 function sizeOf(inputs, diameter, normal) {
-  const mean = inputs.size_distribution === "uncentred" ? 0 : inputs.mean_ratio;
   for (let trial = 0; trial < 500; trial++) {
     const alpha = normal();
-    const size = mean + inputs.spread_ratio * alpha;
+    const size = inputs.mean_ratio + inputs.spread_ratio * alpha;
     if (size > 0 && alpha < inputs.truncation) return size * diameter;
   }
   return diameter;
