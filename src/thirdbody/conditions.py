@@ -403,7 +403,7 @@ def warn_outside(numbers: Mapping[str, ArrayLike], usual: Usual) -> None:
 def _warn(unusual):
     """Issue one warning, at the caller of the function that reads its arguments."""
     if unusual and not _CHECKED.get():
-        warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=4)
+        warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=5)
 
 
 @contextmanager

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
-from thirdbody.core.solve import solve
+from thirdbody import solve
 from thirdbody.data.conditions import Condition
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import read_plain, write_dataset

@@ -6,7 +6,7 @@ import xarray as xr
 
 import thirdbody as tb
 from thirdbody.figures.scales import SCALES
-from thirdbody.units import ENGINEERING
+from thirdbody.variables import AXES as CONDITIONS
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -85,7 +85,7 @@ def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_p
 )
 def test_any_axis_can_be_along_x(grid, over, values, label):
     data = grid(**({"viscosity": 9e-5, over: values} | {"load": [1e-7, 1e-6]}))
-    figure = tb.plot(data.isel({over: np.s_[::-1]}), over=ENGINEERING[over])  # from its end
+    figure = tb.plot(data.isel({over: np.s_[::-1]}), over=CONDITIONS[over].alias)  # from its end
     assert panels(figure) == PANELS
     assert {panel.get_xlabel() for panel in figure.axes} == {label}
     for name, panel in zip(PANELS, figure.axes, strict=True):

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody import solve
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.core.solve import solve
 from thirdbody.core.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import SHADES, plot
