@@ -15,7 +15,7 @@ from thirdbody.configuration import config_directory
 from thirdbody.configuration.inputs import BELONGS_TO, CALIBRATED
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.quantities import ENDS
-from thirdbody.model.parameters import WORDS
+from thirdbody.core.parameters import WORDS
 
 DEFAULT = read_yaml(config_directory() / "config.yaml")["calibrated"]
 
