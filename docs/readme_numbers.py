@@ -161,7 +161,8 @@ def film_loads_block() -> str:
     for thickness, viscosity in PRINTED_FILMS:
         half = 0.5 * LAST_DIGIT
         load, high, low = (
-            f"{load_of(each, viscosity):.3g}" for each in (thickness, thickness - half, thickness + half)
+            f"{load_of(each, viscosity):.3g}"
+            for each in (thickness, thickness - half, thickness + half)
         )
         table.append(
             {
@@ -328,8 +329,8 @@ def variables_block() -> str:
         {
             "symbol": symbol.replace("none", ""),
             "name in files and code": f"`{each.name}`",
-            "unit": each.units,
-            "what it is": each.long_name,
+            "unit": each.unit,
+            "what it is": each.label,
             "defined in": equation.replace("none", "") and f"Eq. {equation}".replace("Eq. s", "s"),
         }
         for symbol, each, equation in given + found

@@ -394,7 +394,8 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     def state(diameter, load, viscosity):
         condition = Condition(viscosity, diameter, 3e-7, 1e11)
         given = condition._asdict() | {"load": load / parameters.newtons_per_load}
-        return state_of(condition, load, tb.solve(**given, parameters=parameters))
+        solution = tb.solve(**given, parameters=parameters)
+        return state_of(condition, load, solution.variables)
 
     states = [state(diameter, 2.0, 0.0) for diameter in (1e-7, 1e-6, 3e-7)]
     lubricated = sections("fig01", [state(5e-7, 50.0, 9e-5)], parameters)

@@ -14,8 +14,8 @@ from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, sh
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.inputs import BELONGS_TO, CALIBRATED
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.quantities import ENDS
 from thirdbody.core.parameters import WORDS
+from thirdbody.data.quantities import ENDS
 
 DEFAULT = read_yaml(config_directory() / "config.yaml")["calibrated"]
 

@@ -28,7 +28,7 @@ def solved_state(given, parameters):
     condition = Condition.of(given)
     load = given["load_N"] / parameters.newtons_per_load
     solution = tb.solve(load=load, **condition._asdict(), parameters=parameters)
-    return state_of(condition, given["load_N"], solution)
+    return state_of(condition, given["load_N"], solution.variables)
 
 
 def test_section_has_the_statistics_of_the_model(parameters):

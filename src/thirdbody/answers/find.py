@@ -118,6 +118,10 @@ class TurningLoads(TurningPoints, Tabular):
     index: pd.Index | None = None
 
 
+class TurningWindow(Window, Tabular):
+    """``Window`` as a table."""
+
+
 IN_FULL_FILM = "full_film"
 FULL_FILM = LUBRICATION_REGIMES.index(IN_FULL_FILM)
 BORDERS = (  # at each of ``LIMITS``
@@ -364,7 +368,7 @@ def turning_window(
     parameters: Parameters | None = None,
     between_N: tuple[float, float] = LOADS,
     **conditions: float,
-) -> Window:
+) -> TurningWindow:
     """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
 
     Arguments and errors are those of ``turning_point``; the conditions are one roughness and one
@@ -391,7 +395,7 @@ def turning_window(
     (density,) = asked.columns["particle_density"].tolist()
     roughness = asked.columns["roughness"]
     (window,) = turning_point_windows(search, roughness, density, loads, parameters)
-    return window
+    return TurningWindow(**vars(window))
 
 
 class Queries(NamedTuple):
