@@ -42,7 +42,7 @@ class Forces(NamedTuple):
 def _taken(record, chosen):
     """A record, in which others may lie, with ``chosen`` elements of its arrays; None stays."""
     if isinstance(record, tuple):
-        return type(record)._make(_taken(each, chosen) for each in record)
+        return type(record)._make(_taken(part, chosen) for part in record)
     return record if record is None else record.take(chosen, axis=-1)
 
 

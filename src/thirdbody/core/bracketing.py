@@ -51,8 +51,8 @@ def bracketed_roots(
 def _interpolated(newest, other, last, f_newest, f_other, f_last):
     """Root by inverse quadratic interpolation, as a fraction of the way from ``newest`` to
     ``other``; nan where the three points do not make it reliable."""
-    place, level = (newest - other) / (last - other), (f_newest - f_other) / (f_last - f_other)
-    reliable = (level**2 < place) & ((1.0 - level) ** 2 < 1.0 - place)
+    step, level = (newest - other) / (last - other), (f_newest - f_other) / (f_last - f_other)
+    reliable = (level**2 < step) & ((1.0 - level) ** 2 < 1.0 - step)
     fraction = f_newest / (f_other - f_newest) * f_last / (f_other - f_last)
     fraction = fraction + (last - newest) / (other - newest) * f_newest / (f_last - f_newest) * (
         f_other / (f_last - f_other)

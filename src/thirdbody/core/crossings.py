@@ -121,7 +121,7 @@ class _Excess:
 def _brackets(excess, samples):
     """Limit and query of each change of sign, whether the variable rises there, and ln of the axis on
     both sides."""
-    limit, query = (each.ravel() for each in np.indices(excess.levels.shape))
+    limit, query = (indices.ravel() for indices in np.indices(excess.levels.shape))
     values = excess.everywhere(samples)
     log_values = np.broadcast_to(np.log(samples)[:, None], values.shape)
     brackets = []

@@ -45,8 +45,8 @@ class HermiteTable:
 
     def __init__(self, function: Callable, start: float, end: float, pieces: int):
         self.start, self.end, self.pieces = start, end, pieces
-        places, step = np.linspace(start, end, 2 * pieces + 1, retstep=True)
-        sampled = function(places)
+        x_samples, step = np.linspace(start, end, 2 * pieces + 1, retstep=True)
+        sampled = function(x_samples)
         self._per_piece = pieces / (end - start)
         self._powers = _quintics(sampled[..., ::2], 2.0 * step).reshape(6, -1)
         middle = (0.5 ** np.arange(6) @ self._powers).reshape(-1, pieces)
@@ -60,10 +60,10 @@ class HermiteTable:
     def joined(cls, tables: Sequence[HermiteTable]) -> HermiteTable:
         """Combine tables on the same interval and pieces: all functions of the first, then of the
         second, and so on."""
-        found = copy(tables[0])
-        found._powers = np.concatenate([table._powers for table in tables], axis=1)
-        found.error = np.concatenate([table.error for table in tables])
-        return found
+        joined = copy(tables[0])
+        joined._powers = np.concatenate([table._powers for table in tables], axis=1)
+        joined.error = np.concatenate([table.error for table in tables])
+        return joined
 
     def __call__(self, x: ArrayLike, which: ArrayLike = 0) -> tuple[NDArray, NDArray]:
         """Value and slope of the functions with index ``which`` at ``x``, an array in the interval."""
@@ -84,8 +84,8 @@ class Guesses:
     ``count`` values at equal distances: much faster than ``numpy.interp``, which searches."""
 
     def __init__(self, x: NDArray, values: NDArray, count: int):
-        places, self._step = np.linspace(x[0], x[-1], count, retstep=True)
-        self._start, self._values = x[0], np.interp(places, x, values)
+        x_samples, self._step = np.linspace(x[0], x[-1], count, retstep=True)
+        self._start, self._values = x[0], np.interp(x_samples, x, values)
 
     def __call__(self, x: NDArray) -> NDArray:
         """Values at an array ``x``; those of the ends outside."""

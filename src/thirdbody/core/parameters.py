@@ -156,14 +156,14 @@ class Parameters:
     members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
 
     def __post_init__(self):
-        for name, known in WORDS.items():
-            if getattr(self, name) not in known:
-                word = repr(getattr(self, name))
-                raise ValueError(f"{name} is {word}; allowed: {', '.join(known)}")
+        for name, words in WORDS.items():
+            word = getattr(self, name)
+            if word not in words:
+                raise ValueError(f"{name} is {word!r}; allowed: {', '.join(words)}")
         for name, bounds in BOUNDS.items():
-            if not bounds.hold(getattr(self, name)):
-                value = repr(getattr(self, name))
-                raise ValueError(f"{name} is {value}; allowed: {bounds} (SI)")
+            number = getattr(self, name)
+            if not bounds.hold(number):
+                raise ValueError(f"{name} is {number!r}; allowed: {bounds} (SI)")
 
     @property
     def film_shares_load(self) -> bool:
@@ -196,9 +196,9 @@ class Parameters:
         Otherwise F_s could increase with d, and the forces balance at several separations.
         """
         if self.elastic_factor > MOST_ELASTIC_FACTOR:
-            given = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
+            materials = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
             raise ValueError(
-                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {given}; "
+                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {materials}; "
                 f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
             )
 
@@ -286,7 +286,7 @@ class Parameters:
 
     def as_dict(self) -> dict:
         """All inputs as a dict, without the members."""
-        return {each.name: getattr(self, each.name) for each in fields(self) if each.init}
+        return {input_.name: getattr(self, input_.name) for input_ in fields(self) if input_.init}
 
     def changed(self, **inputs: float | str) -> "Parameters":
         """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too."""

@@ -228,8 +228,8 @@ def separation_carrying(log_area: ArrayLike, layer: ParticleLayer) -> NDArray:
     area; minus infinity if all particles together have less.
     """
     elastic = layer.parameters.elastic_factor
-    wanted = log_area - np.log(layer.factor * layer.parameters.hardness_surface_2)
+    log_moment = log_area - np.log(layer.factor * layer.parameters.hardness_surface_2)
     of_all = np.log(layer.moment.of_all)
-    logs = (wanted - np.log(weight) for weight in (1.0 - elastic, elastic))
+    logs = (log_moment - np.log(weight) for weight in (1.0 - elastic, elastic))
     alpha, shifted = (np.where(x <= of_all, layer.moment.inverse(x), -np.inf) for x in logs)
     return layer.mean + layer.spread * np.maximum(alpha, shifted + layer.depth)

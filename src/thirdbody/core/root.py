@@ -28,12 +28,12 @@ WIDTH, NOISE_WIDTH = (
 
 
 class Balance(NamedTuple):
-    """Solved ``points``, their ``places`` among those given to ``enclose``, and the ``forces`` at two
+    """Solved ``points``, their ``indices`` among those given to ``enclose``, and the ``forces`` at two
     separations around the root of each, of shape (2, points).  ``certain`` is whether their sum changes
     its sign despite rounding, or no change is needed."""
 
     points: Points
-    places: NDArray
+    indices: NDArray
     forces: Forces
     certain: NDArray
 
@@ -52,24 +52,26 @@ def enclose(
         yield _fixed(points, brackets, np.flatnonzero(fixed))
     search = Search.of(points, brackets, np.flatnonzero(~fixed))
     for iteration in range(iterations):
-        if not search.places.size:
+        if not search.indices.size:
             break
         interval = search.step(tolerance, is_last=iteration == iterations - 1)
         if interval.which.size:
             solved = search.check(interval)
-            if solved.places.size:
+            if solved.indices.size:
                 yield solved
 
 
-def _fixed(points, brackets, places):
-    """The points at ``places``, where the film keeps its separation or nothing carries the load."""
-    chosen = points.take(places)
-    forces = chosen.forces(np.stack([brackets.low[places], brackets.high[places]]), with_areas=True)
+def _fixed(points, brackets, indices):
+    """The points at ``indices``, where the film keeps its separation or nothing carries the load."""
+    chosen = points.take(indices)
+    forces = chosen.forces(
+        np.stack([brackets.low[indices], brackets.high[indices]]), with_areas=True
+    )
     return Balance(
         points=chosen,
-        places=places,
+        indices=indices,
         forces=_rest_to_film(forces),
-        certain=np.ones(places.shape, bool),
+        certain=np.ones(indices.shape, bool),
     )
 
 
@@ -97,14 +99,14 @@ class Interval(NamedTuple):
 class Search:
     """Newton's method at many points; those that are solved leave.
 
-    ``places`` are the indices of the points among those given to ``enclose``.  The root is between ``low`` and ``high``
+    ``indices`` are those of the points among the ones given to ``enclose``.  The root is between ``low`` and ``high``
     [m], and forces are next evaluated at ``separation``.  ``previous`` is the size of the excess
     before the last step, infinite unless it was one of Newton's, and ``widening`` multiplies the width of
     the interval whose signs are checked.
     """
 
     points: Points
-    places: NDArray
+    indices: NDArray
     separation: NDArray
     low: NDArray
     high: NDArray
@@ -112,22 +114,22 @@ class Search:
     widening: NDArray
 
     @classmethod
-    def of(cls, points: Points, brackets: Brackets, places: NDArray) -> Search:
-        """The search at the points at ``places``, which have a root, from their ``brackets``."""
+    def of(cls, points: Points, brackets: Brackets, indices: NDArray) -> Search:
+        """The search at the points at ``indices``, which have a root, from their ``brackets``."""
         return cls(
-            points=points.take(places),
-            places=places,
-            separation=brackets.guess[places],
-            low=brackets.low[places],
-            high=brackets.high[places],
-            previous=np.full(places.shape, np.inf),
-            widening=np.ones(places.shape),
+            points=points.take(indices),
+            indices=indices,
+            separation=brackets.guess[indices],
+            low=brackets.low[indices],
+            high=brackets.high[indices],
+            previous=np.full(indices.shape, np.inf),
+            widening=np.ones(indices.shape),
         )
 
     def keep(self, kept: NDArray) -> None:
         """Go on with the points of the indices ``kept``."""
-        for name, each in vars(self).items():
-            setattr(self, name, each.take(kept))
+        for name, column in vars(self).items():
+            setattr(self, name, column.take(kept))
 
     def step(self, tolerance: float, is_last: bool) -> Interval:
         """Narrow the brackets by the forces at the separations, and take the next step.
@@ -183,13 +185,13 @@ class Search:
         done = np.flatnonzero(is_done)
         solved = Balance(
             points=self.points.take(which[done]),
-            places=self.places[which[done]],
+            indices=self.indices[which[done]],
             forces=forces.take(done),
             certain=changes[done],
         )
         if done.size < which.size:
             self._look_beyond(interval, closer=below[0] & ~is_done, farther=above[1] & ~is_done)
-        self.keep(np.delete(np.arange(self.places.size), which[done]))
+        self.keep(np.delete(np.arange(self.indices.size), which[done]))
         return solved
 
     def _look_beyond(self, interval, closer, farther):

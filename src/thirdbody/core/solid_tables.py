@@ -74,15 +74,15 @@ def solid_tables(
         _separations(*ends, sigma, every.particles, solid)
         for solid, (*ends, sigma) in enumerate(zip(low, high, roughness, strict=True))
     ]
-    stops = np.cumsum([each.size for each in separations])
+    stops = np.cumsum([grid.size for grid in separations])
     solid = np.repeat(np.arange(diameter.size), np.diff(stops, prepend=0))
     d = np.concatenate(separations)
     # all cells; those between one solid and the next are not used
     cells = _Cells(d=d, parts=_parts(every.take(solid), d))
     true = _parts(every.take(solid[:-1]), cells.centre).value
     powers = cells.powers(_errors(cells.middle, true, parameters.particle_pressure))
-    for places, stop in zip(separations, stops, strict=True):
-        yield SolidTable(separations=places, powers=powers[:, stop - places.size : stop - 1])
+    for grid, stop in zip(separations, stops, strict=True):
+        yield SolidTable(separations=grid, powers=powers[:, stop - grid.size : stop - 1])
 
 
 def _separations(low, high, roughness, particles, solid):
@@ -90,18 +90,18 @@ def _separations(low, high, roughness, particles, solid):
     every kink."""
     ends = np.arcsinh(np.array([low, high]) / roughness)
     steps = int(np.ceil((ends[1] - ends[0]) / STEP)) + 1
-    places = [roughness * np.sinh(np.linspace(*ends, steps + 1)), [low, high]]
+    separations = [roughness * np.sinh(np.linspace(*ends, steps + 1)), [low, high]]
     if particles is not None:
         one = particles.take(solid)
         mean, spread, depth = one.mean, one.spread, one.depth
         smallest, largest = particles.moment.smallest, particles.moment.largest
         for shift in (0.0, -depth):
             first = max(smallest, SMALLEST)
-            places.append(mean + spread * (first + SIZES * (largest - first) - shift))
+            separations.append(mean + spread * (first + SIZES * (largest - first) - shift))
             for kink in (smallest, largest):
                 beside = KINK_GAP * (mean + spread * (abs(kink) + abs(shift)))
-                places.append(mean + spread * (kink - shift) + beside * np.array([-1.0, 1.0]))
-    return np.unique(np.clip(np.concatenate(places), low, high))
+                separations.append(mean + spread * (kink - shift) + beside * np.array([-1.0, 1.0]))
+    return np.unique(np.clip(np.concatenate(separations), low, high))
 
 
 def _parts(contact: Contact, d):
@@ -155,10 +155,10 @@ class _Cells(NamedTuple):
         return np.stack([np.concatenate(each, axis=1) for each in columns])
 
 
-def _errors(found, true, pressure):
-    """Bounds on the relative error of F_s, and of areas and their ratios, from the values ``found`` and
+def _errors(interpolated, true, pressure):
+    """Bounds on the relative error of F_s, and of areas and their ratios, from the values ``interpolated`` and
     ``true`` midway between separations, as in ``_parts``: shape (cells, 2)."""
-    log_summits, area, log_summit_area = found.T
+    log_summits, area, log_summit_area = interpolated.T
     true_log_summits, true_area, true_log_summit_area = true.T
     summits, particles = np.exp(true_log_summits), pressure * true_area
     load = summits * np.expm1(log_summits - true_log_summits) + pressure * (area - true_area)

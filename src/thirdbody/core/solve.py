@@ -126,7 +126,7 @@ def _balances(columns, chosen, parameters, attempt):
         conditions = {name: column[batch] for name, column in columns.items()}
         points = Points.of(conditions, parameters, attempt.table_rtol)
         for balance in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
-            yield batch[balance.places], balance
+            yield batch[balance.indices], balance
 
 
 class Kind(IntFlag):

@@ -48,22 +48,24 @@ def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
         log_summit_area=ends.solids.log_summit_area.value,
         parameters=points.parameters,
     )
-    found = {name: 0.5 * each.sum(axis=0) for name, each in both.items()}
+    variables = {name: 0.5 * values.sum(axis=0) for name, values in both.items()}
     error = _error_bound(ends, both)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
-    found["error_bound"] = error
+    variables["error_bound"] = error
     particles = points.contact.particles
     covered = particles is not None and particles.covers_all
-    unsolved = np.isnan(found["separation"])
+    unsolved = np.isnan(variables["separation"])
     statuses = {
         "not_converged": ~(error <= rtol),
         "coverage_exceeded": covered,
         "load_exceeded": unsolved,
     }
     with_particles = particles is not None
-    add_flags(found, points.film, points.log_total, points.parameters, with_particles, **statuses)
-    _remove_values(found, unsolved | covered)
-    return found
+    add_flags(
+        variables, points.film, points.log_total, points.parameters, with_particles, **statuses
+    )
+    _remove_values(variables, unsolved | covered)
+    return variables
 
 
 def quantities(
@@ -107,37 +109,39 @@ def fractions(log_odds: NDArray) -> tuple[NDArray, NDArray]:
     return 1.0 / (1.0 + np.exp(-log_odds)), 1.0 / (1.0 + np.exp(log_odds))
 
 
-def _remove_values(found, unsolved):
+def _remove_values(variables, unsolved):
     """Replace the variables of ``unsolved`` points, except their status, by what stands for none."""
     if not unsolved.any():
         return
-    for name, values in found.items():
+    for name, values in variables.items():
         if name != "solution_status":
             values[unsolved] = np.nan if type_of(name) is float else NO_FLAG
 
 
 def add_flags(
-    found: dict[str, NDArray],
+    variables: dict[str, NDArray],
     film: Film | None,
     log_load: NDArray,
     parameters: Parameters,
     has_particles: bool,
     **statuses: NDArray,
 ) -> None:
-    """Add regime, mode and status to the variables ``found`` under loads ln F_t* [1].
+    """Add regime, mode and status to ``variables`` under loads ln F_t* [1].
 
     ``statuses`` are the statuses, by name, that do not follow from the variables.
     """
-    found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
-    found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
-    statuses["area_exceeded"] = found["total_contact_area"] > 1.0
+    variables["lubrication_regime"] = lubrication_regime(variables["solid_load_fraction"])
+    variables["contact_mode"] = contact_mode(
+        variables["particle_contact_area_ratio"], has_particles
+    )
+    statuses["area_exceeded"] = variables["total_contact_area"] > 1.0
     if film is not None:
-        fluid = found["fluid_load_fraction"]
+        fluid = variables["fluid_load_fraction"]
         log_fluid = np.log(fluid) if parameters.film_shares_load else 0.0
         meaningful = film.is_meaningful(log_load_parameter(log_load + log_fluid, parameters))
-        meaningful &= found["film_thickness"] <= THICKEST
+        meaningful &= variables["film_thickness"] <= THICKEST
         statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)
-    found["solution_status"] = gravest_status(**statuses)
+    variables["solution_status"] = gravest_status(**statuses)
 
 
 def _error_bound(ends, both):

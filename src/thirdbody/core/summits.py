@@ -104,15 +104,15 @@ class RoughSurfaces:
     def first_separation(self, log_total: NDArray) -> NDArray:
         """Approximate t [1] at which the summits carry ``log_total`` ln F_t*."""
         summits = self.here
-        wanted = log_total - np.log(summits.hardness_ratio * summits.scaled_density)
+        log_load = log_total - np.log(summits.hardness_ratio * summits.scaled_density)
         plastic = _plastic_summits()
-        found = plastic(wanted)
+        t = plastic(log_load)
         for _ in range(2):  # correct by a typical summit, which is not fully plastic
-            ratio = 3.0 / (np.maximum(found, 0.0) + 1.5) / summits.yield_interference
+            ratio = 3.0 / (np.maximum(t, 0.0) + 1.5) / summits.yield_interference
             growth = area_growth(ratio, summits.plastic_ratio)
             softer = np.log(0.5 * growth * summits.pressure(ratio))
-            found = plastic(wanted - softer)
-        return found
+            t = plastic(log_load - softer)
+        return t
 
 
 def pieces_for(rtol: float) -> int:

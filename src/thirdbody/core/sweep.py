@@ -94,8 +94,8 @@ def _pairs(sizes, densities):
     """Yield indices of particle sizes and of densities, in pairs that are all with or all without
     particles, at most ``PAIRS`` at a time."""
     three_body = has_particles(sizes[:, np.newaxis], densities)
-    for some in (three_body, ~three_body):
-        size, density = np.nonzero(some)
+    for alike in (three_body, ~three_body):
+        size, density = np.nonzero(alike)
         for start in range(0, size.size, PAIRS):
             yield size[start : start + PAIRS], density[start : start + PAIRS]
 
@@ -282,8 +282,12 @@ def _error_after(step, change_before, solid):
     solids = step.solids
     area, slope = solids.particle_area
     steepest = np.where(area > 0.0, np.abs(slope) / area, 0.0)
-    for each in (solids.log_summit_load.slope, solids.log_summit_area.slope, 1.0 / step.separation):
-        steepest = np.maximum(steepest, np.abs(each))
+    for slope_of_log in (
+        solids.log_summit_load.slope,
+        solids.log_summit_area.slope,
+        1.0 / step.separation,
+    ):
+        steepest = np.maximum(steepest, np.abs(slope_of_log))
     left = 2.0 * step.change**2 / (np.abs(change_before) + TINY)  # of ln L_f
     left = left + solids.load_error * solid / step.gain
     error = solids.area_error + solids.load_error

@@ -42,20 +42,20 @@ def limit_crossings(
     and of the curve, F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
-    above, known = excess > 0.0, np.isfinite(excess)
-    change = known[:, :-1] & known[:, 1:] & (above[:, :-1] != above[:, 1:])
+    above, solved = excess > 0.0, np.isfinite(excess)
+    change = solved[:, :-1] & solved[:, 1:] & (above[:, :-1] != above[:, 1:])
     limit, step, curve = np.nonzero(change)
     load, error = np.zeros((2, curve.size))
-    quantity, level = (np.array(each)[limit] for each in zip(*LIMITS, strict=True))
+    quantity, level = (np.array(column)[limit] for column in zip(*LIMITS, strict=True))
     is_ratio = quantity == "particle_contact_area_ratio"
     _, diameter, _, density = conditions[:, curve]
     is_three_body = has_particles(diameter, density)
     for of_ratio, three_body in product((False, True), repeat=2):
-        some = np.flatnonzero((is_ratio == of_ratio) & (is_three_body == three_body))
-        ends = (separation[step[some] + after, curve[some]] for after in (0, 1))
-        given = conditions[:, curve[some]], parameters, rtol
-        if some.size:
-            load[some], error[some] = _crossings(*ends, of_ratio, level[some], *given)
+        chosen = np.flatnonzero((is_ratio == of_ratio) & (is_three_body == three_body))
+        ends = (separation[step[chosen] + after, curve[chosen]] for after in (0, 1))
+        inputs = conditions[:, curve[chosen]], parameters, rtol
+        if chosen.size:
+            load[chosen], error[chosen] = _crossings(*ends, of_ratio, level[chosen], *inputs)
     return limit, curve, load, error, above[limit, step + 1, curve]
 
 

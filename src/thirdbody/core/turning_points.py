@@ -11,7 +11,7 @@ therefore at the same separation d*, dry or lubricated, and the force balance (E
 without a search over loads: F_t = F_s(d*) + F_f(d*).
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import partial
 
 import numpy as np
@@ -71,10 +71,10 @@ def turning_points(
     """
     ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
     solids = particle_diameter, roughness, particle_density
-    found = _turning_points(separation, ends, viscosity[np.newaxis], *solids, parameters, rtol)
-    inside = found.prominence[0] > 0.0
+    maxima = _turning_points(separation, ends, viscosity[np.newaxis], *solids, parameters, rtol)
+    inside = maxima.prominence[0] > 0.0
     return TurningPoints(
-        **{name: np.where(inside, values[0], np.nan) for name, values in vars(found).items()}
+        **{name: np.where(inside, values[0], np.nan) for name, values in vars(maxima).items()}
     )
 
 
@@ -97,9 +97,11 @@ def film_turning_points(
     between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), SAMPLES)
     viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
     solids = particle_diameter, roughness, particle_density
-    found = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
-    known = {name: np.where(found.exists, each, np.nan) for name, each in vars(found).items()}
-    return replace(found, **known | {"prominence": found.prominence})
+    maxima = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
+    columns = {
+        name: np.where(maxima.exists, values, np.nan) for name, values in vars(maxima).items()
+    }
+    return TurningPoints(**columns | {"prominence": maxima.prominence})
 
 
 def _turning_points(
@@ -107,13 +109,15 @@ def _turning_points(
 ) -> TurningPoints:
     """The most prominent maximum of each solid under each film, for ``separation`` [separations, solids],
     ``ends`` and ``viscosity`` [films, solids]: arrays of shape (films, solids)."""
-    found = TurningPoints(*np.full((len(fields(TurningPoints)), *viscosity.shape), np.nan))
+    most_prominent = TurningPoints(
+        **{field.name: np.full(viscosity.shape, np.nan) for field in fields(TurningPoints)}
+    )
     three_body = np.flatnonzero(has_particles(diameter, density))
     if three_body.size == 0:
-        return found
-    columns = (each[three_body] for each in (diameter, roughness, density))
+        return most_prominent
+    columns = (column[three_body] for column in (diameter, roughness, density))
     solids = Contact.of(*columns, parameters, rtol)
-    ends = tuple(each[:, three_body] for each in ends)
+    ends = tuple(end[:, three_body] for end in ends)
     solid, peak, width, prominence = ratio_maxima(
         solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
     )
@@ -130,10 +134,17 @@ def _turning_points(
     )
     error = load * (steepest * width[maximum] + rtol)
     ratio, height = particle_ratio(contacts, separation), prominence[film, maximum]
-    state = TurningPoints(load, error, ratio, fraction, separation, height)
-    for name, values in vars(state).items():
-        getattr(found, name)[film, curve] = values
-    return found
+    at_maxima = TurningPoints(
+        load=load,
+        load_error=error,
+        peak_ratio=ratio,
+        solid_load_fraction=fraction,
+        separation=separation,
+        prominence=height,
+    )
+    for name, values in vars(at_maxima).items():
+        getattr(most_prominent, name)[film, curve] = values
+    return most_prominent
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
@@ -153,29 +164,29 @@ def ratio_maxima(
     step, curve = np.nonzero(bracket)
     near, far = separation[step + 1, curve], separation[step, curve]
     slope = partial(odds_slope, solids.take(curve))
-    place, width = bracketed_roots(slope, near, far, rtol * near)
-    ratio = particle_ratio(solids.take(curve), place)
+    extremum, width = bracketed_roots(slope, near, far, rtol * near)
+    ratio = particle_ratio(solids.take(curve), extremum)
     high = falling[step + 1, curve]
     prominence = _prominence(
-        (curve[high], place[high], ratio[high]),
-        (curve[~high], place[~high], ratio[~high]),
+        (curve[high], extremum[high], ratio[high]),
+        (curve[~high], extremum[~high], ratio[~high]),
         np.array(ends),
         solids,
     )
-    return curve[high], place[high], width[high], prominence
+    return curve[high], extremum[high], width[high], prominence
 
 
 def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
     """Prominence of maxima (curve, d [m], A_sa,t*), given the minima and the ends [m]."""
-    curve, place, ratio = maxima
+    curve, extremum, ratio = maxima
     first, last = ends[..., curve]
     before, after = ratio - particle_ratio(solids.take(curve), np.stack([first, last]))
-    before = np.where(place < first, before, -np.abs(before))
-    after = np.where(place > last, after, -np.abs(after))
-    inside = (last < place) & (place < first)
+    before = np.where(extremum < first, before, -np.abs(before))
+    after = np.where(extremum > last, after, -np.abs(after))
+    inside = (last < extremum) & (extremum < first)
     for other, valley, least in zip(*minima, strict=True):  # rarely any
         between = inside & (curve == other) & (last < valley) & (valley < first)
-        for side, beside in ((before, valley > place), (after, valley < place)):
+        for side, beside in ((before, valley > extremum), (after, valley < extremum)):
             side[between & beside] = np.maximum(side, ratio - least)[between & beside]
     return np.minimum(before, after)
 

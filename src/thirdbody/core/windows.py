@@ -75,10 +75,15 @@ def turning_point_windows(
     enclosed = np.isfinite(errors)
     if np.isfinite(search.tolerance) and enclosed.any():
         _, surface = np.nonzero(enclosed)
-        given = inner[enclosed], outer[enclosed], search.tolerance
-        ends[enclosed], width = bracketed_roots(lambda ratios: margin(ratios, surface), *given)
+        brackets = inner[enclosed], outer[enclosed], search.tolerance
+        ends[enclosed], width = bracketed_roots(lambda ratios: margin(ratios, surface), *brackets)
         errors[enclosed] = width + search.tolerance
-    return [Window(*each) for each in zip(ends[0], errors[0], ends[1], errors[1], strict=True)]
+    return [
+        Window(low=low, low_error=low_error, high=high, high_error=high_error)
+        for low, low_error, high, high_error in zip(
+            ends[0], errors[0], ends[1], errors[1], strict=True
+        )
+    ]
 
 
 def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArray]:
@@ -94,15 +99,15 @@ def _ends_of_longest_runs(ratios, margins):
     """The longest run of positive ``margins``: the ratios at its ends, their outer neighbours, and the
     interpolated zeros between them; shape (2, ...) each."""
     length, longest, last = np.zeros((3, *margins.shape[1:]), int)
-    for place, inside in enumerate(margins > 0.0):
+    for index, inside in enumerate(margins > 0.0):
         length = (length + 1) * inside
         longer = length > longest
-        longest, last = np.where(longer, length, longest), np.where(longer, place, last)
+        longest, last = np.where(longer, length, longest), np.where(longer, index, last)
     first = np.where(longest > 0, last - longest + 1, 0)
     within = np.stack([first, last])
     beyond = np.clip(np.stack([first - 1, last + 1]), 0, len(margins) - 1)
-    inner, outer = (np.take_along_axis(ratios, place, 0) for place in (within, beyond))
-    at_inner, at_outer = (np.take_along_axis(margins, place, 0) for place in (within, beyond))
+    inner, outer = (np.take_along_axis(ratios, indices, 0) for indices in (within, beyond))
+    at_inner, at_outer = (np.take_along_axis(margins, indices, 0) for indices in (within, beyond))
     inner = np.where(longest > 0, inner, np.nan)
     with np.errstate(divide="ignore", invalid="ignore"):  # an open run
         fraction = np.where(within == beyond, 0.0, at_inner / (at_inner - at_outer))
@@ -112,8 +117,8 @@ def _ends_of_longest_runs(ratios, margins):
 def _margin_over_least(prominence, least=PROMINENCE):
     """Signed square root of the prominence, nearly linear in x_a/sigma, minus the root of the least; nan
     counts as 0."""
-    known = np.where(np.isnan(prominence), 0.0, prominence)
-    return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(least)
+    height = np.where(np.isnan(prominence), 0.0, prominence)
+    return np.copysign(np.sqrt(np.abs(height)), height) - np.sqrt(least)
 
 
 def _separations(first, last, roughness, count):
