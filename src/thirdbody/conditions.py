@@ -69,9 +69,9 @@ class Conditions(NamedTuple):
 
 
 def read_conditions(
-    given: Mapping[str, Any], parameters: Parameters, without: str | None = None
+    arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
 ) -> Conditions:
-    """Read the five conditions, given under either of their names, or all but the one called ``without``.
+    """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def read_conditions(
         Once, for all numbers outside their usual range.
     """
     values = {}
-    for key, value in given.items():
+    for key, value in arguments.items():
         axis = axis_of(key)
         if axis.name in values or axis.name == without:
             reason = "is searched along" if axis.name == without else "is given twice"
@@ -101,14 +101,14 @@ def read_conditions(
     for name, axis in AXES.items():
         if name in values:
             key, value = values[name]
-            own = _Unit.of(key, value)
-            arrays[name] = own.checked_si(parameters.newtons_per_load)
-            unusual += own.unusual(parameters.newtons_per_load)
-            keys[name] = axis.alias if own.is_quantity else key
+            typed = _Typed.of(key, value)
+            arrays[name] = typed.checked_si(parameters.newtons_per_load)
+            unusual += typed.unusual(parameters.newtons_per_load)
+            keys[name] = axis.alias if typed.is_quantity else key
             if _is_a(value, "xarray", "DataArray", "Variable"):
                 labelled[name] = _with_values(value, arrays[name])
     _warn(unusual)
-    return Conditions(arrays=arrays, keys=keys, labelled=labelled, index=common_index(given))
+    return Conditions(arrays=arrays, keys=keys, labelled=labelled, index=common_index(arguments))
 
 
 def axis_of(key: str) -> Axis:
@@ -146,15 +146,15 @@ def ends_in_si(name: str, ends: Any, key: str, parameters: Parameters) -> NDArra
     Raises ``ValueError`` unless they are positive and increase; warns as ``read_conditions``.
     """
     newtons = parameters.newtons_per_load
-    own = [_Unit.of(key, end) for end in ends]
-    si = np.array([end.checked_si(newtons) for end in own])
+    typed = [_Typed.of(key, end) for end in ends]
+    si = np.array([end.checked_si(newtons) for end in typed])
     if si.shape != (2,) or not 0.0 < si[0] < si[1]:
         raise ValueError(f"{name} is {ends!r}; allowed: two numbers, positive and increasing")
-    _warn([text.replace(key, name, 1) for end in own for text in end.unusual(newtons)][:1])
+    _warn([text.replace(key, name, 1) for end in typed for text in end.unusual(newtons)][:1])
     return si
 
 
-class _Unit(NamedTuple):
+class _Typed(NamedTuple):
     """Numbers of a condition in the unit in which they were given.
 
     ``scale`` is this unit in SI, of a load in newtons if it ``is_force``.
@@ -169,7 +169,7 @@ class _Unit(NamedTuple):
     is_quantity: bool
 
     @classmethod
-    def of(cls, key: str, value: Any) -> "_Unit":
+    def of(cls, key: str, value: Any) -> "_Typed":
         """The numbers and the unit of a value under a name or an alias."""
         axis = axis_of(key)
         numbers, unit = _numbers_and_unit(key, value)
@@ -218,9 +218,9 @@ def _with_values(labelled: Any, values: NDArray) -> "xr.DataArray":
     return xr.DataArray(values, getattr(labelled, "coords", None), labelled.dims)
 
 
-def common_index(given: Mapping[str, Any]) -> "pd.Index | None":
+def common_index(arguments: Mapping[str, Any]) -> "pd.Index | None":
     """The index of the columns of pandas, None if there are none; ``ValueError`` unless it is the same."""
-    columns = {key: value for key, value in given.items() if _is_a(value, "pandas", "Series")}
+    columns = {key: value for key, value in arguments.items() if _is_a(value, "pandas", "Series")}
     if not columns:
         return None
     first, *others = columns
@@ -237,10 +237,11 @@ def common_index(given: Mapping[str, Any]) -> "pd.Index | None":
 def numbers_in(name: str, value: Any, unit: str) -> NDArray:
     """A value of one of the ``KINDS`` as float64 numbers, of a quantity in ``unit`` (UDUNITS spelling); pint raises
     an error for a quantity of another dimension."""
-    numbers, own = _numbers_and_unit(name, value)
-    if own is None:
+    numbers, unit_of_value = _numbers_and_unit(name, value)
+    if unit_of_value is None:
         return numbers
-    quantity = value if _is_a(value, "pint", "Quantity") else registry().Quantity(numbers, own)
+    is_quantity = _is_a(value, "pint", "Quantity")
+    quantity = value if is_quantity else registry().Quantity(numbers, unit_of_value)
     return np.asarray(quantity.to(str(registry().Unit(unit))).magnitude, float)
 
 
@@ -258,8 +259,8 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
         return numbers, registry().Unit(text) if unit is None and text is not None else unit
     if _is_a(value, "pandas", "Series"):
         dtype = value.dtype
-        is_own = type(dtype).__module__.partition(".")[0] in ("numpy", "pandas")
-        if not is_own or dtype.kind not in "iuf":
+        package = type(dtype).__module__.partition(".")[0]  # other packages have types with units
+        if package not in ("numpy", "pandas") or dtype.kind not in "iuf":
             raise TypeError(f"{name} is a column of {dtype}; allowed: {KINDS}")
         return value.to_numpy(float, na_value=np.nan), None
     return _numbers(name, value), None
@@ -270,7 +271,7 @@ def _numbers(name, value):
     if isinstance(value, list | tuple):
         if all(map(_is_number, _flat(value))):
             return np.array(value, float)
-        kinds = sorted({_kind(each) for each in _flat(value) if not _is_number(each)})
+        kinds = sorted({_kind(item) for item in _flat(value) if not _is_number(item)})
         raise TypeError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
     if _is_number(value) or (type(value) is np.ndarray and value.dtype.kind in "iuf"):
         return np.array(value, float)
@@ -331,7 +332,8 @@ def broadcast_by_name(conditions: Conditions) -> tuple[dict[str, NDArray], "xr.D
     pattern = xr.apply_ufunc(
         lambda *columns: np.broadcast_arrays(*columns)[0], *labelled.values(), join="exact"
     )
-    return {name: each.broadcast_like(pattern).values for name, each in labelled.items()}, pattern
+    views = {name: array.broadcast_like(pattern).values for name, array in labelled.items()}
+    return views, pattern
 
 
 def checked_variables(
@@ -369,13 +371,13 @@ def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1"
     return float(numbers)
 
 
-def checked_numbers(given: Mapping[str, Any], usual: Usual) -> dict[str, float]:
+def checked_numbers(arguments: Mapping[str, Any], usual: Usual) -> dict[str, float]:
     """Numbers or quantities as floats in the units of ``usual``; ``ValueError`` unless all are positive.
 
     Warns of unusual ones.
     """
     numbers = {
-        name: checked_number(name, value, unit=usual[name][2]) for name, value in given.items()
+        name: checked_number(name, value, unit=usual[name][2]) for name, value in arguments.items()
     }
     warn_outside(numbers, usual)
     return numbers

@@ -139,8 +139,8 @@ def _solve(conditions, parameters, rtol, variables, progress) -> Solution:
     """The arguments of ``solve``, validated and solved."""
     check_rtol(rtol)
     names = checked_variables(variables, VARIABLES)
-    given = {key: value for key, value in conditions.items() if value is not None}
-    read = read_conditions(given, parameters)
+    arguments = {key: value for key, value in conditions.items() if value is not None}
+    read = read_conditions(arguments, parameters)
     arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
     points = np.broadcast(*arrays.values()).size
     with Progress(points, "points", progress) as bar:
