@@ -39,12 +39,14 @@ class Dataset(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What a check found: ``findings`` say what is wrong; worst deviations [1] and counts."""
+    """What a check found: ``findings`` say what is wrong; counts and the worst deviation [1].  Only a
+    file that ``has_form`` may be read further."""
 
     findings: list
-    evaluated: int
-    solved: int
-    worst: float
+    evaluated: int = 0
+    solved: int = 0
+    worst: float = 0.0
+    has_form: bool = True
 
 
 def read(file):
@@ -196,11 +198,11 @@ def check(path, config, inputs, count, rng):
     with netCDF4.Dataset(path) as file:
         findings = list(contract.form_findings(file))
         if findings:
-            return Outcome(findings, 0, 0, 0.0)
+            return Outcome(findings, has_form=False)
         data = read(file)
     findings = list(contract.configuration_findings(data, path.stem, config, inputs))
     if findings:
-        return Outcome(findings, 0, 0, 0.0)
+        return Outcome(findings)
     newtons = data.axes["load"] * data.model["A_n"] * data.model["E_ss"]
     if any(deviation(*pair) > ROUNDING for pair in zip(data.axes["normal_load"], newtons)):
         findings.append("normal_load is not load A_n E_ss")
