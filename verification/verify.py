@@ -3,8 +3,8 @@
     python verification/verify.py [FOLDER] [--seed N] [--points N] [--results FOLDER] [--sums]
 
 FOLDER is an unpacked archive, by default the one that this program lies in.  Needs Python 3.11,
-numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 and SHA-512 sums of all files first,
-and looks for missing and extra files; nothing in FOLDER is imported before they agree.  Then it
+numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 sums of all files first, and looks
+for missing and extra files; nothing in FOLDER is imported before they agree.  Then it
 compares the descriptions of the package and the crate with the files, and each dataset with the
 data contract and the configuration (contract.py) and with the equations of the paper at every
 point; some points are solved again from the inputs alone (plain_model.py).  Prints one line.  Exit
@@ -30,16 +30,11 @@ from pathlib import Path
 from urllib.parse import unquote
 
 HERE = Path(__file__).resolve().parent
-ALGORITHMS = {"sha256": 64, "sha512": 128}  # hexadecimal digits of a digest
+DIGITS = 64  # hexadecimal, of a SHA-256 sum
 BAG_DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 PROGRAMS = ("content_hash.py", "contract.py", "plain_model.py", "recompute.py", "verify.py")
 TAG_FILES = {  # everything beside data/
-    *("README.md", "bag-info.txt", "bagit.txt"),
-    *(
-        f"{kind}-{algorithm}.txt"
-        for kind in ("manifest", "tagmanifest")
-        for algorithm in ALGORITHMS
-    ),
+    *("README.md", "bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha256.txt"),
     *(f"verification/{name}" for name in PROGRAMS),
 }
 NO_PRODUCTS = ("source", "configuration")  # what the payload holds besides products
@@ -58,23 +53,22 @@ class Faults(dict):
         self.setdefault(str(path), " ".join(str(reason).split()))
 
 
-def digests(path):
-    """SHA-256 and SHA-512 of a file."""
+def sha256(path):
+    """SHA-256 of a file."""
     with open(path, "rb") as content:
-        return digests_of(content)
+        return sha256_of(content)
 
 
-def digests_of(content):
-    """SHA-256 and SHA-512 of an open file, read once."""
-    sums = [hashlib.new(name) for name in ALGORITHMS]
+def sha256_of(content):
+    """SHA-256 of an open file."""
+    digest = hashlib.sha256()
     while block := content.read(1 << 20):
-        for digest in sums:
-            digest.update(block)
-    return [digest.hexdigest() for digest in sums]
+        digest.update(block)
+    return digest.hexdigest()
 
 
 def read_files(folder, faults):
-    """Digests of all files below ``folder`` by their names."""
+    """SHA-256 of all files below ``folder`` by their names."""
     found = {}
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
@@ -82,7 +76,7 @@ def read_files(folder, faults):
             faults.add(name, "is no ordinary file")
         elif path.is_file():
             try:
-                found[name] = digests(path)
+                found[name] = sha256(path)
             except OSError as error:
                 faults.add(name, f"cannot be read ({error.strerror})")
     return found
@@ -99,8 +93,8 @@ def read_json(path):
     return json.loads(read_text(path))
 
 
-def read_manifest(path, digits, faults):
-    """Digests by name from the lines of a manifest."""
+def read_manifest(path, faults):
+    """SHA-256 by name from the lines of a manifest."""
     listed = {}
     try:
         lines = read_text(path).split("\n")
@@ -108,7 +102,7 @@ def read_manifest(path, digits, faults):
         faults.add(path.name, "cannot be read")
         return listed
     for number, line in enumerate(lines[:-1], start=1):
-        digest, gap, name = line[:digits], line[digits : digits + 2], line[digits + 2 :]
+        digest, gap, name = line[:DIGITS], line[DIGITS : DIGITS + 2], line[DIGITS + 2 :]
         if gap != "  " or not name or name in listed or set(digest) - set("0123456789abcdef"):
             faults.add(path.name, f"line {number} is damaged")
         listed[name] = digest
@@ -118,19 +112,18 @@ def read_manifest(path, digits, faults):
 
 
 def check_bag(folder, found, faults):
-    """BagIt: every file is listed with its sums, and nothing else is there."""
+    """BagIt: every file is listed with its sum, and nothing else is there."""
     payload = {name for name in found if name.startswith("data/")}
     tags = {name for name in found if name not in payload and not name.startswith("tagmanifest-")}
-    for number, (algorithm, digits) in enumerate(ALGORITHMS.items()):
-        for kind, present in (("tagmanifest", tags), ("manifest", payload)):
-            listed = read_manifest(folder / f"{kind}-{algorithm}.txt", digits, faults)
-            for name in sorted(listed.keys() | present):
-                if name not in found:
-                    faults.add(name, "is missing")
-                elif name not in listed:
-                    faults.add(name, "is not part of the archive")
-                elif listed[name] != found[name][number]:
-                    faults.add(name, f"is changed ({algorithm})")
+    for kind, present in (("tagmanifest", tags), ("manifest", payload)):
+        listed = read_manifest(folder / f"{kind}-sha256.txt", faults)
+        for name in sorted(listed.keys() | present):
+            if name not in found:
+                faults.add(name, "is missing")
+            elif name not in listed:
+                faults.add(name, "is not part of the archive")
+            elif listed[name] != found[name]:
+                faults.add(name, "is changed")
     for name in sorted(TAG_FILES ^ {name for name in found if name not in payload}):
         faults.add(name, "is not part of the archive" if name in found else "is missing")
 
@@ -154,7 +147,7 @@ def check_package(data, found, faults):
         faults.add(f"data/{path}", "is in only one of datapackage.json and the archive")
     for path in sorted(described.keys() & products):
         resource = described[path]
-        if resource["hash"] != f"sha256:{found[f'data/{path}'][0]}":
+        if resource["hash"] != f"sha256:{found[f'data/{path}']}":
             faults.add(f"data/{path}", "is not what datapackage.json describes")
         if resource["bytes"] != (data / path).stat().st_size:
             faults.add(f"data/{path}", "is not of the size that datapackage.json gives")
@@ -250,7 +243,7 @@ def check_products(found, results, faults):
         if not is_product(name) or name == CONTENT_SUMS:
             continue
         try:
-            if digests(product) != found[name]:
+            if sha256(product) != found[name]:
                 faults.add(product, "is not what was released")
         except OSError as error:
             faults.add(product, f"cannot be read ({error.strerror})")
@@ -259,7 +252,7 @@ def check_products(found, results, faults):
 def check_packed(folder, found, faults):
     """The packed archive beside ``folder`` is the one on record and holds the same files."""
     packed = packed_beside(folder)
-    if digests(packed)[0] != record_beside(folder)["archive"]["sha256"]:
+    if sha256(packed) != record_beside(folder)["archive"]["sha256"]:
         faults.add(packed, "is not the archive that provenance.json names")
     expected = {f"{folder.name}/{name}": name for name in found}
     with zipfile.ZipFile(packed) as archive:
@@ -271,16 +264,16 @@ def check_packed(folder, found, faults):
             faults.add(packed, f"holds {name} more than once")
         for member in members:
             name = expected.get(member.orig_filename)
-            if name and not is_member(archive, member, folder / name, found[name][0]):
+            if name and not is_member(archive, member, folder / name, found[name]):
                 faults.add(packed, f"holds another {name}")
 
 
-def is_member(archive, member, path, sha256):
-    """Whether a member of the packed archive is the file ``path``; it is read only if it is of its size."""
+def is_member(archive, member, path, digest):
+    """Whether a member of the packed archive is the file ``path``; it is read only if it has the size."""
     if member.file_size != path.stat().st_size:
         return False
     with archive.open(member) as content:
-        return digests_of(content)[0] == sha256
+        return sha256_of(content) == digest
 
 
 def packed_beside(folder):
@@ -312,7 +305,7 @@ def verify(folder, count, seed, results=None, sums_alone=False):
     run_checks(sums | others, faults)
     if not faults and not sums_alone:
         run_checks(contents, faults)
-    return faults, "; ".join([f"{len(found)} files with their SHA-256 and SHA-512 sums", *counted])
+    return faults, "; ".join([f"{len(found)} files with their SHA-256 sums", *counted])
 
 
 def run_checks(checks, faults):
