@@ -74,8 +74,8 @@ export function isFree(name) {
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", dry };
-  if (dry) return isTwoBody(condition) && name === "viscosity" ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--soft)", dry };
-  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)" };
+  if (dry) return isTwoBody(condition) ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--soft)", dry };
+  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)", ...(hasOil && { dash: "7 3" }) };
   return levelStyle(levelOf(name, condition), levels);
 }
 

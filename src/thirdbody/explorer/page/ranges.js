@@ -42,16 +42,17 @@ export function outlineOf(condition, y) {
 // Solve the members along the curves at some conditions, in steps, and call `done`.
 export function* rangeSteps(conditions, done) {
   const { loads } = currentEngine();
-  const missing = conditions.filter((condition) => !solved.has(keyOf(condition)));
-  if (!missing.length || !content.ensemble.length) return;
+  const missing = new Map(conditions.map((condition) => [keyOf(condition), condition]));
+  for (const key of solved.keys()) missing.delete(key);
+  if (!missing.size || !content.ensemble.length) return;
   if (solved.size > KEPT) solved.clear();
-  for (const condition of missing) {
+  for (const [key, condition] of missing) {
     const members = [];
     for (const { contact } of memberEngines()) {
       members.push(curveOf(contact(condition), ...loads, LOADS));
       yield;
     }
-    solved.set(keyOf(condition), members);
+    solved.set(key, members);
   }
   done();
 }
