@@ -6,6 +6,7 @@ rule build_explorer:
         points=expand("<results>/figures/{figure}.csv", figure=SCENES),
         captions=expand("<results>/figures/{figure}.md", figure=SCENES),
         verdicts="<results>/claims/claims.json",
+        departures="<results>/extracted/departures/verdicts.json",
         page=[
             project_file(path)
             for folder in ("page", "vendor")
@@ -23,14 +24,13 @@ rule build_explorer:
     conda:
         "../envs/thirdbody.yaml"
     params:
-        claims=configured("claims"),
         tables=configured("paper_tables"),
         parameters=settings["parameters"],
         calibration=settings["calibration"],
         ensemble=settings["ensemble"],
         calibrated=CALIBRATED,
         calibrated_sum=CALIBRATED_SUM,
-        sources=sources_of("build_explorer.py", config=["claims", "inputs", "paper_tables"]),
+        sources=sources_of("build_explorer.py", config=["inputs", "paper_tables"]),
     message:
         "Building the explorer"
     script:

@@ -1,25 +1,30 @@
 """Printed numbers beside computed ones, and the verdicts with departures from the print taken back."""
 
+import json
+
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.study.choice import printed_numbers
 from thirdbody.study.claims import load_claims
-from thirdbody.study.departures import departure_rows
+from thirdbody.study.departures import departure_rows, departure_verdicts, departure_words
 from thirdbody.study.judge import Judge
 
 with logged(snakemake.log[0]):
     settings, parameters = snakemake.params.settings, snakemake.params.parameters
     claims = load_claims(snakemake.params.claims)
     judge = Judge(claims, parameters, settings["newtons"])
-    deviations = printed_numbers(claims, judge({}), settings["headline"])
+    default, taken_back = judge({}), departure_verdicts(judge, settings)
+    deviations = printed_numbers(claims, default, settings["headline"])
     tables = {
         "deviations": deviations.to_dict("records"),
-        "departures": departure_rows(judge, settings),
+        "departures": departure_rows(judge, settings, default, taken_back),
     }
-    with atomic_write(*snakemake.output) as parts:
+    words = departure_words(judge, settings, taken_back)
+    with atomic_write(*snakemake.output) as (*parts, verdicts):
         for part, (name, rows) in zip(parts, tables.items(), strict=True):
             write_csv(part, rows, TABLES[name])
+        verdicts.write_text(json.dumps(words, indent=1) + "\n", encoding="utf-8")
     sizes = deviations["deviation"].abs()
     print(
         f"deviation of {len(sizes)} printed numbers: median {sizes.median():.2%}, mean {sizes.mean():.2%}"
