@@ -7,13 +7,13 @@ from pathlib import Path
 from thirdbody.answers.bearing import BODIES, MATERIALS, USUAL_BEARING, USUAL_DENSITY, bearing
 from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.files import atomic_write
 from thirdbody.explorer.page import page_content, page_text
 from thirdbody.figures.captions import read_caption
 from thirdbody.figures.curves import CURVE_FIGURES
 from thirdbody.job_log import logged
 from thirdbody.measured.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
-from thirdbody.core.parameters import Parameters
 
 
 def rig_content(parameters):
