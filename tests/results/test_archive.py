@@ -1,6 +1,5 @@
 """Datasets as others see them: the data contract, CF and ACDD."""
 
-import dataclasses
 import re
 import sys
 from pathlib import Path
@@ -64,7 +63,7 @@ def test_axes_points_and_inputs_are_those_of_the_configuration(
 ):
     contract, recompute = verification
     data = recompute.read(stored)
-    inputs = dataclasses.asdict(tb.load_parameters())
+    inputs = tb.load_parameters().as_dict()
     assert list(contract.configuration_findings(data, figure, config, inputs)) == []
     assert all((np.diff(data.axes[name]) > 0.0).all() for name in contract.DIMENSIONS)
 

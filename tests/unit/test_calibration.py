@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.inputs import plain_values, read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.tables import TABLES
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
 from thirdbody.study.choice import (
     Candidate,
@@ -46,7 +47,7 @@ LINEAR = Unknown("mean_ratio", (0.0, 4.0), (1.0, 2.0), False)
 RADIUS = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 TWO = Interpretation("two", {}, (LINEAR, RADIUS))
 BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5, "walkers": 16, "steps": 300}
-BUDGET |= {"starts": 3, "descents": 1, "hops": 1, "nearby_hops": 1, "iterations": 20}
+BUDGET |= {"starts": 3, "descents": 1, "hops": 1, "iterations": 20}
 
 
 HALVES = slice(40), slice(40, None)
@@ -501,3 +502,4 @@ def test_each_printed_number_has_its_deviation_and_minus_one_if_the_model_has_no
     expected = [0.1, -0.2, -1.0, 0.25, -0.2, 0.0, -1.0, -1.0, -1.0]
     assert table["deviation"].tolist() == pytest.approx(expected, abs=1e-12)
     assert table["place"].tolist()[-1] == "Figure 9A"
+    assert [*table] == [column.name for column in TABLES["deviations"]]

@@ -18,6 +18,8 @@ from thirdbody.core.parameters import Parameters
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
+CALIBRATED = read_yaml(CONFIG / "config.yaml")["calibrated"]
+SHIPPED = sorted(f"config/calibrated/{path.name}" for path in (CONFIG / "calibrated").iterdir())
 
 
 @pytest.fixture
@@ -113,11 +115,12 @@ def test_a_template_that_runs_code_is_refused(write, from_root):
 
 
 def test_the_inputs_have_an_entry_for_each_field_and_no_other():
-    names = {field.name for field in fields(Parameters)}
+    names = {field.name for field in fields(Parameters) if field.init}
     schema = read_schema("inputs")
     assert set(read_entries()) == set(schema["properties"]) == set(schema["required"]) == names
 
 
+@pytest.mark.filterwarnings("ignore:.* is changed without")
 def test_single_inputs_win_over_a_file_and_a_file_over_the_calibrated_inputs(write, defaults):
     path = write("truncation: 3.0\nmean_ratio: 0.5\nfilm_load: {value: total}\n")
     expected = replace(defaults, truncation=4.0, mean_ratio=0.5, film_load="total")
@@ -166,9 +169,13 @@ def test_a_bad_input_is_refused_with_file_and_key(write, content, expected):
     assert message.startswith(f"{path}: ") and expected in message
 
 
-@pytest.mark.parametrize("path", sorted((CONFIG / "calibrated").iterdir()), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", SHIPPED)
 def test_each_shipped_calibrated_file_is_valid(path):
-    assert read_calibrated(path)["interpretation"] == path.stem
+    assert read_calibrated(ROOT / path)["interpretation"] == Path(path).stem
+
+
+def test_the_default_is_among_the_shipped_files():
+    assert CALIBRATED in SHIPPED
 
 
 def in_line(inputs):
@@ -202,13 +209,15 @@ def test_inputs_are_laid_over_the_calibrated_file(shipped, from_root, inputs):
     assert shipped == before
 
 
-def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root):
-    other = "config/calibrated/total_natural.yaml"
+@pytest.mark.parametrize("other", [path for path in SHIPPED if path != CALIBRATED][:2])
+def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root, other):
     for key in ("inputs", "calibrated"):
         settings = workflow_settings(changed(shipped, key, other), CONFIG)
         assert settings["parameters"] == load_parameters(other).as_dict()
         assert settings["calibrated"] == other
         assert settings["inputs"] == {}
+        members = [Parameters(**settings["parameters"] | each) for each in settings["ensemble"]]
+        assert load_parameters(other).members == tuple(members)
 
 
 def test_each_scene_carries_all_that_it_depends_on(shipped, from_root):
@@ -257,7 +266,6 @@ def test_bad_settings_are_refused_in_one_line_that_names_the_key(
     assert expected in message and len(message) < 500
 
 
-CALIBRATED = read_yaml(CONFIG / "config.yaml")["calibrated"]
 BAD_FILES = [  # of the folder of the configuration
     (CALIBRATED, "interpretation", "my own", "is 'my own'; allowed: "),
     ("config/inputs.yaml", "truncation", KeyError, "'truncation' is missing; allowed"),
@@ -265,10 +273,13 @@ BAD_FILES = [  # of the folder of the configuration
     ("config/calibration.yaml", "always.0", "gap", "always[0] is 'gap'; allowed: "),
     (
         "config/calibration.yaml",
-        "unknowns.truncation",
+        "unknowns.spread_ratio",
         KeyError,
-        "unknowns of always have 'truncation'; allowed: ",
+        "unknowns of always have 'spread_ratio'; allowed: ",
     ),
+    ("config/calibration.yaml", "departures.0.inputs", {"gap": 1}, "unknown key 'gap'; allowed: "),
+    ("config/calibration.yaml", "kept", 0, "kept is 0; allowed: at least 1"),
+    ("config/calibration.yaml", "headline_tolerances", {}, "unknown key 'headline_tolerances'"),
     ("config/sensitivity.yaml", "load_N", [80, 1], "load_N is [80, 1]; allowed: "),
     ("config/accuracy.yaml", "rtol", [1], "rtol[0] is 1; allowed: at most 0.01"),
     ("config/atlas.yaml", "chunks", 26, "chunks is 26; allowed: at most 25"),

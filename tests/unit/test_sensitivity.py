@@ -38,6 +38,14 @@ def subject():
     return Subject.of(SETTINGS)
 
 
+def test_there_are_sets_enough_for_the_response_surface_of_all_inputs(defaults):
+    unknowns = read_yaml(CONFIG / "calibration.yaml")["unknowns"]
+    assert not unknowns.keys() & set(SETTINGS["also"])
+    count = len(varied_inputs(defaults, [*unknowns, *SETTINGS["also"]]))
+    terms = (count + 1) * (count + 2) / 2
+    assert 1.2 * terms <= SETTINGS["sobol"]["solved"]
+
+
 def power_laws(changes):
     """Outputs that are products of powers of the inputs over their defaults."""
     ratios = np.array([changes.get(name, value) / value for name, value in INPUTS.items()])
