@@ -20,18 +20,17 @@ rule build_explorer:
         ),
     log:
         "<logs>/build_explorer.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        claims=configured("claims"),
-        tables=configured("paper_tables"),
+        *sources_of("build_explorer.py"),
+        *CALIBRATED_TEXTS,
+        settings_text(CLAIMS, list),
+        settings_text(INPUTS),
+        settings_text(PAPER_TABLES),
+        claims=CLAIMS,
+        tables=PAPER_TABLES,
         parameters=settings["parameters"],
         calibration=settings["calibration"],
         ensemble=settings["ensemble"],
         calibrated=CALIBRATED,
-        calibrated_sum=CALIBRATED_SUM,
-        sources=sources_of("build_explorer.py", config=["claims", "inputs", "paper_tables"]),
-    message:
-        "Building the explorer"
     script:
         "../scripts/build_explorer.py"

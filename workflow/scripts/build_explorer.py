@@ -5,15 +5,14 @@ from pathlib import Path
 
 from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import atomic_write
 from thirdbody.explorer.page import page_content, page_text
 from thirdbody.figures.captions import read_caption
 from thirdbody.figures.curves import CURVE_FIGURES
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.study.claims import load_claims
 
-with logged(snakemake.log[0]):
-    page, parameters = snakemake.output.page, snakemake.params.parameters
+with job(snakemake) as output:
+    parameters = snakemake.params.parameters
     unknowns = snakemake.params.calibration["unknowns"]
     entries = read_entries()
     interpretations = [read_yaml(path) for path in snakemake.params.calibrated]
@@ -32,6 +31,5 @@ with logged(snakemake.log[0]):
         snakemake.params.ensemble,
         {row["symbol"]: row["printed"] for row in read_yaml(snakemake.params.tables)["table2"]},
     )
-    with atomic_write(page) as part:
-        part.write_text(page_text(content), encoding="utf-8")
-    print(f"{page}: {Path(page).stat().st_size} bytes")
+    output.page.write_text(page_text(content), encoding="utf-8")
+    print(f"{output.page.stat().st_size} bytes")
