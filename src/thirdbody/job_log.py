@@ -1,10 +1,26 @@
-"""The log file of a job of the workflow."""
+"""The log file and the products of a job of the workflow."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
-from thirdbody.data.files import DamagedFile
+from thirdbody.data.files import DamagedFile, atomic_write
+
+
+@contextmanager
+def job(snakemake: Any) -> Iterator[SimpleNamespace]:
+    """Run a script of the workflow, whose ``snakemake`` this is.
+
+    What it prints goes to its log.  The paths of its outputs, which are yielded by their names, are temporary:
+    all are moved into place together once the script has ended, so that a run that is killed leaves no
+    half of a file, nor do two runs at once.
+    """
+    output = snakemake.output
+    with logged(snakemake.log[0]), atomic_write(*output) as parts:
+        paths = [parts] if isinstance(parts, Path) else parts
+        yield SimpleNamespace(**dict(zip(output.keys(), paths, strict=True)))
 
 
 @contextmanager

@@ -1,15 +1,11 @@
-"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper; and LaTeX.
-
-``tabulate`` writes them, as it does for ``pandas``, whose import takes four times as long.
-"""
+"""Tables for reading, as HTML and LaTeX: one row per curve, in engineering units, beside the numbers of the paper."""
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from html import escape
 from itertools import groupby
-from os import PathLike
 from pathlib import Path
 from statistics import fmean, median
 from string import Template
@@ -18,12 +14,11 @@ from typing import NamedTuple
 from tabulate import tabulate
 
 from thirdbody.data.conditions import row_key
-from thirdbody.data.tables import Column, cells
-from thirdbody.typeset import html
+from thirdbody.typeset import html, latex
 from thirdbody.variables import AXES, CONDITION_AXES
 
 DIGITS = 3
-NEGLIGIBLE = 0.005  # of an elasticity or a fraction of variance
+NEGLIGIBLE = 0.005  # of an elasticity
 LOAD_UNIT = 1e-6  # of F_t* in headings
 RESULTS = {
     "turning_point_load": "turning point: load",
@@ -33,10 +28,6 @@ RESULTS = {
     "solid_load_fraction": "load where Lₛ = {:.0%}",
     "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
 }
-MEASURES = {
-    "elasticity": "Sensitivities: elasticities, d ln(result)/d ln(input)",
-    "sobol_total": "Sensitivities: total Sobol indices",
-}
 CROSSINGS = {  # columns of the transitions: heading, quantity and level
     "Lₛ = 90 % [N]": ("solid_load_fraction", 0.9),
     "Lₛ = 3 % [N]": ("solid_load_fraction", 0.03),
@@ -45,6 +36,27 @@ CROSSINGS = {  # columns of the transitions: heading, quantity and level
 }
 NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
 ARROWS = {"rising": "↑ ", "falling": "↓ "}
+HEADING = re.compile(r"(.+) \[(.+)\]")  # a name and its unit
+UNITS_IN_LATEX = {
+    "nm": r"\nm",
+    "cSt": "cSt",
+    "N": r"\N",
+    "%": r"\percent",
+    "m-2": r"\per\m\squared",
+}
+NUMBER = re.compile(r"[+-]?[0-9.]+(e-?[0-9]+)?( ± [0-9.]+)?")
+DOCUMENT = r"""% needs \usepackage{{booktabs, longtable, siunitx}} and \sisetup{{separate-uncertainty}}
+\begin{{longtable}}{{{columns}}}
+\caption{{{title}. {note}}}\label{{tab:{label}}}\\
+\toprule
+{headings}
+\midrule
+\endhead
+\bottomrule
+\endfoot
+{rows}
+\end{{longtable}}
+"""
 
 
 class Sheet(NamedTuple):
@@ -54,14 +66,27 @@ class Sheet(NamedTuple):
     note: str
     rows: Sequence[Mapping[str, str]]
 
-    def table(self, style: str) -> str:
-        """The rows in a ``style`` of tabulate."""
-        return tabulate(self.rows, headers="keys", tablefmt=style, disable_numparse=True)
-
-    def typeset(self) -> str:
+    def html(self) -> str:
         """The rows as HTML, with subscripts and powers of ten."""
         rows = [{html(name): html(text) for name, text in row.items()} for row in self.rows]
-        return self._replace(rows=rows).table("unsafehtml")
+        return tabulate(rows, headers="keys", tablefmt="unsafehtml", disable_numparse=True)
+
+    def latex(self, label: str) -> str:
+        """The table for LaTeX, with its caption and ``label``; columns of numbers are those of siunitx."""
+        names = [*self.rows[0]] if self.rows else []
+        numeric = {name: all(map(_is_number, (row[name] for row in self.rows))) for name in names}
+        lines = [
+            " & ".join(_latex_cell(text, numeric[name]) for name, text in row.items())
+            for row in self.rows
+        ]
+        return DOCUMENT.format(
+            columns="".join("S" if numeric[name] else "l" for name in names) or "l",
+            title=latex(self.title),
+            note=latex(self.note),
+            label=label,
+            headings=" & ".join(map(_latex_heading, names)) + r" \\",
+            rows="\n".join(rf"{line} \\" for line in lines),
+        )
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
@@ -103,20 +128,41 @@ def readable(
     return sheets
 
 
-def markdown(sheets: Sequence[Sheet]) -> str:
-    """Text of ``sheets``, one below the other, each under its caption."""
-    texts = (f"**{each.title}.** {each.note}\n\n{each.table('github')}\n" for each in sheets)
-    return "\n".join(texts)
-
-
 def page(sheets: Sequence[Sheet]) -> str:
     """A self-contained HTML page of ``sheets``, one below the other."""
     parts = (
-        f"<p><strong>{html(each.title)}.</strong> {html(each.note)}</p>\n{each.typeset()}"
+        f"<p><strong>{html(each.title)}.</strong> {html(each.note)}</p>\n{each.html()}"
         for each in sheets
     )
     template = Template(Path(__file__).with_name("readable.html").read_text(encoding="utf-8"))
     return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
+
+
+def latex_text(table: str, sheets: Sequence[Sheet]) -> str:
+    """The ``sheets`` of a ``table`` for LaTeX, one below the other."""
+    labels = [table, *(f"{table}-{number}" for number in range(2, len(sheets) + 1))]
+    return "\n".join(sheet.latex(label) for sheet, label in zip(sheets, labels, strict=True))
+
+
+def _is_number(text):
+    return text in ("", "none") or NUMBER.fullmatch(text) is not None
+
+
+def _latex_cell(text, numeric):
+    """A number as siunitx reads it, or a text."""
+    if numeric and NUMBER.fullmatch(text):
+        return text.replace("±", r"\pm")
+    return f"{{{latex(text)}}}" if numeric and text else latex(text)
+
+
+def _latex_heading(name):
+    """A heading, with its unit by siunitx; in braces, so that it is not read as a number."""
+    parts = HEADING.fullmatch(name)
+    if parts is None:
+        return f"{{{latex(name)}}}"
+    unit = UNITS_IN_LATEX.get(parts[2])
+    in_unit = rf"\unit{{{unit}}}" if unit else latex(parts[2])
+    return f"{{{latex(parts[1])} [{in_unit}]}}"
 
 
 def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
@@ -192,15 +238,13 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
 
 
 def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
-    sheets = []
-    for measure, title in MEASURES.items():
-        cells = [
-            ({"input": row["input"].replace("_", " ")}, result_name(row), _response(row))
-            for row in rows
-            if row["measure"] == measure and row["input"] and row["sensitivity"] is not None
-        ]
-        sheets.append(Sheet(title, f"0 means less than {NEGLIGIBLE:g}.", _pivoted(cells)))
-    return sheets
+    cells = [
+        ({"input": row["input"].replace("_", " ")}, result_name(row), _elasticity(row))
+        for row in rows
+        if row["elasticity"] is not None
+    ]
+    title = "Sensitivities: elasticities, d ln(result)/d ln(input)"
+    return [Sheet(title, f"0 means less than {NEGLIGIBLE:g}.", _pivoted(cells))]
 
 
 def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> list[Sheet]:
@@ -338,13 +382,10 @@ def _short(text) -> str:
     return re.sub(r"e\+?(-?)0*", r"e\1", text)
 
 
-def _response(row) -> str:
-    """A sensitivity: an elasticity to hundredths, a Sobol index with its error."""
-    value, error = row["sensitivity"], max(row["error"] or 0.0, NEGLIGIBLE)
-    if abs(value) < NEGLIGIBLE:
-        return "0"
-    text = rounded(value, error)
-    return text if row["measure"] == "elasticity" else f"{text} ± {rounded(error, digits=1)}"
+def _elasticity(row) -> str:
+    """An elasticity to hundredths."""
+    value, error = row["elasticity"], max(row["error"] or 0.0, NEGLIGIBLE)
+    return "0" if abs(value) < NEGLIGIBLE else rounded(value, error)
 
 
 def _spread(printed, unit=1.0, **fields) -> str:
@@ -357,11 +398,3 @@ def _spread(printed, unit=1.0, **fields) -> str:
             tolerance = f"± {high - value:.2g}" if is_even else f"({low:.3g} to {high:.3g})"
             texts[f"{value:.3g} {tolerance}"] = None
     return "; ".join(texts)
-
-
-def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
-    """Write a tidy table for LaTeX with the package booktabs, numbers with six significant digits."""
-    headings = [column.name for column in columns]
-    texts = [*cells(rows, columns, 6)]
-    text = tabulate(texts, headings, tablefmt="latex_booktabs", disable_numparse=True)
-    Path(path).write_text(f"{text}\n", encoding="utf-8")

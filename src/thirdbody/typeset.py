@@ -1,4 +1,4 @@
-"""Symbols and numbers of plain texts, for HTML and for matplotlib: A_sa,t* with a subscript, sigma as a letter,
+"""Symbols and numbers of plain texts, for HTML, LaTeX and matplotlib: A_sa,t* with a subscript, sigma as a letter,
 5.96e-5 as a power of ten."""
 
 import re
@@ -13,6 +13,20 @@ ALONE = re.compile(r"(?<!\w)([σημνφ])(?!\w)")
 POWER = re.compile(r"\b(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b")
 RAISED = re.compile(r"\^(-?\d+)")
 PER = re.compile(r"(?<=\bm)-2\b")
+SMALL_BELOW = re.compile(r"([A-Za-zσημνφ])([ₐₛₜ]+(?:,[ₐₛₜ]+)?)")
+SMALL_ABOVE = re.compile("[⁻⁰¹²³⁴-⁹]+")
+BELOW, ABOVE = str.maketrans("ₐₛₜ", "ast"), str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+GREEK_IN_LATEX = {"σ": r"\sigma", "η": r"\eta", "μ": r"\mu", "ν": r"\nu", "φ": r"\varphi"}
+SIGNS_IN_LATEX = {
+    **{sign: rf"\{sign}" for sign in "&%#{}_$"},
+    **{"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"},
+    **{"<": "$<$", ">": "$>$", "±": r"$\pm$", "×": r"$\times$", "−": "$-$"},
+    **{"↑": r"$\uparrow$", "↓": r"$\downarrow$"},
+    **{letter: f"${name}$" for letter, name in GREEK_IN_LATEX.items()},
+}
+IN_LATEX = re.compile(
+    rf"{SYMBOL.pattern}(\*?)|{POWER.pattern}|{RAISED.pattern}|(.)", flags=re.DOTALL
+)
 
 
 def html(text: str) -> str:
@@ -22,6 +36,22 @@ def html(text: str) -> str:
     text = POWER.sub(lambda found: "{}10<sup>{}</sup>".format(*_power(found)), text)
     text = RAISED.sub(lambda found: f"<sup>{found[1].replace('-', '−')}</sup>", text)
     return PER.sub("<sup>−2</sup>", text)
+
+
+def latex(text: str) -> str:
+    """A text for LaTeX with the package siunitx: escaped, with subscripts and powers of ten."""
+    text = SMALL_BELOW.sub(lambda found: f"{found[1]}_{found[2].translate(BELOW)}", text)
+    text = SMALL_ABOVE.sub(lambda found: f"^{found[0].translate(ABOVE)}", text)
+    return IN_LATEX.sub(_in_latex, PER.sub("^-2", _with_letters(text)))
+
+
+def _in_latex(found):
+    letter, below, star, factor, sign, exponent, above, other = found.groups()
+    if letter:
+        return f"${GREEK_IN_LATEX.get(letter, letter)}_{{{below}}}{'^*' if star else ''}$"
+    if factor:
+        return rf"\num{{{factor}e{sign}{exponent}}}"
+    return f"$^{{{above}}}$" if above else SIGNS_IN_LATEX.get(other, other)
 
 
 def mathtext(text: str) -> str:

@@ -12,11 +12,14 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
-from thirdbody import bearing, load_parameters, oil_viscosity, solve
 from thirdbody.answers.bearing import implied_speed
+from thirdbody.command import bearing
 from thirdbody.configuration import config_directory
+from thirdbody.configuration.inputs import load_parameters
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import Condition
+from thirdbody.measured.oil import oil_viscosity
+from thirdbody.points import solve
 
 LARGEST = 3e6  # bytes of the page
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]

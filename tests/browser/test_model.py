@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from thirdbody import solve
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.parameters import WORDS
@@ -14,6 +13,7 @@ from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.core.state import QUANTITIES
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.points import solve
 from thirdbody.variables import CONDITION_AXES
 
 POINTS = 1000

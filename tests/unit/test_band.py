@@ -9,11 +9,11 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
-from thirdbody import solve
 from thirdbody.data.conditions import Condition
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.data.quantities import FILL_FLAG
+from thirdbody.points import solve
 from thirdbody.study.band import BAND_RTOL, band
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 

@@ -2,11 +2,12 @@
 
 import os
 import sys
+from types import SimpleNamespace
 
 import pytest
 
 from thirdbody.data.files import require_sums, unreadable
-from thirdbody.job_log import logged
+from thirdbody.job_log import job, logged
 
 
 def test_what_is_printed_goes_to_the_log_in_utf_8(tmp_path, capsys, monkeypatch):
@@ -50,3 +51,34 @@ def test_any_other_failure_keeps_its_traceback(tmp_path):
 def test_a_log_that_cannot_be_written_is_named(tmp_path):
     with pytest.raises(SystemExit, match="no/log cannot be written"), logged(tmp_path / "no/log"):
         pass
+
+
+@pytest.fixture
+def snakemake(tmp_path):
+    """What a script has of its job: two outputs, of which one is there from an earlier run."""
+    (tmp_path / "a.csv").write_text("old")
+    output = {"a": str(tmp_path / "a.csv"), "b": str(tmp_path / "b.csv")}
+
+    class Named(list):
+        keys = output.keys
+
+    return SimpleNamespace(log=[tmp_path / "log"], output=Named(output.values()))
+
+
+def test_a_job_moves_its_products_into_place_together(snakemake, tmp_path):
+    with job(snakemake) as output:
+        output.a.write_text("new")
+        assert (tmp_path / "a.csv").read_text() == "old"
+        output.b.write_text("other")
+        print("done")
+    assert (tmp_path / "a.csv").read_text() == "new" and (tmp_path / "b.csv").read_text() == "other"
+    assert (tmp_path / "log").read_text() == "done\n"
+
+
+def test_a_job_that_fails_leaves_all_as_it_was(snakemake, tmp_path):
+    with pytest.raises(SystemExit), job(snakemake) as output:
+        output.a.write_text("new")
+        raise ValueError("load is -1")
+    assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "log"}
+    assert (tmp_path / "a.csv").read_text() == "old"
+    assert (tmp_path / "log").read_text() == "load is -1\n"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from thirdbody.readable import Sheet, markdown, page, readable, result_name, rounded
+from thirdbody.readable import Sheet, latex_text, page, readable, result_name, rounded
 
 NEWTONS = 1e5  # per load
 CURVE = {"viscosity_m2_per_s": 9e-5, "particle_diameter_m": 3e-7, "roughness_m": 3e-7}
@@ -94,18 +94,12 @@ def test_a_limit_says_how_to_take_it():
 
 def test_sensitivities_are_inputs_by_results():
     common = {"output": "turning_point_load", "quantity": "", "level": None} | OTHER
-    given = [
-        ("elasticity", "mean_ratio", -3.4567, 1e-6),
-        ("elasticity", "truncation", 0.001, 1e-6),
-        ("sobol_total", "mean_ratio", 0.5234, 0.0612),
-        ("elasticity", "", None, None),
-    ]
-    names = ("measure", "input", "sensitivity", "error")
+    given = [("mean_ratio", -3.4567, 1e-6), ("truncation", 0.001, 1e-6), ("", None, None)]
+    names = ("input", "elasticity", "error")
     rows = [common | dict(zip(names, cell, strict=True)) for cell in given]
-    elasticities, indices = readable("sensitivity", rows, (), NEWTONS)
-    assert [*elasticities.rows[0]] == ["input", "turning point: load, dry"]
-    assert cells(elasticities) == [["mean ratio", "-3.46"], ["truncation", "0"]]
-    assert cells(indices) == [["mean ratio", "0.52 ± 0.06"]]
+    (sheet,) = readable("sensitivity", rows, (), NEWTONS)
+    assert [*sheet.rows[0]] == ["input", "turning point: load, dry"]
+    assert cells(sheet) == [["mean ratio", "-3.46"], ["truncation", "0"]]
 
 
 def test_deviations_have_their_median_and_mean_and_say_what_is_missing():
@@ -144,7 +138,24 @@ def test_a_page_is_the_text_and_needs_no_other_file():
     assert "<td>&lt;b&gt; &amp; c</td>" in shown.replace("  ", "")
     assert "<p><strong>Two.</strong> More.</p>" in shown
     assert "src=" not in shown and "href=" not in shown
-    assert markdown(sheets).startswith("**One.** Note.\n\n| a")
+
+
+def test_a_table_for_latex_has_numbers_units_caption_and_label():
+    row = {"σ [nm]": "300", "high end": "1.3 ± 0.2", "xₐ [nm]": "264 to 391", "50 % & more_of": ""}
+    sheet = Sheet("Windows", "In F_t* A_n, 1e11 m-2.", [row, row | {"high end": "none"}])
+    text = latex_text("windows", [sheet, sheet])
+    assert r"\begin{longtable}{SSlS}" in text
+    assert (
+        r"\caption{Windows. In $F_{t}^*$ $A_{n}$, \num{1e11} m$^{-2}$.}\label{tab:windows}" in text
+    )
+    assert (
+        r"{$\sigma$ [\unit{\nm}]} & {high end} & {$x_{a}$ [\unit{\nm}]} & {50 \% \& more\_of}"
+        in text
+    )
+    assert r"300 & 1.3 \pm 0.2 & 264 to 391 &  \\" in text
+    assert r"300 & {none} & 264 to 391 &  \\" in text
+    assert text.count(r"\toprule") == text.count(r"\bottomrule") == text.count(r"\endhead") == 2
+    assert r"\label{tab:windows-2}" in text
 
 
 @pytest.mark.parametrize(

@@ -1,13 +1,35 @@
-"""The schemas of the configuration: closed, described, bounded, and their rules."""
+"""The schemas of the configuration: closed, described, bounded, and their rules; and what each file satisfies.
 
+Files that users change are validated at each start; those that only developers edit are validated here, by the
+schemas in ``tests/schemas``.
+"""
+
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
-from thirdbody.configuration.schema import read_schema, validate
+from thirdbody.atlas.chunk import atlas_axes, axis_values
+from thirdbody.configuration.inputs import read_entries, values_schema
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import validate
+from thirdbody.variables import AXES
 
-CONFIG = Path(__file__).parents[2] / "config"
-SCHEMAS = sorted(path.name.removesuffix(".schema.yaml") for path in CONFIG.glob("*.schema.yaml"))
+ROOT = Path(__file__).parents[2]
+CONFIG = ROOT / "config"
+SCHEMAS = {
+    path.name.removesuffix(".schema.yaml"): read_yaml(path)
+    for folder in (CONFIG, ROOT / "tests/schemas")
+    for path in sorted(folder.glob("*.schema.yaml"))
+}
+DEVELOPED = {
+    **{name: [CONFIG / f"{name}.yaml"] for name in ("calibration", "paper_tables", "sensitivity")},
+    "accuracy": sorted(CONFIG.glob("accuracy*.yaml")),
+    "atlas": sorted(CONFIG.glob("atlas*.yaml")),
+    "calibrated": sorted(CONFIG.glob("calibrated/*.yaml")),
+}
+ATLASES = [pytest.param(read_yaml(path), id=path.stem) for path in DEVELOPED["atlas"]]
+CLAIMS = read_yaml(CONFIG / "claims.yaml", list)
 
 
 def described(node, place=""):
@@ -21,8 +43,52 @@ def described(node, place=""):
 
 @pytest.mark.parametrize("kind", SCHEMAS)
 def test_it_knows_all_keys_everywhere(kind):
-    for place, node in described(read_schema(kind)):
+    for place, node in described(SCHEMAS[kind]):
         assert node.get("additionalProperties") is False or "propertyNames" in node, place
+
+
+@pytest.mark.parametrize(
+    ("kind", "path"),
+    [pytest.param(kind, path, id=path.stem) for kind in DEVELOPED for path in DEVELOPED[kind]],
+)
+def test_a_file_of_the_developers_is_valid(kind, path):
+    inputs = {"input_values": values_schema(read_entries())}
+    validate(read_yaml(path), SCHEMAS[kind], path.name, **inputs)
+
+
+def test_statements_are_valid_and_contradictions_settled():
+    validate(CLAIMS, SCHEMAS["claims"], "claims.yaml")
+    by_id = {claim["id"]: claim for claim in CLAIMS}
+    assert len(by_id) == len(CLAIMS)
+    for claim in CLAIMS:
+        lengths = {len(value) for value in claim["conditions"].values() if isinstance(value, list)}
+        assert len(lengths) <= 1, claim["id"]
+        for other in claim.get("contradicts", []):
+            assert claim["id"] in by_id[other]["contradicts"]
+            assert "aside" in claim or "aside" in by_id[other], (claim["id"], other)
+
+
+def test_inputs_that_are_searched_have_bounds():
+    calibration = read_yaml(CONFIG / "calibration.yaml")
+    interpretations = calibration["interpretations"].values()
+    searched = [calibration["always"], *(one.get("unknowns", []) for one in interpretations)]
+    assert {name for names in searched for name in names} <= calibration["unknowns"].keys()
+
+
+@pytest.mark.parametrize("atlas", ATLASES)
+def test_charts_lie_on_the_axes_of_the_atlas(atlas):
+    axes = {key: axis_values(axis) for key, axis in atlas["axes"].items()}
+    for axis in atlas["axes"].values():
+        assert axis["from"] < axis["to"]
+        assert all(value == 0 or axis["from"] <= value <= axis["to"] for value in axis["also"])
+    assert atlas["chunks"] <= len(axes["roughness_nm"])
+    for chart, panels in atlas["charts"].items():
+        for panel in panels:
+            shown = panel if isinstance(panel, dict) else {chart: panel}
+            assert all(float(f"{value:.12g}") in axes[key] for key, value in shown.items())
+    for values in atlas_axes(atlas["axes"]).values():
+        assert all(before < after for before, after in pairwise(values))
+    assert atlas_axes(atlas["axes"]).keys() == AXES.keys()
 
 
 def refusal(schema, content):
@@ -31,56 +97,28 @@ def refusal(schema, content):
     return str(refused.value)
 
 
-AXIS = {"from": 1, "to": 9, "count": 3, "scale": "linear", "also": []}
 BROKEN = {
     "first_below_last": ([2.0, 1.0], "range is [2.0, 1.0]; allowed: a first value below the last"),
     "particles_fit": (
         {"particle_diameter_nm": 1000, "roughness_nm": 100, "particle_density_per_m2": 1e13},
         "range: particles of 1000 nm at 1e+13 m-2 cover 7.85 of the interface; allowed: at most 1",
     ),
-    "lists_of_equal_length": (
-        {"roughness_nm": [1, 2], "viscosity_cSt": [0], "load": 1e-5},
-        "range: roughness_nm has 2 values, viscosity_cSt has 1 values; allowed: lists of equal length",
-    ),
-    "ids_are_unique": ([{"id": "a"}, {"id": "a"}], "range[1].id is 'a'; allowed: an id given once"),
-    "contradictions_are_settled": (
-        [{"id": "a", "contradicts": ["b"]}, {"id": "b"}],
-        "range[0].contradicts[0] is 'b'; allowed: the id of a statement that contradicts this one too",
-    ),
-    "contradictions_are_settled, by one that is set aside": (
-        [{"id": "a", "contradicts": ["b"]}, {"id": "b", "contradicts": ["a"]}],
-        "range[0].contradicts[0] is 'b'; allowed: a statement that is set aside, unless this one is",
-    ),
-    "axis_goes_up": (
-        AXIS | {"also": [0, 5, 10]},
-        "range.also[2] is 10; allowed: 0, or from 1 to 9",
-    ),
-    "chunks_have_surfaces": (
-        {"axes": {"roughness_nm": AXIS}, "chunks": 4},
-        "range.chunks is 4; allowed: at most 3, the number of roughnesses",
-    ),
-    "charts_lie_on_axes": (
-        {"axes": {"load_N": AXIS}, "charts": {"load_N": [1, 5, 6]}},
-        "range.charts.load_N[2] is 6; allowed: a value of axes.load_N; its key also can add it",
-    ),
 }
 
 
-@pytest.mark.parametrize("case", BROKEN)
-def test_a_broken_rule_is_named_with_key_value_and_what_is_allowed(case):
-    content, message = BROKEN[case]
-    schema = {"properties": {"range": {"rules": [case.partition(",")[0]]}}}
+@pytest.mark.parametrize("rule", BROKEN)
+def test_a_broken_rule_is_named_with_key_value_and_what_is_allowed(rule):
+    content, message = BROKEN[rule]
+    schema = {"properties": {"range": {"rules": [rule]}}}
     assert refusal(schema, {"range": content}) == f"given.yaml: {message}"
-
-
-def test_an_entry_goes_by_its_id_if_that_is_fit_to_be_shown():
-    schema = {"items": {"required": ["b"]}}
-    missing = "key 'b' is missing; allowed: it must be given"
-    assert refusal(schema, [{"id": "some-id"}]) == f"given.yaml: some-id: {missing}"
-    assert refusal(schema, [{"id": "a\nb"}]) == f"given.yaml: [0]: {missing}"
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), True, "1", None])
 def test_a_number_is_finite_and_no_truth_value(value):
     message = refusal({"properties": {"a": {"type": "number"}}}, {"a": value})
-    assert message.startswith(f"given.yaml: a is {value!r}; allowed: ")
+    assert message == f"given.yaml: a: {value!r} is not of type 'number'"
+
+
+def test_a_long_value_is_cut():
+    message = refusal({"properties": {"a": {"type": "number"}}}, {"a": ["word"] * 1000})
+    assert message.startswith("given.yaml: a: ['word', ") and len(message) < 120

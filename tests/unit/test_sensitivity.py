@@ -1,28 +1,24 @@
-"""Sensitivities against power laws, known variances and the physics that forbids a response."""
+"""Sensitivities against power laws and the physics that forbids a response."""
 
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody import solve
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.figures.sensitivity import SHADES, plot
+from thirdbody.figures.sensitivity import LEAST, plot
+from thirdbody.points import solve
 from thirdbody.study.evidence import FULL_EFFORT, solve_evidence
 from thirdbody.study.sensitivity import (
     STEP,
-    Found,
     Subject,
-    default_indices,
     elasticities,
     last_crossings,
     sensitivity_rows,
-    total_indices,
     varied_inputs,
 )
 
@@ -56,7 +52,7 @@ def test_elasticities_are_the_exponents_of_power_laws():
     def values(changes):
         return np.append(power_laws(changes), np.nan)  # the last does not occur
 
-    _, found, error, *_ = elasticities(values, values({}), INPUTS)
+    found, error = elasticities(values, values({}), INPUTS)
     assert np.isnan(found[-1]).all() and np.isnan(error[-1]).all()
     # truncation: e(e-1)(e-2)/6 of the squared step, at most 364 for an exponent of 14
     assert_allclose(found[:-1], EXPONENTS, rtol=0, atol=365 * STEP**2)
@@ -70,7 +66,7 @@ def test_an_input_at_its_upper_bound_is_stepped_inwards():
         seen.append(changes["participation"])
         return np.array([changes["participation"] ** 2])
 
-    _, found, error, *_ = elasticities(values, np.array([1.0]), {"participation": 1.0})
+    found, error = elasticities(values, np.array([1.0]), {"participation": 1.0})
     assert max(seen) == 1.0
     assert_allclose(found, [[2.0]], atol=1e-5)
     assert error.max() < 1e-4
@@ -99,50 +95,13 @@ def test_what_cannot_respond_does_not(subject, parameters):
     def values(changes):
         return only.values(replace(parameters, **changes), FULL_EFFORT)
 
-    found = elasticities(values, values({}), inputs)
-    dry_load, dry_ratio, wet_load, wet_ratio = found.value
+    found, error = elasticities(values, values({}), inputs)
+    dry_load, dry_ratio, wet_load, wet_ratio = found
     assert_allclose([dry_load[0], dry_ratio[0], wet_ratio[0]], 0.0, atol=STEP**2)
     assert wet_load[0] < -0.1
-    assert_allclose(found.value[:, 1], 0.0, atol=STEP**2)
-    assert (np.abs(found.value[:2, 2]) > 0.01).all()
-    assert_allclose(found.error, 0.0, atol=1e-3)
-
-
-def test_what_the_response_surface_misses_is_known():
-    positions = np.random.default_rng(2).uniform(-1.0, 1.0, (400, 3))
-    missed = 0.5 * np.sign(positions[:, 1] * positions[:, 2] - 0.3)
-    indices, unexplained = total_indices(positions, np.exp(positions[:, 0] + missed))
-    # the product of two inputs explains a part of the step that both take part in
-    step = np.var(missed) / (np.var(missed) + 1.0 / 3.0)
-    assert 0.25 * step < unexplained < step
-    assert_allclose(indices[0], 1.0 - indices[1], atol=0.1)
-
-
-def test_an_input_at_its_bound_is_varied_within_it(parameters):
-    def values(changed, effort):
-        return np.array([changed.participation**2 * changed.apparent_area])
-
-    subject = SimpleNamespace(outputs=["product"], values=values)
-    at_bound = replace(parameters, participation=1.0)
-    inputs = varied_inputs(at_bound, ["participation", "apparent_area"])
-    settings = {"spread": 0.05, "solved": 12, "seed": 1}
-    found = default_indices(subject, at_bound, inputs, values(at_bound, None), settings)
-    assert found.occurs == [1.0]
-    # half the range of one, twice as steep: as much variance as of the other
-    assert_allclose(found.value, [[0.5, 0.5]], atol=0.03)
-
-
-def test_total_indices_of_known_variances():
-    positions = np.random.default_rng(1).uniform(-1.0, 1.0, (40, 3))
-    slopes = np.array([3.0, 2.0, 1.0])
-    found, unexplained = total_indices(positions, np.exp(positions @ slopes))
-    assert_allclose(found, slopes**2 / 14.0, rtol=1e-9)
-    assert unexplained < 1e-12
-    # a product belongs to both of its inputs; x and x**2 have variances 1/3 and 4/45
-    a, b, _ = positions.T
-    assert_allclose(total_indices(positions, np.exp(a * b))[0], [1.0, 1.0, 0.0], atol=1e-9)
-    found, _ = total_indices(positions, np.exp(a + b**2))
-    assert_allclose(found, [15.0 / 19.0, 4.0 / 19.0, 0.0], atol=1e-9)
+    assert_allclose(found[:, 1], 0.0, atol=STEP**2)
+    assert (np.abs(found[:2, 2]) > 0.01).all()
+    assert_allclose(error, 0.0, atol=1e-3)
 
 
 def test_table_and_figure_show_every_sensitivity_and_say_what_is_missing(subject, tmp_path, style):
@@ -150,28 +109,19 @@ def test_table_and_figure_show_every_sensitivity_and_say_what_is_missing(subject
     base = np.linspace(1.0, 2.0, shape[0])
     base[3] = np.nan
     value = np.linspace(-1.0, 1.0, base.size * shape[1]).reshape(shape)
-    found = Found("elasticity", value, 0.01 * value**2, np.full(shape[0], 0.5), np.nan * base)
-    indices = found._replace(measure="sobol_total", value=np.abs(found.value))
-    rows = [
-        row for each in (found, indices) for row in sensitivity_rows(subject, base, INPUTS, each)
-    ]
-    assert len(rows) == 2 * ((len(base) - 1) * len(INPUTS) + 1)
-    for missing in (row for row in rows if not row["input"]):
-        assert missing["value"] is missing["sensitivity"] is missing["input_value"] is None
-        assert missing["occurs"] == 0.5
+    rows = sensitivity_rows(subject, base, INPUTS, value, 0.01 * value**2)
+    assert len(rows) == (len(base) - 1) * len(INPUTS) + 1
+    (missing,) = (row for row in rows if not row["input"])
+    assert missing["value"] is missing["elasticity"] is missing["input_value"] is None
     path = tmp_path / "sensitivity.csv"
     write_csv(path, rows, TABLES["sensitivity"])
     assert "nan" not in path.read_text()
     drawing = plot(read_csv(path, TABLES["sensitivity"]))
-    cells = drawing.axes[: len(drawing.panels)]  # colour bars follow
-    for axes, panel, values in zip(
-        cells, drawing.panels, (found.value, indices.value), strict=True
-    ):
-        assert len(panel.series) == (len(base) - 1) * len(INPUTS)
-        expected = np.delete(values, 3, axis=0)
-        drawn = np.sort([float(series.name.split("; ")[-1]) for series in panel.series])
-        assert_allclose(drawn, np.sort(expected.ravel()), atol=1e-9)
-        # each in a cell of its own, and its number in it where it is not negligible
-        assert len({(one.x.min(), one.y.min()) for one in panel.series}) == len(panel.series)
-        *_, least = SHADES[panel.y]
-        assert len(axes.texts) == (np.abs(expected) >= least).sum()
+    axes, (panel,) = drawing.axes[0], drawing.panels  # the colour bar follows
+    assert len(panel.series) == (len(base) - 1) * len(INPUTS)
+    expected = np.delete(value, 3, axis=0)
+    drawn = np.sort([float(series.name.split("; ")[-1]) for series in panel.series])
+    assert_allclose(drawn, np.sort(expected.ravel()), atol=1e-9)
+    # each in a cell of its own, and its number in it where it is not negligible
+    assert len({(one.x.min(), one.y.min()) for one in panel.series}) == len(panel.series)
+    assert len(axes.texts) == (np.abs(expected) >= LEAST).sum()

@@ -1,11 +1,8 @@
 """Tidy tables: CSV there and back, their schema, and their readable forms."""
 
-import json
-
 import pytest
 
-from thirdbody.data.tables import TABLES, Column, read_csv, write_csv, write_schema
-from thirdbody.readable import write_latex
+from thirdbody.data.tables import TABLES, Column, read_csv, table_schema, write_csv
 
 COLUMNS = (
     Column("figure", "string", "", "figure of the paper"),
@@ -60,21 +57,10 @@ def test_a_damaged_table_is_named(tmp_path, damage):
         read_csv(path, COLUMNS)
 
 
-def test_the_schema_describes_each_column_in_its_order(tmp_path):
-    path = tmp_path / "table.json"
-    write_schema(path, COLUMNS)
-    schema = json.loads(path.read_text())
+def test_the_schema_describes_each_column_in_its_order():
+    schema = table_schema(COLUMNS)
     first, *_, last = schema["fields"]
     assert [field["name"] for field in schema["fields"]] == [column.name for column in COLUMNS]
     assert first == {"name": "figure", "type": "string", "description": "figure of the paper"}
     assert (last["type"], last["description"]) == ("number", "mean separation [m]")
     assert schema["missingValues"] == [""]
-
-
-def test_a_latex_table_escapes_what_latex_would_read(tmp_path):
-    path = tmp_path / "table.tex"
-    write_latex(path, [ROWS[0] | {"figure": "50 % & more_of #1"}], COLUMNS)
-    text = path.read_text()
-    assert r"50 \% \& more\_of \#1" in text
-    assert r"separation\_m" in text
-    assert text.count(r"\toprule") == text.count(r"\bottomrule") == 1

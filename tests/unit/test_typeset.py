@@ -2,7 +2,7 @@
 
 import pytest
 
-from thirdbody.typeset import html, mathtext
+from thirdbody.typeset import html, latex, mathtext
 
 
 @pytest.mark.parametrize(
@@ -21,3 +21,16 @@ from thirdbody.typeset import html, mathtext
 def test_symbols_and_powers_are_set(text, page, figure):
     assert html(text) == page
     assert mathtext(text) == figure
+
+
+@pytest.mark.parametrize(
+    ("text", "typeset"),
+    [
+        ("x_a/sigma < 1.3", r"$x_{a}$/$\sigma$ $<$ 1.3"),
+        ("Aₛₐ,ₜ* of 5.96e-05", r"$A_{sa,t}^*$ of \num{5.96e-5}"),
+        ("10⁻⁶ of R_x^2, 3 m-2", "10$^{-6}$ of $R_{x}$$^{2}$, 3 m$^{-2}$"),
+        ("↓ 50 % & summit_radius", r"$\downarrow$ 50 \% \& summit\_radius"),
+    ],
+)
+def test_latex_is_escaped_and_set(text, typeset):
+    assert latex(text) == typeset

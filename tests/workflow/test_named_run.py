@@ -10,7 +10,7 @@ from thirdbody.configuration.schema import read_schema, validate
 SOFT = "inputs: {hardness_surface_1: 3.0e+9}\nrun: soft\n"
 CHANGES = "--config", "changes=soft.yaml"
 MADE = (
-    "results/soft/tables/table1.md",
+    "results/soft/tables/table1.html",
     "results/soft/datasets/fig03.nc",
     "results/soft/extracted/tpca_loads/fig03.csv",
 )
@@ -51,7 +51,7 @@ def test_switching_computes_nothing(twofold, arguments):
 
 
 def test_the_name_changes_no_byte(finished, twofold):
-    table = "tables/table1.md"
+    table = "tables/table1.html"
     run = twofold.snakemake(f"results/same/{table}", "--config", "run=same")
     assert run.returncode == 0, run.stderr
     same = (twofold.root / "results/same" / table).read_bytes()

@@ -3,11 +3,7 @@
 import shutil
 import subprocess
 import sys
-import venv
 import zipfile
-from importlib import metadata
-from importlib.util import find_spec
-from pathlib import Path
 
 import pytest
 from workspace import MINIMAL, Workspace
@@ -75,7 +71,7 @@ def test_a_module_without_configuration_computes_the_paper(sources, finished, el
     write(elsewhere, "workflow/Snakefile", module)
     plan = planned(elsewhere)
     assert "paper_judge_claims" in plan
-    assert "Drawing fig13" in plan
+    assert "results/figures/fig13.svg" in plan
     (table,) = made(elsewhere, TABLE)
     assert table == (finished.root / TABLE).read_bytes()
 
@@ -97,7 +93,7 @@ def test_a_run_in_another_folder_makes_the_same_there(sources, finished, elsewhe
     minimal = sources.root / MINIMAL[1]
     there = ("--snakefile", str(sources.root / "workflow/Snakefile"), "--configfile", str(minimal))
     elsewhere.root.mkdir()
-    assert "Evaluating every statement" in planned(elsewhere, *there)
+    assert "judge_claims" in planned(elsewhere, *there)
     before = set(sources.root.rglob("*"))
     products = made(elsewhere, TABLE, DATASET, arguments=there)
     assert products == [(finished.root / name).read_bytes() for name in (TABLE, DATASET)]
@@ -137,30 +133,9 @@ def test_a_deployed_copy_follows_the_configuration_beside_it(
     deployed = Workspace(tmp_path / "deployed", (installed,))
     write(deployed, "workflow/Snakefile", DEPLOYED)
     shutil.copytree(published.root / "config", deployed.root / "config")
-    assert "Evaluating every statement" in planned(deployed)
+    assert "judge_claims" in planned(deployed)
     deployed.put("config/scenes.yaml", "load_axis/count", 24)
     assert made(deployed, DATASET) == [(finished.root / DATASET).read_bytes()]
     deployed.rewrite("config/paper_tables.yaml", lambda text: text.replace("0.04, 80", "0.05, 80"))
     (table,) = made(deployed, TABLE)
     assert b",0.05,80," in table
-
-
-def test_the_environment_of_the_rules_has_the_library(sources, installed, tmp_path):
-    """Conda itself is not asked, and of the locked packages none is installed."""
-    environment = tmp_path / "environment"
-    venv.create(environment, with_pip=True)
-    home = tmp_path / "packages/thirdbody"
-    shutil.copytree(installed, home.parent)
-    (home / "locks/test.txt").write_text("")
-    builder = Path(find_spec("hatchling").origin).parents[1]
-    script = sources.root / "workflow/envs/thirdbody.post-deploy.sh"
-    given = {"PATH": f"{environment / 'bin'}:/usr/bin:/bin", "PYTHONPATH": str(builder)}
-    given |= {"THIRDBODY_HOME": str(home)}
-    done = subprocess.run(["bash", script], cwd=tmp_path, env=given, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    code = "import thirdbody as t; print(t.__version__, t.__file__)"
-    asked = [environment / "bin/python", "-c", code]
-    done = subprocess.run(asked, env={}, capture_output=True, text=True, check=True)
-    version, place = done.stdout.split()
-    assert version == metadata.version("thirdbody")
-    assert Path(place).is_relative_to(home)

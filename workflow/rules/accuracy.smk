@@ -1,9 +1,10 @@
 # `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, and targets.
 
 ACCURACY = settings["accuracy"]
-MEASURED = digest(
-    path for folder in ("src", "benchmarks") for path in HOME.glob(f"{folder}/**/*.py")
-)
+MEASURED = [
+    *(file_text(path) for path in sorted(HOME.glob("src/**/*.py"))),
+    *(file_text(path) for path in sorted(HOME.glob("benchmarks/*.py"))),
+]
 
 
 rule measure_errors:
@@ -16,13 +17,11 @@ rule measure_errors:
         verdicts="<results>/accuracy/extremes.csv",
     log:
         "<logs>/measure_errors.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *MEASURED,
+        *SOFTWARE,
+        file_text(HOME / "workflow/scripts/measure_errors.py"),
         rtol=ACCURACY["rtol"],
-        sources=MEASURED,
-    message:
-        "Measuring errors and checking all extremes"
     script:
         "../scripts/measure_errors.py"
 
@@ -34,15 +33,13 @@ rule compare_oracle:
         table="<results>/accuracy/oracle.csv",
     log:
         "<logs>/compare_oracle.log",
-    conda:
-        "../envs/thirdbody.yaml"
     resources:
         runtime=60,
     params:
+        *MEASURED,
+        *SOFTWARE,
+        file_text(HOME / "workflow/scripts/compare_oracle.py"),
         settings=ACCURACY["oracle"],
-        sources=MEASURED,
-    message:
-        "Comparing all interpretations with extended precision"
     script:
         "../scripts/compare_oracle.py"
 
@@ -56,17 +53,15 @@ rule time_library:
         uses="<results>/accuracy/uses.csv",
     log:
         "<logs>/time_library.log",
-    conda:
-        "../envs/thirdbody.yaml"
     resources:
         quiet=100,
         runtime=30,
     params:
+        *MEASURED,
+        *SOFTWARE,
+        file_text(HOME / "workflow/scripts/time_library.py"),
         budget=ACCURACY,
         parameters=settings["parameters"],
-        sources=MEASURED,
-    message:
-        "Timing points, grids and typical uses"
     script:
         "../scripts/time_library.py"
 
@@ -84,12 +79,9 @@ rule compare_targets:
         targets="<results>/accuracy/targets.csv",
     log:
         "<logs>/compare_targets.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        sources=MEASURED,
-    message:
-        "Comparing the measurements with the targets"
+        *MEASURED,
+        file_text(HOME / "workflow/scripts/compare_targets.py"),
     script:
         "../scripts/compare_targets.py"
 
@@ -98,5 +90,3 @@ rule accuracy:
     input:
         *ACCURACY_TABLES.values(),
         "<results>/accuracy/targets.csv",
-    message:
-        "Errors, extremes, times and targets are complete"

@@ -19,19 +19,16 @@ rule solve_chunk:
         "<logs>/solve_chunk/{scatteritem}.log",
     benchmark:
         "<logs>/solve_chunk/{scatteritem}.tsv"
-    conda:
-        "../envs/thirdbody.yaml"
     resources:
         runtime=30,
     params:
+        *sources_of("solve_chunk.py"),
+        *SOFTWARE,
         axes=ATLAS["axes"],
         variables=ATLAS["variables"],
         rtol=ATLAS["rtol"],
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
-        sources=sources_of("solve_chunk.py"),
-    message:
-        "Solving chunk {wildcards.scatteritem} of the atlas"
     script:
         "../scripts/solve_chunk.py"
 
@@ -43,12 +40,8 @@ rule catalogue_atlas:
         catalogue="<results>/atlas/catalogue.json",
     log:
         "<logs>/catalogue_atlas.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        sources=sources_of("catalogue_atlas.py"),
-    message:
-        "Cataloguing the atlas"
+        *sources_of("catalogue_atlas.py"),
     script:
         "../scripts/catalogue_atlas.py"
 
@@ -61,13 +54,10 @@ rule extract_chart:
         rows="<results>/extracted/{chart}/all.csv",
     log:
         "<logs>/extract_chart/{chart}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("extract_chart.py"),
+        *SOFTWARE,
         charts=ATLAS["charts"],
-        sources=sources_of("extract_chart.py"),
-    message:
-        "Extracting {wildcards.chart} from the atlas"
     script:
         "../scripts/extract_chart.py"
 
@@ -81,13 +71,9 @@ rule render_chart:
         **figure_files("{chart}", "Atlas"),
     log:
         "<logs>/render_chart/{chart}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("render_chart.py"),
         charts=ATLAS["charts"],
-        sources=sources_of("render_chart.py"),
-    message:
-        "Drawing {wildcards.chart}"
     script:
         "../scripts/render_chart.py"
 
@@ -97,5 +83,3 @@ rule atlas:
         "<results>/atlas/catalogue.json",
         expand("<results>/figures/{chart}.{kind}", chart=CHARTS, kind=FIGURE_KINDS),
         expand("<results>/tables/{chart}.{kind}", chart=CHARTS, kind=TABLE_KINDS),
-    message:
-        "The atlas is complete"

@@ -9,17 +9,15 @@ rule sample_inputs:
         samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
         "<logs>/sample_inputs/{interpretation}_{seed}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     resources:
         runtime=30,
     params:
-        claims=configured("claims"),
+        *sources_of("sample_inputs.py"),
+        *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
-        sources=sources_of("sample_inputs.py", config=["claims"]),
-    message:
-        "Sampling the inputs of {wildcards.interpretation} from seed {wildcards.seed}"
     script:
         "../scripts/sample_inputs.py"
 
@@ -35,13 +33,10 @@ rule summarise_inputs:
         calibrated="<results>/calibration/{interpretation}.yaml",
     log:
         "<logs>/summarise_inputs/{interpretation}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("summarise_inputs.py"),
+        *SOFTWARE,
         settings=settings_of,
-        sources=sources_of("summarise_inputs.py"),
-    message:
-        "Summarising the calibration of {wildcards.interpretation}"
     script:
         "../scripts/summarise_inputs.py"
 
@@ -59,15 +54,13 @@ rule choose_default:
         ranking="<results>/calibration/ranking.csv",
     log:
         "<logs>/choose_default.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        claims=configured("claims"),
+        *sources_of("choose_default.py"),
+        *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],
-        sources=sources_of("choose_default.py", config=["claims"]),
-    message:
-        "Choosing the default and the ensemble of those equal to it"
     script:
         "../scripts/choose_default.py"
 
@@ -82,12 +75,8 @@ rule calibrate:
     log:
         "<logs>/calibrate.log",
     localrule: True
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("adopt_calibration.py"),
         kept=CALIBRATION["kept"],
-        sources=sources_of("adopt_calibration.py"),
-    message:
-        "Copying the calibrated inputs to config/calibrated"
     script:
         "../scripts/adopt_calibration.py"

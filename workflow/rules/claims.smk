@@ -1,12 +1,16 @@
 # The verdict on every statement of the paper, and what carries the agreement.
 
 CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
-CALIBRATED_SUM = digest([*CALIBRATED, settings["calibrated"]])
+DEFAULT = settings["calibrated"]
+CALIBRATED_TEXTS = [settings_text(path) for path in dict.fromkeys([DEFAULT, *CALIBRATED])]
 
 
 rule judge_claims:
     input:
-        templates=[project_file(f"src/thirdbody/study/claims.{kind}.j2") for kind in ("md", "html")],
+        templates=[
+            project_file(f"src/thirdbody/study/claims.{kind}.j2")
+            for kind in ("md", "html", "macros")
+        ],
     output:
         table="<results>/claims/claims.csv",
         text="<results>/claims/claims.md",
@@ -19,19 +23,18 @@ rule judge_claims:
         data="<results>/claims/claims.json",
     log:
         "<logs>/judge_claims.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        claims=configured("claims"),
-        default=settings["calibrated"],
+        *sources_of("judge_claims.py"),
+        *SOFTWARE,
+        *CALIBRATED_TEXTS,
+        settings_text(CLAIMS, list),
+        settings_text(INPUTS),
+        claims=CLAIMS,
+        default=DEFAULT,
         calibrated=CALIBRATED,
         settings=settings["calibration"],
         parameters=settings["uncalibrated"],
         laid_over=settings["inputs"],
-        calibrated_sum=CALIBRATED_SUM,
-        sources=sources_of("judge_claims.py", config=["claims", "inputs"]),
-    message:
-        "Evaluating every statement of the paper"
     script:
         "../scripts/judge_claims.py"
 
@@ -44,44 +47,12 @@ rule judge_departures:
         verdicts="<results>/extracted/departures/verdicts.json",
     log:
         "<logs>/judge_departures.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        claims=configured("claims"),
+        *sources_of("judge_departures.py"),
+        *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
         settings=settings["calibration"],
         parameters=settings["parameters"],
-        sources=sources_of("judge_departures.py", config=["claims"]),
-    message:
-        "Evaluating the statements with departures from the print taken back"
     script:
         "../scripts/judge_departures.py"
-
-
-# summary figures, and the data of each
-SUMMARIES = {
-    "claims": "<results>/claims/claims.csv",
-    "sensitivity": "<results>/tables/sensitivity.csv",
-}
-
-
-rule render_summary:
-    input:
-        data=lambda wildcards: SUMMARIES[wildcards.summary],
-        style=STYLE,
-    output:
-        **figure_files("{summary}", "Statements"),
-    log:
-        "<logs>/render_summary/{summary}.log",
-    wildcard_constraints:
-        summary="|".join(SUMMARIES),
-    priority: SMALL
-    conda:
-        "../envs/thirdbody.yaml"
-    params:
-        sources=lambda wildcards: sources_of(
-            "render_summary.py", f"thirdbody.figures.{wildcards.summary}"
-        ),
-    message:
-        "Drawing {wildcards.summary}"
-    script:
-        "../scripts/render_summary.py"

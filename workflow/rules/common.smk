@@ -1,5 +1,6 @@
-# Shared by the rules: the location of project files, and the modules that a script imports.
+# Shared by the rules: files of the project, and what a job depends on.
 import ast
+import json
 import sys
 from functools import cache
 from hashlib import sha256
@@ -9,10 +10,14 @@ import grimp
 
 import thirdbody
 from thirdbody.configuration import config_directory
+from thirdbody.configuration.plain_yaml import read_yaml
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
 HOME = config_directory().parent  # the repository, or the installed package
 LIBRARY = "src/thirdbody/"
+BESIDE = Path(workflow.basedir).parent / LIBRARY  # the library of this checkout
+if BESIDE.is_dir() and not BESIDE.samefile(PACKAGE):
+    sys.exit(f"the library is {PACKAGE}; allowed: that of this checkout, by PYTHONPATH=src")
 
 
 def project_file(name):
@@ -24,18 +29,11 @@ def project_file(name):
 
 # snakedeploy copies the configuration into the folder of the user's workflow
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
-
-
-def configured(name):
-    """A file of the configuration, as a parameter of a rule: its content is in ``sources``, so its date, which
-    may be in the future, does not matter."""
-    return f"{CONFIG}/{name}.yaml"
-
-
-IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
-# priority of small jobs that no long one waits for: they fill both cores at the end of a run
-SMALL = -1
+CLAIMS = f"{CONFIG}/claims.yaml"
+PAPER_TABLES = f"{CONFIG}/paper_tables.yaml"
+INPUTS = f"{CONFIG}/inputs.yaml"
 STYLE = project_file("src/thirdbody/figures/paper.mplstyle")
+IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
 
 
 def figure_files(figure, category):
@@ -45,14 +43,14 @@ def figure_files(figure, category):
     return files | {"png": report(files["png"], caption, category=category, labels=labels)}
 
 
-def sources_of(script, *modules, config=()):
-    """SHA-256 of ``modules``, of those that a script imports, of all their imports, and of files of the
-    configuration.
+def sources_of(script, *modules):
+    """A text for each file that a script runs: the script, ``modules``, those that it imports, all their
+    imports, and the data beside them.
 
-    As a parameter of a rule, it reruns the rule if any of them is edited.
+    As parameters of a rule, they rerun it after an edit, for the reason of which Snakemake names the file.
     """
-    named = set(modules)
-    for statement in ast.walk(ast.parse((HOME / "workflow/scripts" / script).read_bytes())):
+    file, named = HOME / "workflow/scripts" / script, set(modules)
+    for statement in ast.walk(ast.parse(file.read_bytes())):
         if isinstance(statement, ast.ImportFrom):
             named.add(statement.module)
             named |= {f"{statement.module}.{each.name}" for each in statement.names}
@@ -60,32 +58,33 @@ def sources_of(script, *modules, config=()):
     for name in list(used):
         used |= IMPORTS.find_upstream_modules(name)
     packages = {name.rpartition(".")[0] for name in used}
-    modules = [file for name in used | packages for file in module_files(name)]
-    return digest([*modules, *(f"{CONFIG}/{name}.yaml" for name in config)])
-
-
-def digest(files):
-    """SHA-256 of the content of all ``files`` together."""
-    return sha256("".join(sorted(map(file_sum, files))).encode()).hexdigest()
-
-
-@cache
-def file_sum(file):
-    try:
-        return sha256(Path(file).read_bytes()).hexdigest()
-    except OSError as error:
-        sys.exit(f"{file} cannot be read ({error.strerror})")
+    modules = [module_file for name in used | packages for module_file in module_files(name)]
+    return sorted(map(file_text, {file, *modules}))
 
 
 @cache
 def module_files(name):
-    """A module, and the data beside it under the same name."""
+    """A module, and the data beside it under the same name; templates are inputs of rules."""
     path = PACKAGE.parent.joinpath(*name.split("."))
-    return [*path.parent.glob(f"{path.name}.*")] or [path / "__init__.py"]
+    beside = path.parent.glob(f"{path.name}.*")
+    return [file for file in beside if file.suffix not in (".j2", ".html")] or [
+        path / "__init__.py"
+    ]
 
 
-def name_targets(wildcards):
-    """Refuse a target that nothing makes, in one line with the targets that there are."""
-    names = ", ".join(sorted(each.name for each in workflow.rules if not each.has_wildcards()))
-    files = f"{RESULTS}/figures/NAME.svg and others, NAME being {', '.join(DRAWN)}"
-    raise ValueError(f"target is {wildcards.target}; allowed: {names}; and {files}")
+@cache
+def file_text(file):
+    """The name of a file, and the first digits of its SHA-256."""
+    name = Path(file).relative_to(HOME) if Path(file).is_relative_to(HOME) else file
+    return f"{name} {sha256(Path(file).read_bytes()).hexdigest()[:8]}"
+
+
+@cache
+def settings_text(path, kind=dict):
+    """The name of a file of the configuration, and the first digits of the SHA-256 of its content, which a
+    comment does not change."""
+    try:
+        content = json.dumps(read_yaml(path, kind), default=str)
+    except ValueError as error:
+        sys.exit(str(error))
+    return f"{path} {sha256(content.encode()).hexdigest()[:8]}"

@@ -6,15 +6,11 @@ rule solve_scene:
         dataset="<results>/datasets/{scene}.nc",
     log:
         "<logs>/solve_scene/{scene}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("solve_scene.py"),
+        *SOFTWARE,
         scene=lookup(dpath="scenes/{scene}", within=settings),
         parameters=settings["parameters"],
-        software=settings["software"],
-        sources=sources_of("solve_scene.py"),
-    message:
-        "Solving {wildcards.scene}"
     script:
         "../scripts/solve_scene.py"
 
@@ -26,14 +22,11 @@ rule solve_ensemble:
         band="<results>/bands/{scene}.nc",
     log:
         "<logs>/solve_ensemble/{scene}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("solve_ensemble.py"),
+        *SOFTWARE,
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
-        sources=sources_of("solve_ensemble.py"),
-    message:
-        "Solving {wildcards.scene} for each member of the ensemble"
     script:
         "../scripts/solve_ensemble.py"
 
@@ -43,14 +36,10 @@ rule compute_schematic:
         sections="<results>/schematics/{schematic}.nc",
     log:
         "<logs>/compute_schematic/{schematic}.log",
-    priority: SMALL
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("compute_schematic.py"),
+        *SOFTWARE,
         panels=lookup(dpath="schematics/{schematic}", within=settings),
         parameters=settings["parameters"],
-        sources=sources_of("compute_schematic.py"),
-    message:
-        "Solving the sections of {wildcards.schematic}"
     script:
         "../scripts/compute_schematic.py"

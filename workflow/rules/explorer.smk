@@ -21,17 +21,15 @@ rule build_explorer:
         ),
     log:
         "<logs>/build_explorer.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        tables=configured("paper_tables"),
+        *sources_of("build_explorer.py"),
+        *CALIBRATED_TEXTS,
+        settings_text(INPUTS),
+        settings_text(PAPER_TABLES),
+        tables=PAPER_TABLES,
         parameters=settings["parameters"],
         calibration=settings["calibration"],
         ensemble=settings["ensemble"],
         calibrated=CALIBRATED,
-        calibrated_sum=CALIBRATED_SUM,
-        sources=sources_of("build_explorer.py", config=["inputs", "paper_tables"]),
-    message:
-        "Building the explorer"
     script:
         "../scripts/build_explorer.py"

@@ -1,4 +1,4 @@
-# Extraction: turning points and transitions of datasets, windows, and the printed numbers.
+# Extraction: turning points and transitions of datasets, windows, sensitivities, and the printed numbers.
 
 
 rule extract_curves:
@@ -9,13 +9,10 @@ rule extract_curves:
         transitions="<results>/extracted/transitions/{scene}.csv",
     log:
         "<logs>/extract_curves/{scene}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("extract_curves.py"),
+        *SOFTWARE,
         parameters=settings["parameters"],
-        sources=sources_of("extract_curves.py"),
-    message:
-        "Extracting turning points and transitions of {wildcards.scene}"
     script:
         "../scripts/extract_curves.py"
 
@@ -25,17 +22,30 @@ rule find_windows:
         windows="<results>/extracted/tpca_windows/all.csv",
     log:
         "<logs>/find_windows.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("find_windows.py"),
+        *SOFTWARE,
         windows=settings["windows"],
         load_axis=settings["load_axis"],
         parameters=settings["parameters"],
-        sources=sources_of("find_windows.py"),
-    message:
-        "Searching the x_a/sigma windows of the turning point"
     script:
         "../scripts/find_windows.py"
+
+
+# to the unprinted inputs, at the default
+rule compute_sensitivities:
+    output:
+        elasticities="<results>/extracted/sensitivity/all.csv",
+    log:
+        "<logs>/compute_sensitivities.log",
+    params:
+        *sources_of("compute_sensitivities.py"),
+        *SOFTWARE,
+        settings=settings["sensitivity"],
+        unpublished=[*settings["calibration"]["unknowns"], *settings["sensitivity"]["also"]],
+        parameters=settings["parameters"],
+    script:
+        "../scripts/compute_sensitivities.py"
 
 
 rule gather_printed:
@@ -43,13 +53,10 @@ rule gather_printed:
         table="<results>/extracted/printed/all.csv",
     log:
         "<logs>/gather_printed.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        claims=configured("claims"),
-        sources=sources_of("gather_printed.py", config=["claims"]),
-    message:
-        "Gathering the printed numbers of the paper"
+        *sources_of("gather_printed.py"),
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
     script:
         "../scripts/gather_printed.py"
 
@@ -60,34 +67,10 @@ rule recompute_paper_tables:
         table2="<results>/extracted/table2/all.csv",
     log:
         "<logs>/recompute_paper_tables.log",
-    priority: SMALL
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        printed=configured("paper_tables"),
+        *sources_of("recompute_paper_tables.py"),
+        settings_text(PAPER_TABLES),
+        printed=PAPER_TABLES,
         parameters=settings["parameters"],
-        sources=sources_of("recompute_paper_tables.py", config=["paper_tables"]),
-    message:
-        "Recomputing the tables of the paper"
     script:
         "../scripts/recompute_paper_tables.py"
-
-
-# sensitivity of the results to the unprinted inputs, at the default
-rule compute_sensitivities:
-    output:
-        elasticities="<results>/extracted/sensitivity/elasticities.csv",
-        indices="<results>/extracted/sensitivity/sobol_indices.csv",
-    log:
-        "<logs>/compute_sensitivities.log",
-    conda:
-        "../envs/thirdbody.yaml"
-    params:
-        settings=settings["sensitivity"],
-        unpublished=[*settings["calibration"]["unknowns"], *settings["sensitivity"]["also"]],
-        parameters=settings["parameters"],
-        sources=sources_of("compute_sensitivities.py"),
-    message:
-        "Computing the sensitivity to each unprinted input"
-    script:
-        "../scripts/compute_sensitivities.py"

@@ -1,8 +1,6 @@
 # The index page, the checksums of all products, and the last line of a run.
-import json
 import logging
 import os
-import time
 from importlib.metadata import version
 
 # on a full disk, lines that do not fit into Snakemake's log are dropped
@@ -12,27 +10,6 @@ logging.raiseExceptions = False
 for folder in [RESULTS, LOGS]:
     if Path(folder).is_dir() and not os.access(folder, os.W_OK):
         sys.exit(f"{folder} is read-only; allowed: a writable folder")
-
-AHEAD = 300.0  # [s] by which clocks of a cluster may differ
-INPUTS = (path for path in PACKAGE.rglob("*") if path.suffix != ".py")
-for path in [*Path(RESULTS).rglob("*"), *INPUTS]:
-    # Snakemake fails each job that reads such a file, and removes its products
-    if path.is_file() and path.stat().st_mtime > time.time() + AHEAD:
-        date = time.ctime(path.stat().st_mtime)
-        sys.exit(f"{path} is dated {date}; allowed: no date in the future (touch gives it today's)")
-
-
-# intermediate files
-INTERMEDIATE = [
-    *expand("<results>/schematics/{figure}.nc", figure=SCHEMATICS),
-    *expand(
-        "<results>/extracted/{kind}/{figure}.csv", kind=["tpca_loads", "transitions"], figure=SCENES
-    ),
-    *expand(
-        "<results>/extracted/{kind}/all.csv", kind=["tpca_windows", "printed", "table1", "table2"]
-    ),
-    *expand("<results>/extracted/sensitivity/{kind}.csv", kind=["elasticities", "sobol_indices"]),
-]
 
 
 rule write_index:
@@ -50,45 +27,36 @@ rule write_index:
         captions="<results>/captions.md",
     log:
         "<logs>/write_index.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("write_index.py"),
         titles={figure: settings["scenes"][figure]["title"] for figure in SCENES},
         version=version("thirdbody"),
-        sources=sources_of("write_index.py"),
-    message:
-        "Writing the index page"
     script:
         "../scripts/write_index.py"
 
 
+# all but the sums themselves
+SUMMED = [file for file in rules.all.input if not file.endswith("SHA256SUMS")]
+# of these, what a release holds
+PRODUCTS = [
+    file
+    for file in SUMMED
+    if Path(file).parent.name in ("datasets", "bands", "figures", "tables", "claims", "explorer")
+]
+
+
 rule write_sums:
     input:
-        INTERMEDIATE,
-        PRODUCTS,
-        rules.write_index.output,
+        SUMMED,
     output:
         sums="<results>/SHA256SUMS",
     log:
         "<logs>/write_sums.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("write_sums.py"),
         folder=lambda wildcards, output: Path(output.sums).parent,
-    message:
-        "Writing the checksums of all products"
     script:
         "../scripts/write_sums.py"
-
-
-onstart:
-    # before any work, but not whenever rules are read: it takes longer than all other settings
-    from thirdbody.study.claims import load_claims
-
-    try:
-        load_claims(configured("claims"))
-    except ValueError as error:
-        sys.exit(str(error))
 
 
 onsuccess:

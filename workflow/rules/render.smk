@@ -1,13 +1,9 @@
-# Rendering: figures with their data, and tables in five formats.  Nothing is solved here.
+# Rendering: figures with their data, and tables to read.  Nothing is solved here.
 
-TABLE_PARTS = {
-    "tpca_loads": SCENES,
-    "transitions": SCENES,
-    "sensitivity": ["elasticities", "sobol_indices"],
-}
-BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
 PRINTED = "<results>/extracted/printed/all.csv"  # the numbers of the paper
 WINDOWS = "<results>/extracted/tpca_windows/all.csv"
+OF_SCENES = ["tpca_loads", "transitions"]  # tables that gather a part of each figure
+BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
 
 
 rule render_figure:
@@ -23,12 +19,8 @@ rule render_figure:
         wide="<results>/figures/{scene}_wide.csv",
     log:
         "<logs>/render_figure/{scene}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     params:
-        sources=sources_of("render_figure.py"),
-    message:
-        "Drawing {wildcards.scene}"
+        *sources_of("render_figure.py"),
     script:
         "../scripts/render_figure.py"
 
@@ -41,16 +33,39 @@ rule render_schematic:
         **figure_files("{schematic}", "Figures"),
     log:
         "<logs>/render_schematic/{schematic}.log",
-    priority: SMALL
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("render_schematic.py"),
         parameters=settings["parameters"],
-        sources=sources_of("render_schematic.py"),
-    message:
-        "Drawing {wildcards.schematic}"
     script:
         "../scripts/render_schematic.py"
+
+
+rule render_claims:
+    input:
+        data="<results>/claims/claims.csv",
+        style=STYLE,
+    output:
+        **figure_files("claims", "Statements"),
+    log:
+        "<logs>/render_claims.log",
+    params:
+        *sources_of("render_claims.py"),
+    script:
+        "../scripts/render_claims.py"
+
+
+rule render_sensitivity:
+    input:
+        data="<results>/tables/sensitivity.csv",
+        style=STYLE,
+    output:
+        **figure_files("sensitivity", "Statements"),
+    log:
+        "<logs>/render_sensitivity.log",
+    params:
+        *sources_of("render_sensitivity.py"),
+    script:
+        "../scripts/render_sensitivity.py"
 
 
 rule write_table:
@@ -58,11 +73,13 @@ rule write_table:
         parts=lambda wildcards: expand(
             "<results>/extracted/{table}/{part}.csv",
             table=wildcards.table,
-            part=TABLE_PARTS.get(wildcards.table, "all"),
+            part=SCENES if wildcards.table in OF_SCENES else "all",
         ),
         printed=lambda wildcards: PRINTED if wildcards.table in BESIDE_PRINTED else [],
+        template=project_file("src/thirdbody/readable.html"),
     output:
-        multiext("<results>/tables/{table}", csv=".csv", json=".json", md=".md", tex=".tex"),
+        csv="<results>/tables/{table}.csv",
+        tex="<results>/tables/{table}.tex",
         html=report(
             "<results>/tables/{table}.html",
             caption="../report/product.rst",
@@ -73,14 +90,9 @@ rule write_table:
         "<logs>/write_table/{table}.log",
     wildcard_constraints:
         table="|".join([*TABLES, *CHARTS]),
-    priority: SMALL
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("write_table.py"),
         parameters=settings["parameters"],
-        sources=sources_of("write_table.py"),
-    message:
-        "Writing table {wildcards.table}"
     script:
         "../scripts/write_table.py"
 
@@ -90,12 +102,12 @@ use rule write_table as write_scene_table with:
     input:
         parts=["<results>/extracted/{table}/{scene}.csv"],
         printed=[],
+        template=project_file("src/thirdbody/readable.html"),
     output:
-        multiext("<results>/tables/{scene}_{table}", csv=".csv", json=".json", md=".md", tex=".tex"),
+        csv="<results>/tables/{scene}_{table}.csv",
+        tex="<results>/tables/{scene}_{table}.tex",
         html="<results>/tables/{scene}_{table}.html",
     log:
         "<logs>/write_scene_table/{scene}_{table}.log",
     wildcard_constraints:
-        table="tpca_loads|transitions",
-    message:
-        "Writing table {wildcards.table} of {wildcards.scene}"
+        table="|".join(OF_SCENES),

@@ -12,17 +12,15 @@ rule scatter_inputs:
         scattered="<results>/calibration/{interpretation}/scattered.csv",
     log:
         "<logs>/scatter_inputs/{interpretation}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     resources:
         runtime=30,
     params:
-        claims=configured("claims"),
+        *sources_of("scatter_inputs.py"),
+        *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
-        sources=sources_of("scatter_inputs.py", config=["claims"]),
-    message:
-        "Evaluating scattered inputs of {wildcards.interpretation}"
     script:
         "../scripts/scatter_inputs.py"
 
@@ -34,19 +32,17 @@ rule search_inputs:
         evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
     log:
         "<logs>/search_inputs/{interpretation}_{seed}.log",
-    conda:
-        "../envs/thirdbody.yaml"
     resources:
         runtime=30,
     params:
-        claims=configured("claims"),
+        *sources_of("search_inputs.py"),
+        *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
-        sources=sources_of("search_inputs.py", config=["claims"]),
-    message:
-        "Searching the inputs of {wildcards.interpretation} from seed {wildcards.seed}"
     script:
         "../scripts/search_inputs.py"
 
@@ -57,14 +53,8 @@ use rule search_inputs as search_fold with:
     log:
         "<logs>/search_fold/{interpretation}_{fold}.log",
     params:
-        settings=settings_of,
-        parameters=settings["uncalibrated"],
         seeds=SEEDS,
-        claims=configured("claims"),
         fold=lambda wildcards: int(wildcards.fold),
-        sources=sources_of("search_inputs.py", config=["claims"]),
-    message:
-        "Searching the inputs of {wildcards.interpretation} without the figures of fold {wildcards.fold}"
 
 
 checkpoint shortlist:
@@ -79,13 +69,9 @@ checkpoint shortlist:
     log:
         "<logs>/shortlist.log",
     localrule: True
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("choose_shortlist.py"),
         within=CALIBRATION["shortlist"]["within"],
         most=CALIBRATION["shortlist"]["most"],
-        sources=sources_of("choose_shortlist.py"),
-    message:
-        "Choosing the interpretations that are searched from all seeds and cross-validated"
     script:
         "../scripts/choose_shortlist.py"

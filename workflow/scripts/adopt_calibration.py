@@ -7,13 +7,12 @@ import pandas as pd
 import yaml
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import atomic_write
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 
 PLACE = Path("config/calibrated")
 HEADER = "# Calibrated inputs of one interpretation, made by `snakemake -c2 calibrate`; not edited by hand.\n"
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     PLACE.mkdir(parents=True, exist_ok=True)
     default = json.loads(Path(snakemake.input.chosen).read_text(encoding="utf-8"))
     ranking = pd.read_csv(snakemake.input.ranking)["interpretation"]
@@ -27,10 +26,9 @@ with logged(snakemake.log[0]):
             continue
         if content["interpretation"] == default["interpretation"]:
             content |= default
-        with atomic_write(PLACE / source.name) as part, open(part, "w", encoding="utf-8") as stream:
+        with open(PLACE / source.name, "w", encoding="utf-8") as stream:
             stream.write(HEADER)
             yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
     line = f"{PLACE / default['interpretation']}.yaml is the default by the rule"
-    with atomic_write(snakemake.output.adopted) as part:
-        part.write_text(line + "\n", encoding="utf-8")
+    output.adopted.write_text(line + "\n", encoding="utf-8")
     print(f"{line}: set it as calibrated in config/config.yaml")

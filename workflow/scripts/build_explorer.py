@@ -8,11 +8,10 @@ from thirdbody.answers.bearing import BODIES, MATERIALS, USUAL_BEARING, USUAL_DE
 from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.parameters import Parameters
-from thirdbody.data.files import atomic_write
 from thirdbody.explorer.page import page_content, page_text
 from thirdbody.figures.captions import read_caption
 from thirdbody.figures.curves import CURVE_FIGURES
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.measured.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
 
 
@@ -45,8 +44,8 @@ def rig_content(parameters):
     }
 
 
-with logged(snakemake.log[0]):
-    page, parameters = snakemake.output.page, snakemake.params.parameters
+with job(snakemake) as output:
+    parameters = snakemake.params.parameters
     settings = snakemake.params.calibration
     unknowns = settings["unknowns"]
     entries = read_entries()
@@ -76,6 +75,5 @@ with logged(snakemake.log[0]):
         {row["symbol"]: row["printed"] for row in read_yaml(snakemake.params.tables)["table2"]},
         rig_content(Parameters(**parameters)),
     )
-    with atomic_write(page) as part:
-        part.write_text(page_text(content), encoding="utf-8")
-    print(f"{page}: {Path(page).stat().st_size} bytes")
+    output.page.write_text(page_text(content), encoding="utf-8")
+    print(f"{output.page.stat().st_size} bytes")

@@ -3,10 +3,9 @@
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.data.conditions import Condition
-from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.figures.sections import sections, state_of
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 
 
 def solved_state(conditions, parameters):
@@ -17,11 +16,10 @@ def solved_state(conditions, parameters):
     return state_of(condition, conditions["load_N"], solved)
 
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     figure = snakemake.wildcards.schematic
     inputs = Parameters(**snakemake.params.parameters)
     states = [solved_state(conditions, inputs) for conditions in snakemake.params.panels]
     computed = sections(figure, states, inputs)
-    with atomic_write(snakemake.output.sections) as part:
-        write_dataset(computed, part)
+    write_dataset(computed, output.sections)
     print(f"{figure}: {len(states)} sections")

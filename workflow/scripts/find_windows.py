@@ -4,12 +4,11 @@ import numpy as np
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.windows import WindowSearch, turning_point_windows
-from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.variables import AXES
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     search = snakemake.params.windows
     inputs = Parameters(**snakemake.params.parameters)
     ratios = np.linspace(*search["particle_diameter_per_roughness"], search["count"])
@@ -25,5 +24,4 @@ with logged(snakemake.log[0]):
             ("high", window.high, window.high_error),
         ):
             rows.append(same | {"end": end, "diameter_over_roughness": value, "error": error})
-    with atomic_write(snakemake.output.windows) as part:
-        write_csv(part, rows, TABLES["tpca_windows"])
+    write_csv(output.windows, rows, TABLES["tpca_windows"])

@@ -1,14 +1,13 @@
 """The verdict on every statement of the paper, as a table, as pages and as data."""
 
 from thirdbody.configuration.inputs import ensemble_of, read_calibrated, read_entries
-from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.study.claims import load_claims
 from thirdbody.study.judge import Judge
 from thirdbody.study.verdicts import Report, claims_html, claims_json, claims_markdown
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     default = snakemake.params.default
     calibrated = snakemake.params.calibrated
     settings = snakemake.params.settings
@@ -27,10 +26,7 @@ with logged(snakemake.log[0]):
         if found[path]["interpretation"] in settings["interpretations"]
     ]
     report = Report.of(judge, main, compared, settings)
-    contents = claims_markdown(report), claims_html(report), claims_json(report)
-    with atomic_write(
-        snakemake.output.table, snakemake.output.text, snakemake.output.page, snakemake.output.data
-    ) as (table_part, *parts):
-        write_csv(table_part, report.table.to_dict("records"), TABLES["claims"])
-        for part, content in zip(parts, contents, strict=True):
-            part.write_text(content, encoding="utf-8")
+    write_csv(output.table, report.table.to_dict("records"), TABLES["claims"])
+    output.text.write_text(claims_markdown(report), encoding="utf-8")
+    output.page.write_text(claims_html(report), encoding="utf-8")
+    output.data.write_text(claims_json(report), encoding="utf-8")

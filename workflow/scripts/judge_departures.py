@@ -2,29 +2,24 @@
 
 import json
 
-from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.study.choice import printed_numbers
 from thirdbody.study.claims import load_claims
 from thirdbody.study.departures import departure_rows, departure_verdicts, departure_words
 from thirdbody.study.judge import Judge
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     settings, parameters = snakemake.params.settings, snakemake.params.parameters
     claims = load_claims(snakemake.params.claims)
     judge = Judge(claims, parameters, settings["newtons"])
     default, taken_back = judge({}), departure_verdicts(judge, settings)
     deviations = printed_numbers(claims, default, settings["headline"])
-    tables = {
-        "deviations": deviations.to_dict("records"),
-        "departures": departure_rows(judge, settings, default, taken_back),
-    }
+    departures = departure_rows(judge, settings, default, taken_back)
+    write_csv(output.deviations, deviations.to_dict("records"), TABLES["deviations"])
+    write_csv(output.departures, departures, TABLES["departures"])
     words = departure_words(judge, settings, taken_back)
-    with atomic_write(*snakemake.output) as (*parts, verdicts):
-        for part, (name, rows) in zip(parts, tables.items(), strict=True):
-            write_csv(part, rows, TABLES[name])
-        verdicts.write_text(json.dumps(words, indent=1) + "\n", encoding="utf-8")
+    output.verdicts.write_text(json.dumps(words, indent=1) + "\n", encoding="utf-8")
     sizes = deviations["deviation"].abs()
     print(
         f"deviation of {len(sizes)} printed numbers: median {sizes.median():.2%}, mean {sizes.mean():.2%}"

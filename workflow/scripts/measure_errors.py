@@ -6,20 +6,18 @@ from benchmarks.accuracy import error_rows
 from benchmarks.baselines import load_plain_model
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import read_rows
-from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     rtols = snakemake.params.rtol
     rows = error_rows(
         read_rows(snakemake.input.points), rtols, load_plain_model(snakemake.input.plain)
     )
     golden = read_rows(snakemake.input.extremes)
     judged = [row for rtol in rtols for row in judge_extremes(golden, rtol)]
-    with atomic_write(snakemake.output.errors, snakemake.output.verdicts) as parts:
-        write_csv(parts[0], rows, TABLES["errors"])
-        write_csv(parts[1], judged, TABLES["extremes"])
+    write_csv(output.errors, rows, TABLES["errors"])
+    write_csv(output.verdicts, judged, TABLES["extremes"])
     library = [row for row in rows if row["method"].startswith("library")]
     worst = max(row["largest_error"] / row["rtol"] for row in library)
     print(f"largest error of the library over the error asked for: {worst:.3g}")

@@ -4,16 +4,15 @@ import json
 
 import matplotlib.style
 
-from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption
 from thirdbody.figures.curves import curve_figure
 from thirdbody.figures.drawing import save, write_wide
 from thirdbody.figures.marks import read_turning_points
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     figure = snakemake.wildcards.scene
     windows = snakemake.input.windows
     ensemble_range = snakemake.input.band
@@ -31,9 +30,8 @@ with logged(snakemake.log[0]):
         drawing = curve_figure(figure, data).plot(data, points, ranges, numbers, ends)
         save(
             drawing,
-            snakemake.output.png.removesuffix(".png"),
+            output.png.with_suffix(""),
             caption(figure, drawing.panels, data.attrs["title"], notes),
         )
-    with atomic_write(snakemake.output.wide) as part:
-        write_wide(drawing.panels, part)
+    write_wide(drawing.panels, output.wide)
     print(f"{figure}: drawn")

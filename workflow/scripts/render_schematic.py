@@ -9,9 +9,9 @@ from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import VARIABLES, condition_of, panels_of
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     figure = snakemake.wildcards.schematic
     sections = read_plain(snakemake.input.sections, VARIABLES)
     inputs = Parameters(**snakemake.params.parameters)
@@ -21,7 +21,7 @@ with logged(snakemake.log[0]):
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         save(
             SCHEMATICS[figure](sections),
-            snakemake.output.png.removesuffix(".png"),
+            output.png.with_suffix(""),
             caption(figure, notes=notes),
         )
     print(f"{figure}: drawn")

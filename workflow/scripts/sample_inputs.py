@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.study.calibration import Interpretation, Objective, read_rows, write_rows
 from thirdbody.study.claims import load_claims
 from thirdbody.study.search import posterior_sample
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     settings, seed = snakemake.params.settings, int(snakemake.wildcards.seed)
     base = snakemake.params.parameters
     objective = Objective.of(load_claims(snakemake.params.claims), settings, base)
     found = np.vstack([read_rows(path) for path in snakemake.input.evaluations])
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     drawn = posterior_sample(interpretation, objective, found, settings["budget"], seed)
-    write_rows(snakemake.output.samples, drawn)
+    write_rows(output.samples, drawn)

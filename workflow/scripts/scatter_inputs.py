@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.study.calibration import Interpretation, Objective, write_rows
 from thirdbody.study.claims import load_claims
 from thirdbody.study.search import scatter
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     settings = snakemake.params.settings
     objective = Objective.of(
         load_claims(snakemake.params.claims), settings, snakemake.params.parameters
@@ -15,4 +15,4 @@ with logged(snakemake.log[0]):
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     places = scatter(interpretation, settings["budget"])
     scores = [objective.scores(interpretation, interpretation.values(place)) for place in places]
-    write_rows(snakemake.output.scattered, np.column_stack([places, scores]))
+    write_rows(output.scattered, np.column_stack([places, scores]))

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.study.calibration import Interpretation, Objective, make_folds, read_rows, write_rows
 from thirdbody.study.claims import load_claims
 from thirdbody.study.search import find_inputs, nearby_starts, scattered_starts
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     fold, settings = snakemake.params.fold, snakemake.params.settings
     seeds, budget = snakemake.params.seeds, settings["budget"]
     statements = load_claims(snakemake.params.claims)
@@ -26,4 +26,4 @@ with logged(snakemake.log[0]):
         starts = scattered_starts(objective, every, rows, settings, seeds)
         hops = budget["hops"]
     found = find_inputs(interpretation, objective, starts, budget, hops, seeds[0])
-    write_rows(snakemake.output.evaluations, found)
+    write_rows(output.evaluations, found)

@@ -2,12 +2,11 @@
 
 import yaml
 
-from thirdbody.data.files import atomic_write
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.study.calibration import Interpretation, read_rows
 from thirdbody.study.results import summary
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     settings = snakemake.params.settings
     content = summary(
         Interpretation.of(snakemake.wildcards.interpretation, settings),
@@ -16,8 +15,5 @@ with logged(snakemake.log[0]):
         [read_rows(path) for path in snakemake.input.folds],
         settings,
     )
-    with (
-        atomic_write(snakemake.output.calibrated) as part,
-        open(part, "w", encoding="utf-8") as stream,
-    ):
+    with open(output.calibrated, "w", encoding="utf-8") as stream:
         yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)

@@ -7,9 +7,8 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
-from thirdbody.data.files import atomic_write
 from thirdbody.figures.captions import WORDS, read_caption
-from thirdbody.job_log import logged
+from thirdbody.job_log import job
 from thirdbody.places import part_of_paper
 from thirdbody.typeset import html
 
@@ -43,7 +42,7 @@ def figure_entry(caption, picture, statements, scenes):
     }
 
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     judged = json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8"))
     templates = Path(snakemake.input.page_template), Path(snakemake.input.captions_template)
     environment = jinja2.Environment(
@@ -70,7 +69,6 @@ with logged(snakemake.log[0]):
         "judged": judged["judged"],
         "version": snakemake.params.version,
     }
-    with atomic_write(snakemake.output.page, snakemake.output.captions) as parts:
-        for part, template in zip(parts, templates, strict=True):
-            text = environment.get_template(template.name).render(content)
-            part.write_text(text, encoding="utf-8")
+    for path, template in zip((output.page, output.captions), templates, strict=True):
+        text = environment.get_template(template.name).render(content)
+        path.write_text(text, encoding="utf-8")

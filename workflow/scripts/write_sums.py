@@ -1,10 +1,9 @@
 """Checksums of all products."""
 
-from thirdbody.data.files import atomic_write, sums_text
-from thirdbody.job_log import logged
+from thirdbody.data.files import sums_text
+from thirdbody.job_log import job
 
-with logged(snakemake.log[0]):
+with job(snakemake) as output:
     text = sums_text(snakemake.input, snakemake.params.folder)
-    with atomic_write(snakemake.output.sums) as part:
-        part.write_text(text, encoding="utf-8")
+    output.sums.write_text(text, encoding="utf-8")
     print(f"{len(snakemake.input)} products")

@@ -14,7 +14,6 @@ import numpy as np
 import xarray as xr
 
 from thirdbody.atlas.surfaces import QUANTILES, solve_surface
-from thirdbody.configuration.rules import axis_values
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.core.state import type_of
@@ -33,6 +32,13 @@ COMMENT = (
     "differs from the default in each member, by the names of config/inputs.yaml, SI. A probability is "
     "the fraction of the members; a _range has quantiles of those members that have a value."
 )
+
+
+def axis_values(axis: Mapping) -> list[float]:
+    """The values [unit of the key] of an axis of ``config/atlas.yaml``, increasing, to twelve digits."""
+    space = np.geomspace if axis["scale"] == "logarithmic" else np.linspace
+    spaced = space(axis["from"], axis["to"], axis["count"])
+    return sorted({float(f"{value:.12g}") for value in (*spaced, *axis["also"])})
 
 
 def atlas_axes(configured: Mapping[str, Mapping]) -> Axes:

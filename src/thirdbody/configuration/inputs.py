@@ -22,6 +22,13 @@ from thirdbody.messages import format_path
 Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
 CLOSED = {"type": "object", "additionalProperties": False}  # in a JSON Schema
+CALIBRATED_FILE = {
+    "required": ["interpretation", "inputs", "ensemble"],
+    "properties": {
+        "inputs": {"$ref": "input_values"},
+        "ensemble": {"type": "array", "minItems": 1, "items": {"$ref": "input_values"}},
+    },
+}
 
 
 def load_parameters(path: str | Path | None = None, **inputs: float | bool | str) -> Parameters:
@@ -222,8 +229,10 @@ def check_ball(values: Values, place: str) -> None:
 
 def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
     """The content of a file of ``config/calibrated/``; ``ValueError`` in one line."""
+    content = read_yaml(path)
     values = values_schema(entries or read_entries())
-    return schema.read_valid(path, "calibrated", input_values=values)
+    schema.validate(content, CALIBRATED_FILE, format_path(path), input_values=values)
+    return content
 
 
 def values_schema(entries: Entries) -> dict:

@@ -1,4 +1,4 @@
-"""Reading plain YAML: no Python tags, no duplicate keys."""
+"""Reading plain YAML: no Python tags, no duplicate keys, and no more than a person would write."""
 
 import re
 from pathlib import Path
@@ -9,6 +9,9 @@ import yaml
 from thirdbody.messages import format_path, format_value
 
 KINDS = {dict: "keys with values", list: "a list"}
+LARGEST = 1_000_000  # bytes of a file
+DEEPEST = 20  # lists and mappings in one another
+MOST_VALUES = 100_000  # with what aliases repeat
 OTHER_BASES = re.compile(r"[-+]?(0[0-9xb_]|.*:)")
 
 
@@ -44,7 +47,9 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     ``ValueError`` in one line with the file, the line in it, and the error."""
     name = format_path(path)
     try:
-        text = Path(path).read_bytes().decode("utf-8")
+        with open(path, "rb") as file:
+            read = file.read(LARGEST + 1)
+        text = read.decode("utf-8")
     except OSError as error:
         raise ValueError(f"{name}: {error.strerror}; allowed: a readable YAML file") from None
     except UnicodeDecodeError as error:
@@ -53,7 +58,10 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
         raise ValueError(
             f"{format_value(path)} is not a path; allowed: the path of a YAML file"
         ) from None
+    if len(read) > LARGEST:
+        raise ValueError(f"{name}: has more than {LARGEST} bytes; allowed: smaller files")
     try:
+        _check_size(text)
         content = yaml.load(text, _KeysOnce)
     except (yaml.YAMLError, ValueError) as error:
         mark = getattr(error, "problem_mark", None)
@@ -65,5 +73,33 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     return content
 
 
-def _fault(place: yaml.Node, problem: str) -> yaml.MarkedYAMLError:
+def _check_size(text: str) -> None:
+    """Refuse what is nested too deeply, or holds too many values once its aliases are replaced."""
+    open_sizes = [0]  # values in the document, and in each list or mapping that is not closed
+    anchors = []  # of these lists and mappings
+    sizes = {}  # values of what an anchor names
+    for event in yaml.parse(text, yaml.CSafeLoader):
+        if isinstance(event, yaml.CollectionStartEvent):
+            open_sizes.append(1)
+            anchors.append(event.anchor)
+            if len(anchors) > DEEPEST:
+                raise _fault(event, f"nested more than {DEEPEST} levels deep")
+            continue
+        if isinstance(event, yaml.CollectionEndEvent):
+            size = open_sizes.pop()
+            sizes[anchors.pop()] = size
+        elif isinstance(event, yaml.AliasEvent):
+            if event.anchor in anchors:
+                raise _fault(event, f"alias *{event.anchor} in what it names")
+            size = sizes.get(event.anchor, 1)
+        elif isinstance(event, yaml.ScalarEvent):
+            size = 1
+        else:
+            continue
+        open_sizes[-1] += size
+        if open_sizes[-1] > MOST_VALUES:
+            raise _fault(event, f"more than {MOST_VALUES} values, with what aliases repeat")
+
+
+def _fault(place: yaml.Node | yaml.Event, problem: str) -> yaml.MarkedYAMLError:
     return yaml.MarkedYAMLError(problem=problem, problem_mark=place.start_mark)

@@ -2,15 +2,23 @@
 
 from collections.abc import Mapping
 from importlib.metadata import version
+from itertools import chain
+from math import prod
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import read_schema, read_valid, validate
+from thirdbody.configuration.schema import read_schema, validate
 from thirdbody.core.parameters import Parameters
 from thirdbody.messages import format_value
 
+RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
+MOST_POINTS = (
+    3_000_000  # of a scene; while they are solved they take about as many bytes as a job may
+)
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
 
@@ -51,13 +59,12 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
     Each scene has its load axis and ``rtol``, so that it depends on nothing else; ``uncalibrated``
     are the values of the inputs that no search finds, SI, ``software`` the versions of what
-    computes; see ``choose_inputs`` for the other inputs.
+    can change a number; see ``choose_inputs`` for the other inputs.
     """
     folder = Path(folder)
     entries = read_entries(folder)
     values = values_schema(entries)
     validate(config, read_schema("config"), "configuration", input_values=values)
-    read_valid(folder / "paper_tables.yaml", "paper_tables")
 
     def found(path):
         """A file ``config/...``: in the current folder, otherwise beside the configuration."""
@@ -66,20 +73,55 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     given = config["inputs"]
     laid_over = found(given) if isinstance(given, str) else given
     chosen = choose_inputs(entries, found(config["calibrated"]), laid_over)
+    shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
+    scenes = {name: shared | scene for name, scene in config["scenes"].items()}
+    for name, scene in scenes.items():
+        _check_size(name, scene)
     try:
-        Parameters(**chosen["parameters"]).check_particles()
+        _check_surfaces(config, chosen)
     except ValueError as error:
         place = laid_over if isinstance(laid_over, str) else "inputs"
         raise ValueError(f"{place}: {error}") from None
-    shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,
         **chosen,
-        "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
-        "calibration": read_valid(folder / "calibration.yaml", "calibration", input_values=values),
-        "sensitivity": read_valid(folder / "sensitivity.yaml", "sensitivity"),
+        "scenes": scenes,
+        "calibration": read_yaml(folder / "calibration.yaml"),
+        "sensitivity": read_yaml(folder / "sensitivity.yaml"),
         "uncalibrated": plain_values(entries),
-        "accuracy": read_valid(found(config["accuracy"]), "accuracy"),
-        "atlas": read_valid(found(config["atlas"]), "atlas"),
-        "software": {name: version(name) for name in SOFTWARE},
+        "accuracy": read_yaml(found(config["accuracy"])),
+        "atlas": read_yaml(found(config["atlas"])),
+        "software": [f"{name} {version(name)}" for name in SOFTWARE],
     }
+
+
+def _check_size(name: str, scene: Mapping) -> None:
+    """Raise ``ValueError`` for a scene too large to be solved: its dataset has every combination of
+    all values of its curves."""
+    curves = scene["curves"]
+    relative = [group for group in curves if RELATIVE_DIAMETER in group]
+    diameters = sum(
+        len(group[RELATIVE_DIAMETER]) * len(group["roughness_nm"]) for group in relative
+    )
+    diameters += len({value for group in curves for value in group.get("particle_diameter_nm", [])})
+    others = (
+        len({value for group in curves for value in group[key]})
+        for key in ("viscosity_cSt", "roughness_nm", "particle_density_per_m2")
+    )
+    points = scene["load_axis"]["count"] * diameters * prod(others)
+    if points > MOST_POINTS:
+        raise ValueError(
+            f"scenes.{name}: the curves and loads have {points:.3g} combinations; allowed: at most {MOST_POINTS:.3g}"
+        )
+
+
+def _check_surfaces(config: Mapping, chosen: Mapping) -> None:
+    """Raise ``ValueError`` for inputs that are not of hard particles, or that have no surface of one of
+    the roughnesses that are solved."""
+    groups = [group for scene in config["scenes"].values() for group in scene["curves"]]
+    solved = [*groups, config["windows"], *chain.from_iterable(config["schematics"].values())]
+    roughness = np.unique(np.hstack([group["roughness_nm"] for group in solved]))
+    for member in [{}, *(chosen["ensemble"] if config["bands"] else [])]:
+        parameters = Parameters(**chosen["parameters"] | member)
+        parameters.check_particles()
+        parameters.surface(1e-9 * roughness)

@@ -13,14 +13,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import NO_FLAG
 from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT
-from thirdbody.variables import (
-    AXES,
-    DIMENSIONS,
-    NORMAL_LOAD,
-    NUMBERS,
-    STATUS,
-    VARIABLES,
-)
+from thirdbody.variables import AXES, DIMENSIONS, NORMAL_LOAD, NUMBERS, STATUS, VARIABLES
 from thirdbody.variables import Variable as Described
 
 # Attributes of a dataset in their order; null if they depend on its content.  The dates are those

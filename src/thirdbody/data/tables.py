@@ -1,7 +1,6 @@
 """Tidy tables as CSV and Table Schema; ``tables.csv`` describes their columns."""
 
 import csv
-import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from operator import attrgetter
@@ -81,8 +80,3 @@ def table_schema(columns: Sequence[Column]) -> dict[str, Any]:
         for column in columns
     ]
     return {"fields": fields, "missingValues": [""]}
-
-
-def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
-    """Write the Table Schema of ``columns`` as JSON."""
-    Path(path).write_text(json.dumps(table_schema(columns), indent=2) + "\n", encoding="utf-8")

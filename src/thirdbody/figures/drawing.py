@@ -66,19 +66,18 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
 
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
     """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as .csv, and
-    the caption as .md; ``OSError`` if the disk is full or not writable."""
+    the caption as .md."""
     drawing.get_layout_engine().execute(drawing)
     drawing.set_layout_engine(None)  # once for all formats
     rows = [
         row for panel in drawing.panels for each in panel.series for row in _points(panel, each)
     ]
-    with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
-        for image, (kind, options) in zip(images, FORMATS.items(), strict=True):
-            title = {"Title": caption.alternative} if kind == "svg" else {}
-            options = options | {"metadata": options["metadata"] | title}
-            drawing.savefig(image, format=kind, **options)
-        write_csv(data, rows, DRAWN_POINTS)
-        Path(text).write_text(caption.markdown(), encoding="utf-8")
+    for kind, options in FORMATS.items():
+        title = {"Title": caption.alternative} if kind == "svg" else {}
+        options = options | {"metadata": options["metadata"] | title}
+        drawing.savefig(f"{stem}.{kind}", format=kind, **options)
+    write_csv(f"{stem}.csv", rows, DRAWN_POINTS)
+    Path(f"{stem}.md").write_text(caption.markdown(), encoding="utf-8")
 
 
 def _points(panel: Panel, series: Series) -> Iterator[dict]:

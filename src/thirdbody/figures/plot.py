@@ -20,6 +20,7 @@ from thirdbody.conditions import axis_of, checked_variables
 from thirdbody.data.attributes import GIVEN_AS
 from thirdbody.data.files import DamagedFile, readable_file
 from thirdbody.data.netcdf import OF_THE_FILE, read_plain
+from thirdbody.explorer.page import CURVE
 from thirdbody.figures.curves import (
     BLUE,
     CURVE_FIGURES,
@@ -29,8 +30,9 @@ from thirdbody.figures.curves import (
     level_styles,
     range_series,
 )
-from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
+from thirdbody.figures.drawing import STYLE, Drawing
 from thirdbody.figures.marks import read_turning_points
+from thirdbody.figures.panels import Panel, Series
 from thirdbody.figures.scales import SCALES, note
 from thirdbody.messages import format_value
 from thirdbody.variables import CONDITION_AXES, DIMENSIONS, NORMAL_LOAD, STATUS

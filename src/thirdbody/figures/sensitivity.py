@@ -1,4 +1,4 @@
-"""Sensitivity to each unprinted input: heat maps of elasticities and total Sobol indices."""
+"""Sensitivity to each unprinted input: a heat map of elasticities."""
 
 import textwrap
 from collections.abc import Mapping, Sequence
@@ -9,42 +9,39 @@ from matplotlib.collections import QuadMesh
 
 from thirdbody.figures.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.figures.panels import CURVE, Panel, Series
-from thirdbody.readable import MEASURES, result_name
+from thirdbody.readable import result_name
 
 ROW = 0.17  # height of a row [inches]
-BESIDE = 2.3  # inches for the names of the results, the titles and the note
-ENDS = {"elasticity": "both", "sobol_total": "max"}  # of the colour bars, beyond which values lie
+BESIDE = 2.0  # inches for the names of the results, the title and the note
 LETTERS = 110  # in a line of the note
-# measure: colour map, values at its ends, smallest value that is printed
-SHADES = {"elasticity": ("RdBu", (-3.0, 3.0), 0.05), "sobol_total": ("Blues", (0.0, 0.6), 0.015)}
+TITLE = "Sensitivities: elasticities, d ln(result)/d ln(input)"
+END = 3.0  # of the colours, beyond which values lie
+LEAST = 0.05  # elasticity whose number is printed
 DARK = 0.45  # lightness of a cell below which its text is white
 LIGHTNESS = (0.299, 0.587, 0.114)  # weights of red, green, blue: ITU-R BT.601
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])  # of a cell
 
 
 def plot(rows: Sequence[Mapping]) -> Drawing:
-    """Elasticities above total Sobol indices, from rows of the table ``sensitivity``."""
+    """Elasticities of results over inputs, from rows of the table ``sensitivity``."""
     missing = dict.fromkeys(result_name(row) for row in rows if not row["input"])
-    rows = [row for row in rows if row["input"]]
+    rows = [row for row in rows if row["elasticity"] is not None]
     inputs = _by_weight(rows)
     results = list(dict.fromkeys(map(result_name, rows)))
-    values = {measure: np.full((len(inputs), len(results)), np.nan) for measure in MEASURES}
-    series = {measure: [] for measure in MEASURES}
+    values = np.full((len(inputs), len(results)), np.nan)
+    series = []
     for row in rows:
-        measure, value = row["measure"], row["sensitivity"]
-        if value is not None:
-            place = inputs.index(row["input"]), results.index(result_name(row))
-            values[measure][place] = value
-            name = f"{results[place[1]]}; {row['input']}; {value:.10g}"
-            series[measure].append(Series(CURVE, name, *(CORNERS + place[::-1]).T))
-    panels = [Panel(title, "result", name, series[name]) for name, title in MEASURES.items()]
-    figure = empty_panels(panels, (TWO_COLUMNS, 2 * ROW * len(inputs) + BESIDE), columns=1)
-    for axes, measure in zip(figure.axes, MEASURES, strict=True):
-        mesh = _draw_cells(axes, values[measure], measure)
-        bar = figure.colorbar(mesh, ax=axes, extend=ENDS[measure], pad=0.01, aspect=30)
-        bar.outline.set_visible(False)
-        axes.set_yticks(np.arange(len(inputs)) + 0.5, [name.replace("_", " ") for name in inputs])
-        axes.set_xticks([])
+        cell = inputs.index(row["input"]), results.index(result_name(row))
+        values[cell] = row["elasticity"]
+        name = f"{results[cell[1]]}; {row['input']}; {row['elasticity']:.10g}"
+        series.append(Series(CURVE, name, *(CORNERS + cell[::-1]).T))
+    panels = [Panel(TITLE, "result", "elasticity", series)]
+    figure = empty_panels(panels, (TWO_COLUMNS, ROW * len(inputs) + BESIDE), columns=1)
+    (axes,) = figure.axes
+    mesh = _draw_cells(axes, values)
+    bar = figure.colorbar(mesh, ax=axes, extend="both", pad=0.01, aspect=30)
+    bar.outline.set_visible(False)
+    axes.set_yticks(np.arange(len(inputs)) + 0.5, [name.replace("_", " ") for name in inputs])
     style = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
     axes.set_xticks(np.arange(len(results)) + 0.5, results, **style)
     if missing:
@@ -54,25 +51,23 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
 
 
 def _by_weight(rows) -> list[str]:
-    """The inputs in decreasing order of total index, then of elasticity."""
-    weights = {row["input"]: dict.fromkeys(reversed(MEASURES), 0.0) for row in rows}
+    """The inputs in decreasing order of their largest elasticity."""
+    weights = {}
     for row in rows:
-        largest, measure = weights[row["input"]], row["measure"]
-        largest[measure] = max(largest[measure], abs(row["sensitivity"] or 0.0))
-    return sorted(weights, key=lambda name: tuple(weights[name].values()), reverse=True)
+        weights[row["input"]] = max(weights.get(row["input"], 0.0), abs(row["elasticity"]))
+    return sorted(weights, key=weights.__getitem__, reverse=True)
 
 
-def _draw_cells(axes: Axes, values: np.ndarray, measure: str) -> QuadMesh:
+def _draw_cells(axes: Axes, values: np.ndarray) -> QuadMesh:
     """A coloured cell for each value, with its number if it is not negligible."""
-    colours, (low, high), least = SHADES[measure]
     mesh = axes.pcolormesh(
-        values, cmap=colours, vmin=low, vmax=high, edgecolors="white", linewidth=0.6
+        values, cmap="RdBu", vmin=-END, vmax=END, edgecolors="white", linewidth=0.6
     )
     axes.invert_yaxis()
     axes.tick_params(length=0)
     axes.spines[:].set_visible(False)
     for (line, column), value in np.ndenumerate(values):
-        if abs(value) >= least:
+        if abs(value) >= LEAST:
             dark = np.dot(mesh.to_rgba(value)[:3], LIGHTNESS) < DARK
             text = f"{value:.2f}" if abs(value) < 0.995 else f"{value:#.2g}".rstrip(".")
             style = {"ha": "center", "va": "center_baseline", "fontsize": 6}

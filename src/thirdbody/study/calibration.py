@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.data.files import atomic_write
 from thirdbody.study.claim import MISSING_SCORE, Claim
 from thirdbody.study.evidence import QUICK_EFFORT
 from thirdbody.study.judge import Judge
@@ -175,8 +174,7 @@ def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> lis
 
 def write_rows(path: Path, rows: NDArray) -> None:
     """Write positions and objectives, shape (rows, unknowns + 1), with all digits."""
-    with atomic_write(path) as part:
-        np.savetxt(part, rows, fmt="%.17g", delimiter=",")
+    np.savetxt(path, rows, fmt="%.17g", delimiter=",")
 
 
 def read_rows(path: Path) -> NDArray:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from thirdbody.configuration.schema import read_valid
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.places import FIGURE
 from thirdbody.study.claim import Claim
 from thirdbody.study.kinds import KINDS
@@ -15,9 +15,9 @@ from thirdbody.study.sampling import CURVE_QUANTITIES
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order; ``ValueError`` in one line for an invalid file."""
+    """Read the statements of the paper, in order."""
     claims = []
-    for entry in read_valid(path, "claims"):
+    for entry in read_yaml(path, list):
         given = dict(entry["tolerance"])
         reason = given.pop("reason")
         ((kind, size),) = given.items()

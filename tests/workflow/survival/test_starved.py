@@ -65,7 +65,7 @@ def test_a_full_disk_is_named_and_the_run_completes_when_it_has_room(
 @long
 def test_a_folder_that_may_not_be_written_to_is_named(workspace, undisturbed, tell):
     results = workspace.root / "results"
-    (results / "tables/table1.md").unlink()
+    (results / "tables/table1.tex").unlink()
     folders = [results, *(path for path in results.rglob("*") if path.is_dir())]
     for folder in folders:
         folder.chmod(0o555)

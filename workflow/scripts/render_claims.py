@@ -1,0 +1,15 @@
+"""Draw the verdicts on all statements; nothing is solved here."""
+
+import matplotlib.style
+
+from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.captions import caption
+from thirdbody.figures.claims import plot
+from thirdbody.figures.drawing import save
+from thirdbody.job_log import job
+
+with job(snakemake) as output:
+    rows = read_csv(snakemake.input.data, TABLES["claims"])
+    with matplotlib.style.context(snakemake.input.style, after_reset=True):
+        save(plot(rows), output.png.with_suffix(""), caption("claims"))
+    print(f"{len(rows)} rows drawn")
