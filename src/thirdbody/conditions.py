@@ -123,7 +123,7 @@ def axis_of(key: str) -> Axis:
 def to_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
     """``values`` in the unit of a name or an alias in SI, a load as F_t* [1]."""
     axis = axis_of(key)
-    numbers = axis.to_si(values) if key == axis.alias else np.asarray(values, float)
+    numbers = np.asarray(axis.to_si(values) if key == axis.alias else values, float)
     return np.multiply(numbers, 1.0 / newtons_per_load) if key == "load_N" else numbers
 
 

@@ -66,9 +66,11 @@ class Variable:
         """Names for the values 0, 1, ... of a flag; empty for a number."""
         return FLAG_MEANINGS.get(self.name, ())
 
-    def to_si(self, values: ArrayLike) -> NDArray:
-        """``values`` [``shown_unit``] in SI: the floats nearest to the decimal result, 300 nm is 3e-07 m."""
-        return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
+    def to_si(self, values: ArrayLike) -> NDArray | float:
+        """``values`` [``shown_unit``] in SI, a number as a float: the floats nearest to the decimal result, 300 nm is
+        3e-07 m."""
+        numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
+        return numbers if numbers.ndim else numbers.item()
 
     def from_si(self, values: ArrayLike) -> NDArray:
         """``values`` [SI] in ``shown_unit``; the last digit may differ."""

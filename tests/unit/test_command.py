@@ -13,7 +13,7 @@ import pytest
 import thirdbody as tb
 from thirdbody.__main__ import run as command
 from thirdbody.command import ANSWERED, BAD_INPUT, EXAMPLES, NONE_FOUND, NOT_WRITTEN, STOPPED, main
-from thirdbody.configuration.inputs import ensemble_of
+from thirdbody.configuration import inputs
 from thirdbody.configuration.plain_yaml import read_yaml
 
 DRY = "--viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0 --load-N 10"
@@ -56,8 +56,9 @@ def run(text):
 def elsewhere(tmp_path, monkeypatch):
     """An empty folder, and two members of the ensemble, which are enough here."""
     monkeypatch.chdir(tmp_path)
-    few = "thirdbody.configuration.inputs.ensemble_of"
-    monkeypatch.setattr(few, lambda *given: ensemble_of(*given)[:2])
+    every = inputs.ensemble_of
+    monkeypatch.setattr(inputs, "ensemble_of", lambda *given: every(*given)[:2])
+    monkeypatch.setattr(inputs, "_calibrated", inputs.load_parameters)  # not from the cache
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

@@ -14,7 +14,12 @@ from thirdbody.study import verdicts
 from thirdbody.study.calibration import Interpretation
 from thirdbody.study.claim import Verdict
 from thirdbody.study.claims import load_claims
-from thirdbody.study.departures import departure_rows, random_inputs
+from thirdbody.study.departures import (
+    departure_rows,
+    departure_verdicts,
+    departure_words,
+    random_inputs,
+)
 from thirdbody.study.evidence import QUICK_EFFORT
 from thirdbody.study.judge import Judge, count_once
 from thirdbody.study.kinds import Value
@@ -157,7 +162,9 @@ def test_what_no_inputs_can_meet_stands_beside_the_number_that_is_missed():
 def test_programs_read_what_the_page_says():
     nan = float("nan")
     main = (HELD, MISSED, HELD, Verdict("?", nan, nan, (nan,), tested=False))
-    content = json.loads(claims_json(report(main, [main], headline=["taken"])))
+    results = report(main, [main], headline=["taken"])
+    others = {"mine": by_id((MISSED, HELD, BEYOND, HELD))}
+    content = json.loads(claims_json(replace(results, interpretations=others)))
     assert (content["held"], content["judged"]) == (2, 2)
     assert content["inputs"] == DEFAULT["inputs"]
     assert [row["id"] for row in content["headline"]] == ["taken"]
@@ -166,7 +173,9 @@ def test_programs_read_what_the_page_says():
     (curve,) = first["curves"]
     assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, None)
     assert first["references"] == [curve | {"viscosity": 9e-5}]
-    assert first["loads"] == {"load_max": 1e-5}
+    assert first["loads"] == {"load_max": 1e-5} and first["reason"] == "reason"
+    words = [row["verdicts_of"]["mine"] for row in content["statements"]]
+    assert words == ["fails", verdicts.CONTRADICTED, "not tested", "holds"]
     assert (last["deviation"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
 
 
@@ -211,7 +220,8 @@ def test_departures_are_taken_back_one_by_one(defaults, some):
     shallow = {"elastic_depth_ratio": 0.0111}
     departures = [{"name": "one", "inputs": shallow}]
     settings = SETTINGS | {"headline": [DRY], "departures": departures, "random_sets": 3}
-    rows = departure_rows(judge, settings)
+    taken_back = departure_verdicts(judge, settings)
+    rows = departure_rows(judge, settings, judge({}), taken_back)
     unchanged, changed, least, most = rows
     names = [column.name for column in TABLES["departures"]]
     assert all([*row] == names for row in rows)
@@ -224,6 +234,9 @@ def test_departures_are_taken_back_one_by_one(defaults, some):
         assert row["mean_deviation"] == row["median_deviation"] == pytest.approx(deviation)
     assert (unchanged["inputs"], changed["inputs"]) == ("", "elastic_depth_ratio = 0.0111")
     assert unchanged["holds"] == 2 and changed["holds"] < 2
+    (words,) = departure_words(judge, settings, taken_back)
+    assert (words["name"], words["inputs"]) == ("one", shallow)
+    assert list(words["verdicts"].values()).count("holds") == changed["holds"]
     counts = [count_once(some, judge(each, QUICK_EFFORT)) for each in random_inputs(settings)]
     assert (least["holds"], least["judged"]) == min(counts)
     assert (most["holds"], most["judged"]) == max(counts)
