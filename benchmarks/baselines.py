@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 import thirdbody as tb
 from benchmarks.points import VARIABLES
 from thirdbody.data.attributes import model_attribute
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.variables import DIMENSIONS
 
 
 def load_plain_model(path: str | PathLike) -> ModuleType:

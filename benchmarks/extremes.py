@@ -8,7 +8,7 @@ import numpy as np
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES, Group, grouped, parameters_on_one_surface, relative_error
-from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
+from thirdbody.core.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 
 
 def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str, Any]]:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import thirdbody as tb
+from thirdbody.core.state import QUANTITIES as VARIABLES
 from thirdbody.data.attributes import KEYS
-from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.solver.solution import QUANTITIES as VARIABLES
+from thirdbody.variables import DIMENSIONS
 
 CLASS = ("medium", "bodies", "span")
 SMALLEST = np.finfo(float).tiny  # smaller numbers have few digits in float64 and count as zero

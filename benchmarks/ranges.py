@@ -49,7 +49,8 @@ def shares_within(parameters: tb.Parameters) -> pd.Series:
     conditions at which they have no values are left out."""
     conditions = random_conditions(CONDITIONS, SEED)
     value, *members = (
-        tb.solve(**conditions, parameters=inputs) for inputs in (parameters, *tb.ensemble(parameters))
+        tb.solve(**conditions, parameters=inputs)
+        for inputs in (parameters, *tb.ensemble(parameters))
     )
     shares = {}
     for name, symbol in VARIABLES.items():
@@ -66,5 +67,7 @@ def shares_within(parameters: tb.Parameters) -> pd.Series:
 
 if __name__ == "__main__":
     inputs = tb.load_parameters()
-    print(f"{CONDITIONS} conditions of Table 2, {len(tb.ensemble(inputs))} members; within the range:")
+    print(
+        f"{CONDITIONS} conditions of Table 2, {len(tb.ensemble(inputs))} members; within the range:"
+    )
     print(shares_within(inputs).map("{:.1%}".format).to_string())

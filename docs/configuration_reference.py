@@ -4,7 +4,7 @@ from pathlib import Path
 
 import yaml
 
-from thirdbody.model.bounds import BOUNDS
+from thirdbody.core.parameters import BOUNDS
 
 CONFIG = Path(__file__).resolve().parents[1] / "config"
 LIMITS = {

@@ -31,11 +31,10 @@ import thirdbody
 from thirdbody.command import EXAMPLES
 from thirdbody.command import main as main_of_command
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
+from thirdbody.core.film import Film
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.model.film import Film
 from thirdbody.study.calibration import Interpretation, Unknown
+from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (
@@ -329,8 +328,8 @@ def variables_block() -> str:
         {
             "symbol": symbol.replace("none", ""),
             "name in files and code": f"`{each.name}`",
-            "unit": each.units,
-            "what it is": each.long_name,
+            "unit": each.unit,
+            "what it is": each.label,
             "defined in": equation.replace("none", "") and f"Eq. {equation}".replace("Eq. s", "s"),
         }
         for symbol, each, equation in given + found

@@ -72,7 +72,7 @@ def tell(pytestconfig):
 @pytest.fixture(scope="session")
 def parameters():
     """Inputs whose turning points, windows and transitions the tests know."""
-    from thirdbody.model.parameters import Parameters
+    from thirdbody.core.parameters import Parameters
 
     return Parameters(**INPUTS)
 

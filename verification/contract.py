@@ -1,9 +1,9 @@
 """What a dataset must contain: names, units and attributes, and the axes and points of its figure.
 
-Attributes that are not listed here are refused: some of them, such as `scale_factor` and
-`valid_max`, change or hide numbers in the programs of other people.  Axes, shown points and inputs
-follow from the configuration in the archive.
+Axes, shown points and inputs follow from the configuration in the archive.
 """
+
+import math
 
 import numpy as np
 
@@ -55,23 +55,18 @@ FLAGS = {
         },
     ),
 }
-TEXTS = {"long_name", "comment"}  # of variables; what they say is not compared
 GLOBAL_FIXED = {
     "Conventions": "CF-1.11, ACDD-1.3",
     "conventions": "CF-1.11, ACDD-1.3",
     "source": "doi:10.3389/fmech.2024.1390335",
     "license": "CC-BY-4.0",
 }
-TEXT_NAMES = """
-    title summary keywords references creator_name standard_name_vocabulary schema_version
-    software_version configuration_sha256 rtol naming_authority history comment acknowledgement
-    project program processing_level institution creator_type creator_institution creator_url
-    creator_email contributor_name contributor_role publisher_name publisher_type
-    publisher_institution publisher_url publisher_email metadata_link platform platform_vocabulary
-    instrument instrument_vocabulary keywords_vocabulary date_created date_issued date_modified
-    date_metadata_modified id product_version model_parameters
-"""
-GLOBAL_TEXTS = set(TEXT_NAMES.split())
+# attributes by which programs change or hide the numbers that they read
+CHANGES_NUMBERS = {
+    *("scale_factor", "add_offset", "_Unsigned", "_Encoding", "dtype"),
+    *("missing_value", "_FillValue", "valid_min", "valid_max", "valid_range"),
+}
+MOST_POINTS = 5_000_000  # of one dataset: what is read at once is limited before it is read
 # attribute `model_parameters`: the name of each input in configuration/parameters.json
 INPUTS = {
     "E_ss": "elastic_modulus_surfaces",
@@ -117,8 +112,10 @@ def form_findings(file):
         yield "has groups or types of its own"
     if tuple(file.dimensions) != DIMENSIONS:
         yield f"has the dimensions {', '.join(file.dimensions)}"
-    given = attributes(file)
-    yield from attribute_findings("", given, GLOBAL_FIXED, GLOBAL_TEXTS)
+    points = math.prod(len(dimension) for dimension in file.dimensions.values())
+    if points > MOST_POINTS:
+        yield f"has {points} points, more than the {MOST_POINTS} that are read"
+    yield from attribute_findings("", attributes(file), GLOBAL_FIXED)
     for name in known:
         if name in file.variables:
             yield from variable_findings(name, file[name])
@@ -134,7 +131,7 @@ def variable_findings(name, variable):
         yield f"{name} has the dimensions {', '.join(variable.dimensions)}"
     if np.dtype(variable.dtype) != np.dtype(expected_type):
         yield f"{name} has the type {variable.dtype}"
-    yield from attribute_findings(name, attributes(variable), expected_attributes(name), TEXTS)
+    yield from attribute_findings(name, attributes(variable), expected_attributes(name))
 
 
 def expected_attributes(name):
@@ -168,14 +165,14 @@ def attributes(owner):
     return {name: getattr(value, "tolist", lambda v=value: v)() for name, value in values.items()}
 
 
-def attribute_findings(owner, given, fixed, free):
-    """Attributes that are unknown, missing or of another value than the ``fixed`` ones."""
+def attribute_findings(owner, present, fixed):
+    """Attributes that change numbers, or are of another value than the ``fixed`` ones."""
     prefix = f"{owner}: " if owner else ""
-    for name in sorted(given.keys() - fixed.keys() - free):
-        yield f"{prefix}unexpected attribute {name}"
+    for name in sorted(present.keys() & CHANGES_NUMBERS - fixed.keys()):
+        yield f"{prefix}attribute {name} changes what programs read"
     for name, value in fixed.items():
-        if given.get(name) != value:
-            yield f"{prefix}attribute {name} is {given.get(name)!r}, not {value!r}"
+        if present.get(name) != value:
+            yield f"{prefix}attribute {name} is {present.get(name)!r}, not {value!r}"
 
 
 # --- axes, shown points and inputs, by the configuration ---
@@ -202,6 +199,8 @@ def curve_groups(scene):
 def expected_axes(scene, config, newtons_per_load):
     """Values [SI] of the five axes of a scene, increasing."""
     axis = scene.get("load_axis", config.get("load_axis"))
+    if axis["count"] > MOST_POINTS:
+        raise ValueError(f"the configuration has {axis['count']} loads")
     first, last = (in_si(newtons / newtons_per_load, 1.0) for newtons in axis["load_N"])
     named = [value for value in scene.get("named_loads", []) if first <= value <= last]
     axes = {"load": np.unique([*np.geomspace(first, last, axis["count"]), *named])}

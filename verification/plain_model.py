@@ -17,6 +17,7 @@ are of hard particles, with an elastic factor of at most 1: then F_s falls as d 
 """
 
 import math
+import sys
 from typing import NamedTuple
 
 from scipy.integrate import quad
@@ -27,6 +28,8 @@ NEARLY_ALL = 0.99  # L_f; beyond it, 1 - L_f has fewer digits than the load that
 FILM_AT_WORK = 1e-3  # L_f; what a film is like that bears less matters to nothing else
 THICKEST_FILM = 0.01  # h_c/R_x; Eq. 7 is for films that are thin against the bodies,
 # and for bodies that bear its mean pressure F/A_n without yielding as a whole
+ROUNDING = 4.0 * sys.float_info.epsilon  # of lengths that a separation is compared with
+STEP = 1e-7  # of these lengths, over which the fall of the forces is taken
 
 
 class Point(NamedTuple):
@@ -333,8 +336,8 @@ def log_load_in_w(log_fluid_fraction, model, point):
     return log_load if model["film_load"] == "total" else log_load + log_fluid_fraction
 
 
-def outside_film_formula(fluid_fraction, model, point):
-    """Whether a film that is at work is outside of the meaning of Eq. 7.
+def outside_film_formula(fluid_fraction, film_thickness, model, point):
+    """Whether a film that is at work, of thickness H_c [1], is outside of the meaning of Eq. 7.
 
     There H_c falls with rising viscosity, dH_c/dU <= 0, the film is not thin, or the load in W would
     press on A_n with more than the hardness of the softer surface.
@@ -344,9 +347,9 @@ def outside_film_formula(fluid_fraction, model, point):
     log_load = log_load_in_w(math.log(fluid_fraction), model, point)
     if log_load > math.log(softer(model) / model["E_ss"]):
         return True
-    smooth, rough = film_terms(log_load, model, point)
+    _, rough = film_terms(log_load, model, point)
     rise = 0.663 * model["kappa"] ** 0.025
-    return rise * (1.0 + rough) <= 0.884 * rough or smooth * (1.0 + rough) > THICKEST_FILM
+    return rise * (1.0 + rough) <= 0.884 * rough or film_thickness > THICKEST_FILM
 
 
 # --- balance of the loads (Eq. 1) ---
@@ -369,15 +372,25 @@ def log_borne(separation, model, point):
     return log_of_sum(solid, fluid) - math.log(point.load)
 
 
+def exceeds_solids(model, point):
+    """Whether dry solids bear less than the load at every separation d >= 0."""
+    return point.dry and log_borne(0.0, model, point) < 0.0
+
+
+def film_alone(model, point):
+    """The separation d [m] at which a film bears all of the load; 0 where there is none."""
+    return 0.0 if point.dry else film_separation(math.log(point.load), model, point)
+
+
 def separation_of(model, point):
-    """The separation d >= 0 [m] at which Eq. 1 holds; None if there is none."""
-    film = 0.0 if point.dry else film_separation(math.log(point.load), model, point)
+    """The separation d >= 0 [m] at which Eq. 1 holds, unless the load ``exceeds_solids``."""
+    film = film_alone(model, point)
+    if log_borne(film, model, point) < 0.0:
+        return film  # it takes what the solids leave
     far = max(film, point.roughness)
     while log_borne(far, model, point) >= 0.0:
         far *= 2.0
-    if log_borne(film, model, point) >= 0.0:
-        return root(lambda d: log_borne(d, model, point), film, far)
-    return None if point.dry else film  # the film takes what the solids leave
+    return root(lambda d: log_borne(d, model, point), film, far)
 
 
 def shares(separation, model, point):
@@ -394,27 +407,74 @@ def shares(separation, model, point):
 
 
 def solve(model, point):
-    """The ``Solution`` at ``point``."""
+    """The ``Solution`` at ``point``; of several statuses, the one without values."""
+    if exceeds_solids(model, point):
+        return Solution("load_exceeded")
     if load_coverage(model, point) > 1.0:
         return Solution("coverage_exceeded")
     separation = separation_of(model, point)
-    if separation is None:
-        return Solution("load_exceeded")
     solid, fluid = shares(separation, model, point)
     log_solid = math.log(point.load) + logarithm(solid)
     there = state(separation, model, point, log_solid)
-    status = named_status(there.total_area, fluid, model, point)
+    status = named_status(there.total_area, fluid, separation / model["R_x"], model, point)
     return Solution(status, separation, solid, fluid, there)
+
+
+# --- how well float64 can know a solution ---
+
+
+def uncertainty(separation, model, point, noise):
+    """How far loads and areas at the solution ``separation`` [m] may be off [1], where forces are known
+    to the relative ``noise``.
+
+    The separation moves by the rounding of the lengths it is compared with, and until the forces have
+    changed by their noise.  This is the largest relative change of what follows.
+    """
+    lengths = separation + point.roughness + point.summit_offset
+    if not point.two_body:
+        lengths += sizes(model, point)[2]
+    film = film_alone(model, point)
+    move = ROUNDING * lengths + noise * separation
+    lack = 0.0  # of what is borne, where the film leaves off
+    if separation > film or bears_fluid_share(model, point):
+        step = STEP * lengths
+        fall = log_borne(separation, model, point) - log_borne(separation + step, model, point)
+        move += noise * step / fall if fall > 0.0 else separation
+    if not point.dry and not bears_fluid_share(model, point):
+        unlike = abs(math.expm1(min(log_borne(film, model, point), 1.0)))
+        lack = noise / max(unlike, noise)
+    closer, farther = (
+        known_logarithms(d, model, point) for d in (max(separation - move, 0.0), separation + move)
+    )
+    both = closer.keys() & farther.keys()
+    change = max((abs(closer[name] - farther[name]) for name in both), default=0.0)
+    return change + noise + lack
+
+
+def known_logarithms(separation, model, point):
+    """ln of loads and areas at ``separation`` d [m], by name, as far as float64 holds the numbers."""
+    there = state(separation, model, point)
+    least, log_area = math.log(sys.float_info.min), logarithm(there.total_area)
+    logarithms = {
+        "solid load": (there.log_solid_load, there.log_solid_load - math.log(point.load)),
+        "area": (log_area, log_area),
+    }
+    for name, ratio in (("particles", there.particle_ratio), ("summits", there.summit_ratio)):
+        logarithms[name] = logarithm(ratio), logarithm(ratio) + log_area
+    if bears_fluid_share(model, point):
+        fluid = log_film_load(separation, model, point)
+        logarithms["film load"] = fluid, fluid - math.log(point.load)
+    return {name: value for name, (value, size) in logarithms.items() if size > least}
 
 
 # --- names of the states (sections 3.1 and 3.2) ---
 
 
-def named_status(total_area, fluid_fraction, model, point):
+def named_status(total_area, fluid_fraction, film_thickness, model, point):
     """What is to be said of a point with a separation; the gravest, if several apply."""
     if total_area > 1.0:
         return "area_exceeded"
-    if outside_film_formula(fluid_fraction, model, point):
+    if outside_film_formula(fluid_fraction, film_thickness, model, point):
         return "outside_film_formula"
     return "converged"
 

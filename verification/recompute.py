@@ -15,11 +15,15 @@ BOUND = "error_bound"  # of the numbers of a point
 QUANTITIES = tuple(name for name in contract.NUMBERS if name != BOUND)
 NOT_SHOWN = "not_shown"  # what a flag says of a combination that a figure does not show
 SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
-UNSOLVED = ("coverage_exceeded", "load_exceeded")  # Eq. 1 holds nowhere
-UNSEEN = (*UNSOLVED, "not_converged")  # values do not show these
+UNSOLVED = ("coverage_exceeded", "load_exceeded")  # Eq. 1 has no solution: a point has no values
+UNRESOLVED = "not_converged"  # float64 does not hold the digits that were asked for
 ROUNDING = 1e-14  # of sums and products of stored numbers
-EVALUATION = 1e-9  # of what follows from the stored separation by evaluating Eqs. 4, 5 and 7
-SOLUTION = 1e-8  # of what the solver found, beyond its own error_bound
+EVALUATION = 1e-9  # own error of Eqs. 4, 5 and 7 at a stored separation
+SOLUTION = 1e-8  # own error of a solution, where float64 resolves it
+INTEGRALS = 1e-11  # own error of the forces, which counts where it does not
+FLOAT64 = 1e-15  # relative noise of forces in float64, for each unit of their logarithms
+LARGEST_LOGARITHM = 745.0  # of a number in float64
+MARGIN = 100.0  # by which two programs may judge the noise of one point differently
 LEAST_BOUND = 1e-14  # loads are known as logarithms of up to 30: no float64 solver promises less
 
 
@@ -35,12 +39,14 @@ class Dataset(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What a check found: ``findings`` say what is wrong; worst deviations [1] and counts."""
+    """What a check found: ``findings`` say what is wrong; counts and the worst deviation [1].  Only a
+    file that ``has_form`` may be read further."""
 
     findings: list
-    evaluated: int
-    solved: int
-    worst: float
+    evaluated: int = 0
+    solved: int = 0
+    worst: float = 0.0
+    has_form: bool = True
 
 
 def read(file):
@@ -73,41 +79,69 @@ def point_at(data, index):
     return plain_model.Point(*conditions, *surface)
 
 
-def deviation(found, expected):
-    """Relative difference; numbers too small for float64's full precision count as zero."""
-    if found == expected or max(abs(found), abs(expected)) < sys.float_info.min:
+def deviation(first, second):
+    """Difference of two numbers over the larger; if float64 holds neither in full, none."""
+    larger = max(abs(first), abs(second))
+    if first == second or larger < sys.float_info.min:
         return 0.0
-    difference = abs(found - expected) / max(abs(expected), sys.float_info.min)
+    difference = abs(first - second) / larger
     return difference if difference >= 0.0 else math.inf  # nan
 
 
-def evaluated(row, point, data):
-    """Names, deviations and tolerances of everything that must hold at the stored separation."""
+class Own(NamedTuple):
+    """What this program knows of a point: its solution from the inputs alone, and how far it and the
+    library may be off [1] there because of rounding."""
+
+    solution: plain_model.Solution
+    uncertainty: float
+    noise: float  # the part that is of float64, not of the integrals here
+
+
+def solve(point, model):
+    """``Own`` solution of a point."""
+    solution = plain_model.solve(model, point)
+    if solution.state is None:
+        return Own(solution, 0.0, 0.0)
+    of_forces = FLOAT64 * (1.0 + min(abs(solution.state.log_solid_load), LARGEST_LOGARITHM))
+    noise, uncertainty = (
+        plain_model.uncertainty(solution.separation, model, point, relative)
+        for relative in (of_forces, INTEGRALS + of_forces)
+    )
+    return Own(solution, MARGIN * uncertainty, noise)
+
+
+def area_ratios(state):
+    """Names and values of the two shares of the contact area, where float64 holds both in full."""
+    particles, summits = state.particle_ratio, state.summit_ratio
+    smallest = state.total_area * min(share for share in (particles, summits, 1.0) if share > 0.0)
+    if smallest >= sys.float_info.min:
+        yield "particle_contact_area_ratio", particles
+        yield "surface_contact_area_ratio", summits
+
+
+def evaluated(row, point, data, tolerance):
+    """Names, deviations and tolerances of all that must hold at the stored separation."""
     d, model = row["separation"], data.model
     there = plain_model.state(d, model, point)
     solid, fluid = row["solid_load_fraction"], row["fluid_load_fraction"]
-    balance = there.log_solid_load - math.log(point.load) - plain_model.logarithm(solid)
+    borne = math.exp(min(there.log_solid_load - math.log(point.load), 1.0))
     share = row["particle_contact_area_ratio"] + row["surface_contact_area_ratio"]
     yield "film_thickness", deviation(row["film_thickness"] * model["R_x"], d), ROUNDING
     yield "solid_load_fraction + fluid_load_fraction", deviation(solid + fluid, 1.0), ROUNDING
     yield "sum of the contact area ratios", deviation(share, 1.0), ROUNDING
-    yield "balance of the loads", abs(balance), tolerance(row)
+    yield "balance of the loads", deviation(solid, borne), tolerance
     yield "coverage beyond the whole interface", max(there.coverage - 1.0, 0.0), 0.0
-    for name, expected in (
-        ("total_contact_area", there.total_area),
-        ("particle_contact_area_ratio", there.particle_ratio),
-        ("surface_contact_area_ratio", there.summit_ratio),
-    ):
-        yield name, deviation(row[name], expected), EVALUATION
+    for name, expected in (("total_contact_area", there.total_area), *area_ratios(there)):
+        yield name, deviation(row[name], expected), tolerance
     if point.dry:
         yield "dry fluid_load_fraction", deviation(fluid, 0.0), 0.0
     elif fluid > 0.0:
         log_load = plain_model.log_load_in_w(math.log(fluid), model, point)
         film = plain_model.film_separation(log_load, model, point)
-        yield "separation by the film", deviation(d, film), EVALUATION
+        yield "separation by the film", deviation(d, film), tolerance
     else:
         yield "negative fluid_load_fraction", -fluid, 0.0
-        yield "film without load", hidden_film(d, model, point), EVALUATION
+        yield "film without load", hidden_film(d, model, point), tolerance
 
 
 def hidden_film(separation, model, point):
@@ -119,51 +153,44 @@ def hidden_film(separation, model, point):
     return max(film / separation - 1.0, 0.0) if separation > 0.0 else math.inf
 
 
-def tolerance(row):
-    """Of numbers that the solver found: no error is larger than the point's ``error_bound``."""
-    return SOLUTION + (row[BOUND] if math.isfinite(row[BOUND]) else 0.0)
-
-
 def misnamed(row, point, data):
     """Names of the flags that do not agree with the numbers beside them."""
     regime = plain_model.lubrication_regime(row["solid_load_fraction"])
     mode = plain_model.contact_mode(row["particle_contact_area_ratio"], point.two_body)
-    status = plain_model.named_status(
-        row["total_contact_area"], row["fluid_load_fraction"], data.model, point
-    )
+    numbers = (row[n] for n in ("total_contact_area", "fluid_load_fraction", "film_thickness"))
+    status = plain_model.named_status(*numbers, data.model, point)
     expected = {
-        "lubrication_regime": {regime},
-        "contact_mode": {mode},
-        "solution_status": {status} if row[BOUND] <= data.rtol else {"not_converged"},
+        "lubrication_regime": regime,
+        "contact_mode": mode,
+        "solution_status": status if row[BOUND] <= data.rtol else UNRESOLVED,
     }
-    return [name for name, meanings in expected.items() if row[name] not in meanings]
+    return [name for name, meaning in expected.items() if row[name] != meaning]
 
 
-def without_values(row):
-    """Whether a point has no values, or none that float64 can hold."""
-    missing = row["solution_status"] == "not_converged" and math.isnan(row["separation"])
-    return missing or row["solution_status"] in UNSOLVED
+def another_status(status, own, rtol):
+    """The status that a point should have, if it is not ``status``: it has values or none, and is
+    resolved to ``rtol`` or not.  Which of the others it is follows from its values."""
+    if own.solution.state is None:
+        return own.solution.status if status != own.solution.status else None
+    if status in UNSOLVED:
+        return own.solution.status
+    if status == UNRESOLVED:
+        return own.solution.status if MARGIN * own.noise < rtol else None
+    return UNRESOLVED if own.noise > MARGIN * rtol else None
 
 
-def solved(row, point, data):
-    """Names, deviations and tolerances against a solution that starts from the inputs alone."""
-    solution = plain_model.solve(data.model, point)
-    agrees = row["solution_status"] == solution.status
-    if not agrees and (row["solution_status"] != "not_converged" or solution.state is None):
-        yield f"solution_status (here {solution.status})", math.inf, 0.0
-        return
-    if without_values(row):
-        return
+def solved(row, own, data, tolerance):
+    """Names, deviations and tolerances against the ``own`` solution."""
+    solution = own.solution
     for name, expected in (
         ("total_contact_area", solution.state.total_area),
-        ("particle_contact_area_ratio", solution.state.particle_ratio),
-        ("surface_contact_area_ratio", solution.state.summit_ratio),
+        *area_ratios(solution.state),
         ("solid_load_fraction", solution.solid_fraction),
         ("fluid_load_fraction", solution.fluid_fraction),
         ("separation", solution.separation),
         ("film_thickness", solution.separation / data.model["R_x"]),
     ):
-        yield name, deviation(row[name], expected), tolerance(row)
+        yield name, deviation(row[name], expected), tolerance
 
 
 def check(path, config, inputs, count, rng):
@@ -171,11 +198,11 @@ def check(path, config, inputs, count, rng):
     with netCDF4.Dataset(path) as file:
         findings = list(contract.form_findings(file))
         if findings:
-            return Outcome(findings, 0, 0, 0.0)
+            return Outcome(findings, has_form=False)
         data = read(file)
     findings = list(contract.configuration_findings(data, path.stem, config, inputs))
     if findings:
-        return Outcome(findings, 0, 0, 0.0)
+        return Outcome(findings)
     newtons = data.axes["load"] * data.model["A_n"] * data.model["E_ss"]
     if any(deviation(*pair) > ROUNDING for pair in zip(data.axes["normal_load"], newtons)):
         findings.append("normal_load is not load A_n E_ss")
@@ -190,21 +217,28 @@ def check(path, config, inputs, count, rng):
 
 
 def point_findings(data, index, is_sampled):
-    """What is wrong at one point, and the largest deviation from the plain solution."""
+    """What is wrong at one point, and the largest deviation from the own solution of a resolved one."""
     row = {name: data.values[name].item(index) for name in data.values}
-    point = point_at(data, index)
+    point, status = point_at(data, index), row["solution_status"]
     where = f"at {','.join(map(str, map(int, index)))}"
-    anew = is_sampled or row["solution_status"] in UNSEEN
-    measured = list(solved(row, point, data)) if anew else []
-    worst = max((by for _, by, _ in measured), default=0.0)
-    findings = []
-    if without_values(row):
+    uncertainty, measured, worst = 0.0, [], 0.0
+    if is_sampled or status in (*UNSOLVED, UNRESOLVED):  # values do not show these
+        own = solve(point, data.model)
+        expected = another_status(status, own, data.rtol)
+        if expected:
+            return [f"solution_status {where} is {status}, here {expected}"], 0.0
+        uncertainty = own.uncertainty if status == UNRESOLVED else 0.0
+    if status in UNSOLVED:
         numbers = (*QUANTITIES, BOUND)
-        findings += [f"{n} {where} has a value" for n in numbers if not math.isnan(row[n])]
-    else:
-        measured += evaluated(row, point, data)
-        findings += [f"{name} {where} is misnamed" for name in misnamed(row, point, data)]
-        if row[BOUND] < LEAST_BOUND:
-            findings.append(f"error_bound {where} is smaller than rounding allows")
+        return [f"{n} {where} has a value" for n in numbers if not math.isnan(row[n])], 0.0
+    if is_sampled or status == UNRESOLVED:
+        measured += solved(row, own, data, data.rtol + SOLUTION + uncertainty)
+    if status != UNRESOLVED:
+        worst = max((by for _, by, _ in measured), default=0.0)
+    # the separation and the value that follows from it are each within rtol
+    measured += evaluated(row, point, data, 2.0 * data.rtol + EVALUATION + uncertainty)
+    findings = [f"{name} {where} is misnamed" for name in misnamed(row, point, data)]
+    if row[BOUND] < LEAST_BOUND:
+        findings.append(f"error_bound {where} is smaller than rounding allows")
     findings += [f"{name} {where} is off by {by:.1e}" for name, by, most in measured if by > most]
     return findings, worst

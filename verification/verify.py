@@ -3,8 +3,8 @@
     python verification/verify.py [FOLDER] [--seed N] [--points N] [--results FOLDER] [--sums]
 
 FOLDER is an unpacked archive, by default the one that this program lies in.  Needs Python 3.11,
-numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 and SHA-512 sums of all files first,
-and looks for missing and extra files; nothing in FOLDER is imported before they agree.  Then it
+numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 sums of all files first, and looks
+for missing and extra files; nothing in FOLDER is imported before they agree.  Then it
 compares the descriptions of the package and the crate with the files, and each dataset with the
 data contract and the configuration (contract.py) and with the equations of the paper at every
 point; some points are solved again from the inputs alone (plain_model.py).  Prints one line.  Exit
@@ -25,20 +25,16 @@ import json
 import random
 import warnings
 import zipfile
+from collections import Counter
 from pathlib import Path
 from urllib.parse import unquote
 
 HERE = Path(__file__).resolve().parent
-ALGORITHMS = {"sha256": 64, "sha512": 128}  # hexadecimal digits of a digest
-BAG_DECLARATION = b"BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
+DIGITS = 64  # hexadecimal, of a SHA-256 sum
+BAG_DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 PROGRAMS = ("content_hash.py", "contract.py", "plain_model.py", "recompute.py", "verify.py")
 TAG_FILES = {  # everything beside data/
-    *("README.md", "bag-info.txt", "bagit.txt"),
-    *(
-        f"{kind}-{algorithm}.txt"
-        for kind in ("manifest", "tagmanifest")
-        for algorithm in ALGORITHMS
-    ),
+    *("README.md", "bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha256.txt"),
     *(f"verification/{name}" for name in PROGRAMS),
 }
 NO_PRODUCTS = ("source", "configuration")  # what the payload holds besides products
@@ -47,10 +43,7 @@ INPUTS = "data/configuration/parameters.json"
 CONTENT_SUMS = "data/datasets/content-sha256.json"
 SHOWN_FAULTS = 5
 SHOWN_DEVIATION = 1e-16  # no smaller one is worth a digit
-FORESEEN = (  # what reading and recomputing damaged files may raise
-    *(OSError, ValueError, LookupError, TypeError, AttributeError, ArithmeticError),
-    *(RuntimeError, ImportError, zipfile.BadZipFile),
-)
+LARGEST_TEXT = 100_000_000  # bytes of a manifest or description, which are read at once
 
 
 class Faults(dict):
@@ -60,18 +53,22 @@ class Faults(dict):
         self.setdefault(str(path), " ".join(str(reason).split()))
 
 
-def digests(path):
-    """SHA-256 and SHA-512 of a file, read once."""
-    sums = [hashlib.new(name) for name in ALGORITHMS]
-    with open(path, "rb") as file:
-        while block := file.read(1 << 20):
-            for digest in sums:
-                digest.update(block)
-    return [digest.hexdigest() for digest in sums]
+def sha256(path):
+    """SHA-256 of a file."""
+    with open(path, "rb") as content:
+        return sha256_of(content)
+
+
+def sha256_of(content):
+    """SHA-256 of an open file."""
+    digest = hashlib.sha256()
+    while block := content.read(1 << 20):
+        digest.update(block)
+    return digest.hexdigest()
 
 
 def read_files(folder, faults):
-    """Digests of all files below ``folder`` by their names."""
+    """SHA-256 of all files below ``folder`` by their names."""
     found = {}
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
@@ -79,22 +76,33 @@ def read_files(folder, faults):
             faults.add(name, "is no ordinary file")
         elif path.is_file():
             try:
-                found[name] = digests(path)
+                found[name] = sha256(path)
             except OSError as error:
                 faults.add(name, f"cannot be read ({error.strerror})")
     return found
 
 
-def read_manifest(path, digits, faults):
-    """Digests by name from the lines of a manifest."""
+def read_text(path):
+    """Content of a manifest or description; ``ValueError`` if it is not UTF-8 or too large to be one."""
+    if path.stat().st_size > LARGEST_TEXT:
+        raise ValueError(f"{path.name} is larger than {LARGEST_TEXT} bytes")
+    return path.read_bytes().decode()
+
+
+def read_json(path):
+    return json.loads(read_text(path))
+
+
+def read_manifest(path, faults):
+    """SHA-256 by name from the lines of a manifest."""
     listed = {}
     try:
-        lines = path.read_bytes().decode().split("\n")
-    except (OSError, UnicodeDecodeError):
+        lines = read_text(path).split("\n")
+    except (OSError, ValueError):
         faults.add(path.name, "cannot be read")
         return listed
     for number, line in enumerate(lines[:-1], start=1):
-        digest, gap, name = line[:digits], line[digits : digits + 2], line[digits + 2 :]
+        digest, gap, name = line[:DIGITS], line[DIGITS : DIGITS + 2], line[DIGITS + 2 :]
         if gap != "  " or not name or name in listed or set(digest) - set("0123456789abcdef"):
             faults.add(path.name, f"line {number} is damaged")
         listed[name] = digest
@@ -104,44 +112,42 @@ def read_manifest(path, digits, faults):
 
 
 def check_bag(folder, found, faults):
-    """BagIt: every file is listed with its sums, and nothing else is there."""
+    """BagIt: every file is listed with its sum, and nothing else is there."""
     payload = {name for name in found if name.startswith("data/")}
     tags = {name for name in found if name not in payload and not name.startswith("tagmanifest-")}
-    for number, (algorithm, digits) in enumerate(ALGORITHMS.items()):
-        for kind, present in (("tagmanifest", tags), ("manifest", payload)):
-            listed = read_manifest(folder / f"{kind}-{algorithm}.txt", digits, faults)
-            for name in sorted(listed.keys() | present):
-                if name not in found:
-                    faults.add(name, "is missing")
-                elif name not in listed:
-                    faults.add(name, "is not part of the archive")
-                elif listed[name] != found[name][number]:
-                    faults.add(name, f"is changed ({algorithm})")
+    for kind, present in (("tagmanifest", tags), ("manifest", payload)):
+        listed = read_manifest(folder / f"{kind}-sha256.txt", faults)
+        for name in sorted(listed.keys() | present):
+            if name not in found:
+                faults.add(name, "is missing")
+            elif name not in listed:
+                faults.add(name, "is not part of the archive")
+            elif listed[name] != found[name]:
+                faults.add(name, "is changed")
     for name in sorted(TAG_FILES ^ {name for name in found if name not in payload}):
         faults.add(name, "is not part of the archive" if name in found else "is missing")
 
 
 def check_declarations(folder, found, faults):
     """The bag's declaration, and the size and number of files in its description."""
-    if (folder / "bagit.txt").read_bytes() != BAG_DECLARATION:
+    if read_text(folder / "bagit.txt") != BAG_DECLARATION:
         faults.add("bagit.txt", "is not the declaration of BagIt 1.0")
     sizes = [(folder / name).stat().st_size for name in found if name.startswith("data/")]
-    if f"\nPayload-Oxum: {sum(sizes)}.{len(sizes)}\n" not in (folder / "bag-info.txt").read_text(
-        encoding="utf-8"
-    ):
+    payload = f"\nPayload-Oxum: {sum(sizes)}.{len(sizes)}\n"
+    if payload not in read_text(folder / "bag-info.txt"):
         faults.add("bag-info.txt", "gives another size of the payload")
 
 
 def check_package(data, found, faults):
     """datapackage.json: describes every product, with its size, sum and columns."""
-    package = json.loads((data / "datapackage.json").read_text(encoding="utf-8"))
+    package = read_json(data / "datapackage.json")
     described = {resource["path"]: resource for resource in package["resources"]}
     products = {name.removeprefix("data/") for name in found if is_product(name)}
     for path in sorted(described.keys() ^ products):
         faults.add(f"data/{path}", "is in only one of datapackage.json and the archive")
     for path in sorted(described.keys() & products):
         resource = described[path]
-        if resource["hash"] != f"sha256:{found[f'data/{path}'][0]}":
+        if resource["hash"] != f"sha256:{found[f'data/{path}']}":
             faults.add(f"data/{path}", "is not what datapackage.json describes")
         if resource["bytes"] != (data / path).stat().st_size:
             faults.add(f"data/{path}", "is not of the size that datapackage.json gives")
@@ -157,22 +163,25 @@ def is_product(name):
 
 def check_table(path, fields, name, faults):
     """The columns of a CSV file are those described, and numbers are numbers."""
-    with open(path, encoding="utf-8", newline="") as file:
-        header, *rows = csv.reader(file)
-    if header != [field["name"] for field in fields]:
-        faults.add(name, "has other columns than datapackage.json describes")
     numbers = [index for index, field in enumerate(fields) if field["type"] == "number"]
-    for row in rows:
-        if len(row) != len(header):
-            faults.add(name, "has rows of unequal length")
-        for index in numbers:
-            if row[index]:
-                float(row[index])
+    if path.stat().st_size > LARGEST_TEXT:
+        raise ValueError(f"{name} is larger than {LARGEST_TEXT} bytes")
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = csv.reader(file)
+        header = next(rows)
+        if header != [field["name"] for field in fields]:
+            faults.add(name, "has other columns than datapackage.json describes")
+        for row in rows:
+            if len(row) != len(header):
+                faults.add(name, "has rows of unequal length")
+            for index in numbers:
+                if row[index]:
+                    float(row[index])
 
 
 def check_crate(data, found, faults):
     """ro-crate-metadata.json: describes every file of the payload, and no other."""
-    graph = json.loads((data / "ro-crate-metadata.json").read_text(encoding="utf-8"))["@graph"]
+    graph = read_json(data / "ro-crate-metadata.json")["@graph"]
     described = {unquote(entity["@id"]) for entity in graph if "File" in entity["@type"]}
     payload = {name.removeprefix("data/") for name in found if name.startswith("data/")}
     for path in sorted(described ^ (payload - {"ro-crate-metadata.json"})):
@@ -182,9 +191,10 @@ def check_crate(data, found, faults):
 def check_datasets(folder, found, count, seed, faults):
     """Content and numbers of every dataset; in words, what was checked and how well."""
     recompute = own_module("recompute")
-    listed = json.loads((folder / CONTENT_SUMS).read_text(encoding="utf-8"))
-    config = json.loads((folder / CONFIGURATION).read_text(encoding="utf-8"))
-    inputs = json.loads((folder / INPUTS).read_text(encoding="utf-8"))
+    content_sha256 = own_module("content_hash").content_sha256
+    listed = read_json(folder / CONTENT_SUMS)
+    config = read_json(folder / CONFIGURATION)
+    inputs = read_json(folder / INPUTS)
     prefix = "data/datasets/"
     present = {name.removeprefix(prefix) for name in found if name.startswith(prefix)}
     present.remove(Path(CONTENT_SUMS).name)
@@ -202,10 +212,10 @@ def check_datasets(folder, found, count, seed, faults):
         else:
             rng = random.Random(f"{seed} {name}")
             try:
-                if own_module("content_hash").content_sha256(folder / place) != listed[name]:
-                    faults.add(place, f"has another content than {CONTENT_SUMS} says")
                 outcome = recompute.check(folder / place, config, inputs, count, rng)
-            except FORESEEN as error:
+                if outcome.has_form and content_sha256(folder / place) != listed[name]:
+                    faults.add(place, f"has another content than {CONTENT_SUMS} says")
+            except Exception as error:
                 faults.add(place, f"cannot be recomputed ({type(error).__name__}: {error})")
                 continue
             outcomes.append(outcome)
@@ -215,7 +225,7 @@ def check_datasets(folder, found, count, seed, faults):
     return (
         f"{len(outcomes)} datasets, {sum(o.evaluated for o in outcomes)} points that fulfil the "
         f"equations, {sum(o.solved for o in outcomes)} of them solved again within {worst:.0e} "
-        f"(tolerance {recompute.SOLUTION:.0e} and error_bound, seed {seed})"
+        f"(tolerance {recompute.SOLUTION:.0e} and the rtol, seed {seed})"
     )
 
 
@@ -233,7 +243,7 @@ def check_products(found, results, faults):
         if not is_product(name) or name == CONTENT_SUMS:
             continue
         try:
-            if digests(product) != found[name]:
+            if sha256(product) != found[name]:
                 faults.add(product, "is not what was released")
         except OSError as error:
             faults.add(product, f"cannot be read ({error.strerror})")
@@ -242,15 +252,28 @@ def check_products(found, results, faults):
 def check_packed(folder, found, faults):
     """The packed archive beside ``folder`` is the one on record and holds the same files."""
     packed = packed_beside(folder)
-    if digests(packed)[0] != record_beside(folder)["archive"]["sha256"]:
+    if sha256(packed) != record_beside(folder)["archive"]["sha256"]:
         faults.add(packed, "is not the archive that provenance.json names")
+    expected = {f"{folder.name}/{name}": name for name in found}
     with zipfile.ZipFile(packed) as archive:
-        members = {name.partition("/")[2]: name for name in archive.namelist()}
-        for name in sorted(members.keys() ^ found.keys()):
+        members = archive.infolist()
+        names = Counter(member.orig_filename for member in members)  # as unpacking programs read it
+        for name in sorted(names.keys() ^ expected.keys()):
             faults.add(packed, f"and the folder do not both hold {name}")
-        for name in sorted(members.keys() & found.keys()):
-            if hashlib.sha256(archive.read(members[name])).hexdigest() != found[name][0]:
+        for name in sorted(name for name, count in names.items() if count > 1):
+            faults.add(packed, f"holds {name} more than once")
+        for member in members:
+            name = expected.get(member.orig_filename)
+            if name and not is_member(archive, member, folder / name, found[name]):
                 faults.add(packed, f"holds another {name}")
+
+
+def is_member(archive, member, path, digest):
+    """Whether a member of the packed archive is the file ``path``; it is read only if it has the size."""
+    if member.file_size != path.stat().st_size:
+        return False
+    with archive.open(member) as content:
+        return sha256_of(content) == digest
 
 
 def packed_beside(folder):
@@ -258,7 +281,7 @@ def packed_beside(folder):
 
 
 def record_beside(folder):
-    return json.loads(folder.with_name("provenance.json").read_text(encoding="utf-8"))
+    return read_json(folder.with_name("provenance.json"))
 
 
 def verify(folder, count, seed, results=None, sums_alone=False):
@@ -282,7 +305,7 @@ def verify(folder, count, seed, results=None, sums_alone=False):
     run_checks(sums | others, faults)
     if not faults and not sums_alone:
         run_checks(contents, faults)
-    return faults, "; ".join([f"{len(found)} files with their SHA-256 and SHA-512 sums", *counted])
+    return faults, "; ".join([f"{len(found)} files with their SHA-256 sums", *counted])
 
 
 def run_checks(checks, faults):
@@ -290,7 +313,7 @@ def run_checks(checks, faults):
     for subject, check in checks.items():
         try:
             check()
-        except FORESEEN as error:
+        except Exception as error:
             faults.add(subject, f"cannot be checked ({type(error).__name__}: {error})")
 
 
@@ -307,19 +330,25 @@ def main(arguments=None):
     given = parser.parse_args(arguments)
     warnings.simplefilter("ignore")  # one line is promised
     if not (given.folder / "bagit.txt").is_file():
-        print(f"not whole: {given.folder}: bagit.txt is missing, so this is no archive")
+        say(f"not whole: {given.folder}: bagit.txt is missing, so this is no archive")
         return 1
     archive = given.folder.resolve()
     sys.path[:] = [place for place in sys.path if not Path(place).resolve().is_relative_to(archive)]
     faults, checked = verify(given.folder, given.points, given.seed, given.results, given.sums)
     name = archive.name
     if not faults:
-        print(f"whole: {name}: {checked}")
+        say(f"whole: {name}: {checked}")
         return 0
     shown = "; ".join(f"{path} {reason}" for path, reason in list(faults.items())[:SHOWN_FAULTS])
     more = len(faults) - SHOWN_FAULTS
-    print(f"not whole: {name}: {shown}" + (f"; and {more} more" if more > 0 else ""))
+    say(f"not whole: {name}: {shown}" + (f"; and {more} more" if more > 0 else ""))
     return 1
+
+
+def say(text):
+    """Print one line.  Names come from the archive, so characters that could break the line, or that a
+    terminal cannot show, are written as in Python."""
+    print(text.encode("unicode_escape").decode("ascii"))
 
 
 if __name__ == "__main__":

@@ -10,12 +10,11 @@ import numpy as np
 import pandas as pd
 
 import thirdbody as tb
-from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.measured.estimates import Assumed, measurable
 
 SCATTER = 0.03  # relative
 loads = np.geomspace(1.0, 50.0, 9)
-truth = calibrated_ensemble(tb.load_parameters())[4]
+truth = tb.ensemble()[4]
 found = tb.solve(
     load_N=loads,
     viscosity_cSt=90,

@@ -15,9 +15,8 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 0.273 of the load is carried by solids
 
 ``solve`` also takes arrays.  ``grid`` returns a dataset over five axes, ``plot`` draws it, and
-``stream`` writes datasets larger than memory.  The equations are in ``thirdbody.model`` and the
-force balance in ``thirdbody.solver``; both need only numpy and scipy, if they are given ``parameters``.  The other packages name the
-extra that they need.
+``stream`` writes datasets larger than memory.  The equations and the force balance are in
+``thirdbody.core``, which needs only numpy and scipy.  The other packages name the extra that they need.
 """
 
 import re

@@ -17,8 +17,7 @@ from typing import Annotated, Any
 
 import typer
 
-from thirdbody.messages import did_you_mean
-from thirdbody.units import ENGINEERING, SEARCHED
+from thirdbody.variables import AXES, BY_ALIAS
 
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
 COMMANDS = {}  # the example of each question by its name
@@ -144,8 +143,8 @@ def state(
 )
 def viscosity(
     *,
-    first: First = SEARCHED["viscosity"][0],
-    last: Last = SEARCHED["viscosity"][1],
+    first: First = AXES["viscosity"].searched[0],
+    last: Last = AXES["viscosity"].searched[1],
     load_N: Load,
     particle_diameter_nm: Size,
     roughness_nm: Roughness,
@@ -160,8 +159,8 @@ def viscosity(
 @_question("--load-N 10 --viscosity-cSt 90 --roughness-nm 300 --particle-density-per-m2 1e11")
 def size(
     *,
-    first: First = SEARCHED["particle_diameter"][0],
-    last: Last = SEARCHED["particle_diameter"][1],
+    first: First = AXES["particle_diameter"].searched[0],
+    last: Last = AXES["particle_diameter"].searched[1],
     load_N: Load,
     viscosity_cSt: Viscosity,
     roughness_nm: Roughness,
@@ -178,8 +177,8 @@ def size(
 )
 def roughness(
     *,
-    first: First = SEARCHED["roughness"][0],
-    last: Last = SEARCHED["roughness"][1],
+    first: First = AXES["roughness"].searched[0],
+    last: Last = AXES["roughness"].searched[1],
     load_N: Load,
     viscosity_cSt: Viscosity,
     particle_diameter_nm: Size,
@@ -194,8 +193,8 @@ def roughness(
 @_question("--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 --roughness-nm 300")
 def density(
     *,
-    first: First = SEARCHED["particle_density"][0],
-    last: Last = SEARCHED["particle_density"][1],
+    first: First = AXES["particle_density"].searched[0],
+    last: Last = AXES["particle_density"].searched[1],
     load_N: Load,
     viscosity_cSt: Viscosity,
     particle_diameter_nm: Size,
@@ -213,8 +212,8 @@ def density(
 )
 def transitions(
     *,
-    first: First = SEARCHED["load"][0],
-    last: Last = SEARCHED["load"][1],
+    first: First = AXES["load"].searched[0],
+    last: Last = AXES["load"].searched[1],
     viscosity_cSt: Viscosity,
     particle_diameter_nm: Size,
     roughness_nm: Roughness,
@@ -315,11 +314,10 @@ def curve(
     given = locals()
     import thirdbody
 
-    if along not in ENGINEERING:
-        allowed = ", ".join(ENGINEERING) + did_you_mean(along, ENGINEERING)
-        raise ValueError(f"--along is {along!r}; allowed: {allowed}")
-    for name, key in ENGINEERING.items():
-        if name != along and given[key] is None:
+    if along not in AXES:
+        raise ValueError(f"--along is {along!r}; allowed: {', '.join(AXES)}")
+    for key, axis in BY_ALIAS.items():
+        if axis.name != along and given[key] is None:
             raise ValueError(f"{key} is missing; allowed: a number")
     ends = _increasing(first, last)
     found = _interface(given).curve(along, *ends, count)
@@ -425,14 +423,14 @@ def compare_data(
 
 def _conditions(given: Mapping[str, Any]) -> dict[str, float]:
     """The conditions among the arguments of a sub-command that are given."""
-    return {key: given[key] for key in ENGINEERING.values() if given.get(key) is not None}
+    return {key: given[key] for key in BY_ALIAS if given.get(key) is not None}
 
 
 def _interface(given: Mapping[str, Any]) -> Any:
     """The interface from the arguments of a sub-command; an absent condition is not used."""
     from thirdbody.answers.interface import Interface
 
-    unused = {key: SEARCHED[name][0] for name, key in ENGINEERING.items()}
+    unused = {key: axis.searched[0] for key, axis in BY_ALIAS.items()}
     return Interface(**unused | _conditions(given), parameters=_inputs(given["inputs"]))
 
 
@@ -456,7 +454,7 @@ def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float
 def _changes(given: Mapping[str, Any], along: str, flags: Collection[str]) -> Any:
     """The changes of flags along a condition, between the ends of a search."""
     between = _increasing(given["first"], given["last"])
-    between = None if between == SEARCHED[along] else between
+    between = None if between == AXES[along].searched else between
     return _interface(given).transitions(along, flags, between)
 
 

@@ -7,17 +7,11 @@ sixth as long as all other imports, and its bar fills a log with one long line.
 import sys
 from contextlib import suppress
 from time import monotonic
-from typing import Any, Self
+from typing import Self
 
 FIRST_BAR, NEXT_BAR = 2.0, 0.2  # s
 LINE = 30.0  # s
 WIDTH = 30  # letters of the bar
-
-
-def check_progress(progress: Any) -> None:
-    """Raise ``ValueError`` unless ``progress`` is a bool."""
-    if not isinstance(progress, bool):
-        raise ValueError(f"progress is {progress!r}; allowed: True or False")
 
 
 class Progress:

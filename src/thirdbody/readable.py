@@ -13,8 +13,9 @@ from typing import NamedTuple
 
 from tabulate import tabulate
 
-from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
+from thirdbody.data.conditions import row_key
 from thirdbody.typeset import html, latex
+from thirdbody.variables import AXES, CONDITION_AXES
 
 DIGITS = 3
 NEGLIGIBLE = 0.005  # of an elasticity
@@ -111,7 +112,7 @@ def result_name(row: Mapping) -> str:
     value = row[axis.column]
     if axis.name == "viscosity" and value == 0.0:
         return f"{name}, dry"
-    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.unit}"
+    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.alias_unit}"
 
 
 def readable(
@@ -354,7 +355,9 @@ def _curves(rows, printed):
 
 
 def _conditions(row, axes) -> dict[str, str]:
-    return {f"{axis.sign} [{axis.unit}]": _in_unit(axis.name, row[axis.column]) for axis in axes}
+    return {
+        f"{axis.sign} [{axis.alias_unit}]": _in_unit(axis.name, row[axis.column]) for axis in axes
+    }
 
 
 def _in_unit(name, value) -> str:

@@ -1,7 +1,7 @@
 """``Tabular``: tabular results for pandas, xarray and notebooks."""
 
 from dataclasses import fields
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -42,21 +42,15 @@ class Tabular:
     element.  Other classes override ``to_dataframe``.
     """
 
-    _index: "pd.Index | None" = None  # of the columns of pandas that were given
-
-    def _with_index(self, index: "pd.Index | None") -> Self:
-        """This new result with the index of the columns that were given."""
-        object.__setattr__(self, "_index", index)  # results are frozen
-        return self
+    index: "pd.Index | None" = None  # of the columns of pandas that were given
 
     def to_dataframe(self) -> "pd.DataFrame":
         """The fields as columns."""
         import pandas as pd
 
-        table = pd.DataFrame(
-            {each.name: np.ravel(getattr(self, each.name)) for each in fields(self)}
-        )
-        return indexed(table, self._index, range(len(table)))
+        names = [field.name for field in fields(self) if field.name != "index"]
+        table = pd.DataFrame({name: np.ravel(getattr(self, name)) for name in names})
+        return indexed(table, self.index, range(len(table)))
 
     def to_dataset(self) -> "xr.Dataset":
         """The same table over the dimension ``row``."""
@@ -82,10 +76,10 @@ class Tabular:
         if table.empty:
             return "none"
         digits = "{:.6g}".format
-        return table.to_string(index=self._index is not None, float_format=digits)
+        return table.to_string(index=self.index is not None, float_format=digits)
 
     def _repr_html_(self) -> str | None:
         try:
-            return self.to_dataframe().to_html(index=self._index is not None, max_rows=60)
+            return self.to_dataframe().to_html(index=self.index is not None, max_rows=60)
         except ModuleNotFoundError:  # notebooks then use __repr__
             return None

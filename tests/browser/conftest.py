@@ -69,13 +69,10 @@ class Explorer:
         return self
 
     def settle(self):
-        """Wait until all that was asked for is drawn and judged."""
+        """Wait until all that was asked for is drawn."""
         self.wait(
-            """const place = location.hash.slice(1);
-            const done = (id, key) => document.getElementById(id).dataset[key] === place;
-            const view = document.querySelector('[name=view]:checked');
-            return view && done('claims', 'judged') && (view.value !== 'map' || done('charts', 'done'))
-                && ![...document.querySelectorAll('#point td')].some(td => td.textContent === '…');"""
+            """return document.body.dataset.shown === location.hash.slice(1)
+                && !document.querySelector('[aria-busy=true]');"""
         )
 
     def wait(self, script):

@@ -1,21 +1,25 @@
 """The explorer as a person uses it: opened from disk in headless Chromium."""
 
 import csv
-import io
 import json
 import math
 import re
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
+from dataclasses import replace
 from urllib.parse import parse_qs
 
 import numpy as np
 import pytest
 
-from thirdbody import load_parameters, solve
+from thirdbody.answers.bearing import implied_speed
+from thirdbody.command import bearing
 from thirdbody.configuration import config_directory
+from thirdbody.configuration.inputs import load_parameters
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import Condition
+from thirdbody.measured.oil import oil_viscosity
+from thirdbody.points import solve
 
 LARGEST = 3e6  # bytes of the page
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
@@ -23,15 +27,9 @@ VIEWS = {
     "figures": "",
     "axes": "view=axes&x=viscosity",
     "map": "view=map",
-    "section": "view=section",
 }
 NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
 FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
-
-
-def failing(explorer):
-    """Texts of the statements in the list that fail."""
-    return [each.text for each in explorer.all("#claims button.fails")]
 
 
 def tooltip(explorer):
@@ -97,20 +95,20 @@ def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
     assert explorer.one("#caption").text.startswith("(A)")
 
 
-def test_a_moved_slider_moves_the_curves_and_recolours_statements(explorer):
+def test_a_moved_slider_moves_the_curves_and_leaves_statements_unjudged(explorer):
     from selenium.webdriver.common.keys import Keys
 
     explorer.open("figure=fig11")
-    before, failed = explorer.curve("dry"), failing(explorer)
+    before, tally = explorer.curve("dry"), explorer.one("#tally").text
     slider = explorer.one(".control:has(#input-spread_ratio) [type=range]")
     slider.send_keys(*[Keys.ARROW_RIGHT] * 40)
     explorer.settle()
     assert explorer.curve("dry") != before
-    assert failing(explorer) != failed
-    assert explorer.all("#claims .changed")
+    assert "not judged" in explorer.one("#tally").text and explorer.all("#claims.unjudged")
     explorer.one(".control.changed .back").click()
     explorer.settle()
-    assert (explorer.curve("dry"), failing(explorer)) == (before, failed)
+    assert (explorer.curve("dry"), explorer.one("#tally").text) == (before, tally)
+    assert not explorer.all("#claims.unjudged")
 
 
 @pytest.mark.parametrize(
@@ -166,10 +164,11 @@ def test_what_no_interface_has_is_said(explorer):
 def test_another_interpretation_is_another_model(explorer):
     explorer.open("figure=fig04")
     before = explorer.curve("ν = 90 cSt")
-    explorer.choose("#input-film_load", "total")
+    directory = config_directory()
+    default = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
+    word = read_yaml(default)["inputs"]["film_load"]
+    explorer.choose("#input-film_load", "total" if word == "fluid" else "fluid")
     assert explorer.curve("ν = 90 cSt") != before
-    explorer.choose("#interpretation", "surface_natural")
-    assert explorer.one("#input-particle_plane").get_attribute("value") == "surface"
     explorer.one("#reset").click()
     explorer.settle()
     assert explorer.one("[name=figure]").get_attribute("value") == "fig11"
@@ -264,42 +263,63 @@ def test_states_are_shown_by_more_than_colour(explorer):
 
 def test_a_chosen_statement_stands_out_in_its_figure(explorer):
     explorer.open("figure=fig04&show=all")
-    explorer.one("[data-claim=fig11a-turning-point-load-at-120cst]").click()
+    explorer.one("[data-statement=fig11a-turning-point-load-at-120cst]").click()
     explorer.settle()
     assert explorer.one("[name=figure]").get_attribute("value") == "fig11"
     lines = explorer.all("#charts figure .line.chosen")
     assert {each.get_attribute("data-label") for each in lines} == {"ν = 120 cSt"}
     assert explorer.all("#charts figure .line.faded")
-    assert explorer.one("[data-claim=fig11a-turning-point-load-at-120cst][aria-pressed=true]")
+    assert explorer.one("[data-statement=fig11a-turning-point-load-at-120cst][aria-pressed=true]")
     assert "Computed" in explorer.one("#claims .more").text
 
 
-def test_statements_are_judged_at_the_conditions_of_the_paper(explorer):
+def test_statements_are_those_of_the_paper_at_any_conditions(explorer):
     explorer.open("figure=fig11")
-    before = failing(explorer)
+    before = explorer.one("#claims").text
     explorer.enter("#condition-viscosity", "100")
     assert explorer.curve("ν = 100 cSt")
     assert "ν = 100 cSt (yours)" in explorer.one("#key").text
-    assert before and failing(explorer) == before
-    assert "Judged at the paper's conditions" in explorer.one("#tally").text
+    assert explorer.one("#claims").text == before
     assert explorer.one("#caption").text.startswith("(A)")
     explorer.enter("#condition-roughness", "200")
     assert explorer.one("#caption").text.startswith("As published: (A)")
 
 
-def test_statements_are_counted_as_in_the_index(explorer, page):
-    """All of a figure by their verdicts, and once those that repeat each other."""
-    verdicts = json.loads((page.parents[1] / "claims" / "claims.json").read_text(encoding="utf-8"))
-    found = [each["verdict"] for each in verdicts["statements"]]
+def content_of(explorer):
+    return explorer.run("return JSON.parse(document.getElementById('content').textContent)")
+
+
+def test_verdicts_are_those_of_the_workflow(explorer, page):
+    """For the default, for each calibrated interpretation by its title, and with departures taken back."""
+    results = page.parents[1]
+    judged = json.loads((results / "claims" / "claims.json").read_text(encoding="utf-8"))
+    departures = results / "extracted" / "departures" / "verdicts.json"
+    taken_back = json.loads(departures.read_text(encoding="utf-8"))
     explorer.open("show=all")
+    counts = Counter(each["verdict"] for each in judged["statements"])
     tally = explorer.one("#tally").text
-    assert tally.startswith(f"Shown, {len(found)} statements: ")
+    assert tally.startswith(f"Of {counts.total()} shown: ")
     for verdict, words in {"holds": "hold", "fails": "fail", "not tested": "not tested"}.items():
-        assert f"{found.count(verdict)} {words}" in tally
-    table = (page.parents[1] / "claims" / "claims.md").read_text(encoding="utf-8")
-    counted = re.search(r"(?m)^\| *Figure 11 .*?(\d+ of \d+) *\|", table)[1]
-    explorer.open("figure=fig11")
-    assert f"Repeats counted once, {counted} hold" in explorer.one("#tally").text
+        assert f"{counts[verdict]} {words}" in tally
+    assert f"{judged['held']} of {judged['judged']} distinct" in explorer.one("#counts").text
+    titles = {each["name"]: each["title"] for each in content_of(explorer)["interpretations"]}
+    for statement in judged["statements"][::20]:
+        explorer.one(f"[data-statement={statement['id']}]").click()
+        explorer.settle()
+        text = explorer.one("#claims .more").get_attribute("textContent")
+        for name, verdict in statement["verdicts_of"].items():
+            assert re.search(f"{verdict} with: .*{re.escape(plain(titles[name]))}", text, re.I)
+        changed = [each["verdicts"][statement["id"]] != statement["verdict"] for each in taken_back]
+        assert bool(re.search(r"(Holds|Fails) if: ", text)) == any(changed)
+    for name in titles:
+        explorer.choose("#interpretation", name)
+        found = Counter(each["verdicts_of"][name] for each in judged["statements"])
+        assert f"{found['holds']} hold" in explorer.one("#tally").text
+
+
+def plain(text):
+    """A text with indices as the page shows it."""
+    return re.sub(r"(?<!\w)(\w)_(\w+)", r"\1\2", text)
 
 
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
@@ -326,21 +346,38 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
     field = explorer.one("#input-spread_ratio").get_attribute("value")
     assert float(field) == unknowns["spread_ratio"]["bounds"][1]
     explorer.open("particle_diameter_nm=500")
-    ensemble = explorer.run(
-        "return JSON.parse(document.getElementById('content').textContent).ensemble"
-    )
+    ensemble = content_of(explorer)["ensemble"]
     point = dict(load_N=10.0, viscosity=90e-6, particle_diameter=500e-9)
     point |= dict(roughness=300e-9, particle_density=1e11)
-    found = [
-        float(solve(**point, parameters=load_parameters(**member)).particle_contact_area_ratio)
-        for member in ensemble
-    ]
+    found = ranges_over(ensemble, "particle_contact_area_ratio", point)
     row = re.search(r"(?m)Asa,t\*.* ([\d.]+) to ([\d.]+)$", explorer.one("#point").text)
-    low, high = map(float, row.groups())
-    last = 10.0 ** (math.floor(math.log10(max(found) - min(found))) - 1)
-    assert (low, high) == pytest.approx((min(found), max(found)), abs=0.51 * last)
-    explorer.enter("#input-spread_ratio", "0.4")
-    assert not any(" to " in each.text for each in explorer.all("#point table:first-child td"))
+    assert tuple(map(float, row.groups())) == pytest.approx(tuple(found), abs=rounding(found))
+    assert f"5 to 95 % over {len(ensemble)} sets" in explorer.one("#definition").text
+
+
+def rounding(ends):
+    """Half of the last digit of a range, the second of its width."""
+    return 0.51 * 10.0 ** (math.floor(math.log10(ends[1] - ends[0])) - 1)
+
+
+def ranges_over(ensemble, quantity, point, **changed):
+    """Both ends of a range over the members, all with what is changed."""
+    members = [load_parameters(**{**member, **changed}) for member in ensemble]
+    values = [float(getattr(solve(**point, parameters=each), quantity)) for each in members]
+    return np.quantile(values, (0.05, 0.95))
+
+
+def test_what_the_reader_changes_is_changed_in_every_member(explorer):
+    explorer.open("figure=fig04&particle_diameter_nm=500&spread_ratio=0.4")
+    point = dict(load_N=10.0, viscosity=90e-6, particle_diameter=500e-9)
+    point |= dict(roughness=300e-9, particle_density=1e11)
+    ends = ranges_over(
+        content_of(explorer)["ensemble"], "solid_load_fraction", point, spread_ratio=0.4
+    )
+    row = re.search(r"(?m)Ls .* ([\d.]+) to ([\d.]+) %$", explorer.one("#point").text)
+    shown = tuple(float(end) / 100.0 for end in row.groups())
+    assert shown == pytest.approx(tuple(ends), abs=rounding(ends))
+    assert explorer.all("#charts .range")
 
 
 def test_the_sizes_behind_x_a_are_given(explorer, defaults):
@@ -352,59 +389,8 @@ def test_the_sizes_behind_x_a_are_given(explorer, defaults):
     assert mean == pytest.approx(math.sqrt(2.0 / math.pi) * scatter, rel=0.02)
 
 
-MEASURED = """# of my rig
-load [N];viscosity [cSt];particle diameter [nm];solid load fraction [%];run
-0,5;0;300;99,5;a
-2;120;300;22;b
-3;120;300;NA;b
-5;120;300;20;c
-"""
-
-
-def choose_file(explorer, path, text):
-    """Choose a file of measured values."""
-    path.write_text(text, encoding="utf-8")
-    explorer.one("#own summary").click()
-    explorer.one("#file").send_keys(str(path))
-
-
-def test_a_csv_file_is_drawn_over_the_curves(explorer, tmp_path):
-    explorer.open("figure=fig11")
-    before = explorer.curve("dry", 1)
-    choose_file(explorer, tmp_path / "mine.csv", MEASURED)
-    explorer.wait("return document.querySelectorAll('#charts .measured').length === 3")
-    assert len(explorer.all("#charts figure:nth-child(2) .measured")) == 3
-    assert "4 rows" in explorer.one("#own").text and "run" in explorer.one("#own").text
-    rows = list(csv.DictReader(io.StringIO(downloaded(explorer, "#save-csv"))))
-    drawn = [float(row["y"]) for row in rows if row["curve"] == "measured"]
-    assert drawn == pytest.approx([0.995, 0.22, 0.20])
-    explorer.one("#forget").click()
-    explorer.settle()
-    assert not explorer.all("#charts .measured") and explorer.curve("dry", 1) == before
-
-
-@pytest.mark.parametrize(
-    ("text", "named"),
-    [
-        ("load [lbf],viscosity [cSt]\n1,2", "load [N], viscosity [cSt]"),
-        ("time,place\n1,2", "thirdbody compare"),
-        ("", "at least two"),
-        ("load [N],load [N],roughness [nm]\n1,2,3", "at least two"),
-        ("load [N];solid load fraction [%]\n1.000;0,5", "decimal commas and decimal points"),
-        ("load [N],solid load fraction [%]\n10,1.2.3", "“1.2.3” is no number"),
-        ("load [N],solid load fraction [%]\n10,inf", "“inf” is no number"),
-    ],
-)
-def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, tmp_path, text, named):
-    explorer.open("figure=fig11")
-    choose_file(explorer, tmp_path / "mine.csv", text)
-    explorer.wait("return document.getElementById('measured').value.startsWith('mine.csv')")
-    assert named in explorer.one("#measured").text
-    assert not explorer.all("#charts .measured") and explorer.console() == []
-
-
 def test_the_size_at_which_a_mode_ends_is_shown(explorer, defaults):
-    explorer.open("view=section&viscosity_cSt=0&load_N=2")
+    explorer.open("figure=fig11&viscosity_cSt=0&load_N=2")
     text = explorer.one("#point").text
     size = float(re.search(r"Particle diameter.*particle-surface from ([\d.]+) nm", text)[1])
     load = 2.0 / defaults.newtons_per_load
@@ -461,30 +447,11 @@ def test_scales_areas_and_axes_can_be_changed(explorer):
     assert explorer.console() == []
 
 
-def test_the_cut_is_drawn_to_scale(explorer):
-    """As far upwards as the bars say, and with the contacts of its mode."""
-    explorer.open("view=section&load_N=1&particle_diameter_nm=800")
-    planes, bar = explorer.run(
-        """const lines = [...document.querySelectorAll('.section .plane')].map((l) => Number(l.getAttribute('y1')));
-        const [, top, foot] = document.querySelector('.section .bar').getAttribute('d').match(/,([\\d.]+)V([\\d.]+)/);
-        return [Math.abs(lines[1] - lines[0]), foot - top]"""
-    )
-    height = number(explorer.one(".section text").text, "")
-    gap = re.search(r"Separation.*?([\d.]+) nm", explorer.one("#point").text)[1]
-    assert planes / bar == pytest.approx(float(gap) / height, rel=0.02)
-    notes = explorer.one("#notes").text
-    assert "particle-surface mode" in notes and "0 contacts of summits" in notes
-    assert explorer.all(".section .carries") and not explorer.one(".section .touch").get_attribute(
-        "d"
-    )
-
-
 def test_a_full_film_has_no_contact_mode(explorer):
-    explorer.open("view=section&viscosity_cSt=150&particle_diameter_nm=100&load_N=80")
-    assert "full film" in explorer.one("#notes").text and "mode" not in explorer.one("#notes").text
+    explorer.open("viscosity_cSt=150&particle_diameter_nm=100&load_N=80")
     rows = [each.text for each in explorer.all("#point .frame:first-child th")]
     assert "Lubrication" in rows and "Contact mode" not in rows
-    assert not explorer.all(".section .carries") and "full film from" in explorer.one("#point").text
+    assert "full film from" in explorer.one("#point").text
     explorer.open("viscosity_cSt=150&particle_diameter_nm=100&roughness_nm=100")
     assert re.search(r"(?m)At\* 0$", explorer.one("#point").text)
 
@@ -494,12 +461,6 @@ def test_beyond_the_film_formula_no_lubrication_is_told(explorer):
     rows = [each.text for each in explorer.all("#point .frame:first-child th")]
     assert "Status" in rows and "Lubrication" not in rows
     assert "Normal load is 10⁹ N" in explorer.one("#notes").text
-
-
-def test_a_dry_cut_without_particles_tells_neither(explorer):
-    explorer.open("view=section&viscosity_cSt=0&particle_diameter_nm=0")
-    assert "no particles" in explorer.one("#notes").text
-    assert "lubricant" not in explorer.one("#key").text
 
 
 @pytest.mark.parametrize("figure", ["fig11", "fig12"])
@@ -531,22 +492,6 @@ def test_turning_points_are_those_of_the_published_figure(explorer, page, figure
     assert {letter: count for letter, count in stars.items() if count} == Counter(
         row["panel"] for row in rows
     )
-
-
-def test_the_cut_has_the_colours_of_figures_1_and_2(explorer):
-    """Of the theme on white; the other one is dark."""
-    from matplotlib.colors import to_hex
-    from matplotlib.style import context
-
-    from thirdbody.figures.drawing import STYLE
-    from thirdbody.figures.schematics import LOOKS, LUBRICANT, PARTICLE
-
-    explorer.open(scheme="light")
-    names = {"surface 1": "--surface-1", "surface 2": "--surface-2", LUBRICANT: "--lubricant"}
-    names |= {PARTICLE: "--carries", "free particle": "--free"}
-    with context(STYLE):
-        expected = {variable: to_hex(LOOKS[part]["facecolor"]) for part, variable in names.items()}
-    assert {variable: colour_of(explorer, variable) for variable in expected} == expected
 
 
 def test_lines_bend_without_corners(explorer):
@@ -681,3 +626,70 @@ def test_a_move_of_a_slider_redraws_the_curves(explorer):
     explorer.driver.execute_async_script(move, 900)
     explorer.settle()
     assert explorer.curve("ν = 90 cSt") != before
+
+
+def test_materials_and_speed_give_the_inputs_of_the_library(explorer, defaults):
+    script = "return [thirdbody.changed(), document.getElementById('rig-speed_m_per_s').value]"
+    inputs, speed = explorer.open("ball=silicon nitride&particle=alumina").run(script)
+    expected = bearing(defaults, ball="silicon nitride", particle="alumina")
+    assert replace(defaults, **inputs).as_dict() == pytest.approx(expected.as_dict(), rel=1e-12)
+    assert float(speed) == pytest.approx(implied_speed(expected), rel=1e-3)
+    fragment = "flat=alumina&speed_m_per_s=2&oil_density_kg_per_m3=900&ball_radius=0.01"
+    inputs, speed = explorer.open(fragment).run(script)
+    oil = dict(speed_m_per_s=2.0, oil_density_kg_per_m3=900.0)
+    expected = bearing(defaults, flat="alumina", ball_radius_mm=10.0, **oil)
+    assert replace(defaults, **inputs).as_dict() == pytest.approx(expected.as_dict(), rel=1e-12)
+    assert float(speed) == 2.0
+    assert "not judged" in explorer.one("#tally").text
+
+
+def test_particles_softer_than_a_surface_cannot_be_chosen(explorer):
+    explorer.open("ball=alumina&particle=silicon nitride")
+    particle = explorer.one("#rig-particle")
+    assert particle.get_attribute("value") == "steel"
+    disabled = [each.text for each in explorer.all("#rig-particle option:disabled")]
+    assert disabled == ["silicon nitride"]
+
+
+@pytest.mark.parametrize(("grade", "temperature"), [(46, 40), (46, 75), (320, 100), (15, -20)])
+def test_an_oil_gives_its_viscosity(explorer, grade, temperature):
+    explorer.open(f"figure=fig11&oil_grade={grade}&temperature_C={temperature}")
+    expected = float(oil_viscosity(temperature, grade=grade))
+    shown = float(explorer.one("#condition-viscosity").get_attribute("value"))
+    assert shown == pytest.approx(expected, rel=1e-4)
+    explorer.enter("#condition-viscosity", "100")
+    assert explorer.one("#rig-oil_grade").get_attribute("value") == ""
+
+
+def test_a_tap_shows_the_value_of_a_point(explorer):
+    explorer.open("figure=fig11", width=390)
+    x, y = explorer.run(
+        """const line = document.querySelector('#charts .line');
+        const at = line.getPointAtLength(0.5 * line.getTotalLength());
+        const svg = line.ownerSVGElement;
+        svg.scrollIntoView();
+        const box = svg.getBoundingClientRect();
+        return [box.x + at.x, box.y + at.y]"""
+    )
+    touch = "Input.dispatchTouchEvent"
+    points = [{"x": round(x), "y": round(y)}]
+    explorer.driver.execute_cdp_cmd(touch, {"type": "touchStart", "touchPoints": points})
+    explorer.driver.execute_cdp_cmd(touch, {"type": "touchEnd", "touchPoints": []})
+    explorer.wait("return !document.getElementById('tooltip').hidden")
+    assert "Ft* = " in tooltip(explorer)
+
+
+def test_no_two_entries_of_a_key_look_the_same(explorer):
+    for figure in FIGURES:
+        explorer.open(f"figure={figure}")
+        drawn = [each.get_attribute("innerHTML") for each in explorer.all("#key svg")]
+        assert len(set(drawn)) == len(drawn), figure
+
+
+def test_it_needs_no_function_of_recent_browsers_for_its_colours(page):
+    assert "light-dark(" not in page.read_text(encoding="utf-8")
+
+
+def test_there_is_a_way_home(explorer):
+    link = explorer.open().one("header a[href='../index.html']")
+    assert link.text

@@ -1,31 +1,25 @@
 """The page's script gives the library's numbers: it is run in the browser at random points."""
 
 import itertools
-import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from thirdbody import solve
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.conditions import CONDITION_AXES
+from thirdbody.core.parameters import WORDS
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.solve import DEFAULT_RTOL
+from thirdbody.core.state import QUANTITIES
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.model.parameters import WORDS
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solution import QUANTITIES
-from thirdbody.solver.solve import DEFAULT_RTOL
-from thirdbody.study.claims import load_claims
-from thirdbody.study.evidence import FULL_EFFORT
-from thirdbody.study.judge import Judge
-from thirdbody.study.verdicts import outcome
+from thirdbody.points import solve
+from thirdbody.variables import CONDITION_AXES
 
 POINTS = 1000
 RTOL = 1e-6
 TINY = 1e-300  # smaller numbers are no numbers in float64 any more
 NEWTONS = 0.04, 80.0
-FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 SOLVED_IN_THE_PAGE = """
 return arguments[0].map(([inputs, condition, load]) => {
   const found = thirdbody.solve(inputs, condition, load);
@@ -161,19 +155,3 @@ def test_turning_points_are_the_librarys(explorer, page, defaults):
     for name, key in (("load", "load"), ("peak_ratio", "particle_contact_area_ratio")):
         mine, library = [point[key] for point in found], [row[name] for row in rows]
         np.testing.assert_allclose(mine, library, rtol=RTOL)
-
-
-def test_verdicts_are_the_librarys(explorer, page, defaults):
-    """On every statement under the default inputs, on some under those of another interpretation."""
-    written = json.loads((page.parents[1] / "claims" / "claims.json").read_text(encoding="utf-8"))
-    some = load_claims(config_directory() / "claims.yaml")[::4]
-    calibrated = config_directory() / "calibrated" / "total_natural.yaml"
-    other = read_yaml(calibrated)["inputs"]
-    verdicts = Judge(some, defaults.as_dict(), NEWTONS)(other, FULL_EFFORT)
-    explorer.open()
-    for inputs, expected in (
-        (defaults, {row["id"]: row["verdict"] for row in written["statements"]}),
-        (replace(defaults, **other), {each.id: outcome(each, verdicts[each.id]) for each in some}),
-    ):
-        judged = explorer.run("return thirdbody.judge(arguments[0])", inputs.as_dict())
-        assert {name: judged[name]["verdict"] for name in expected} == expected

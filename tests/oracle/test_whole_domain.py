@@ -14,8 +14,8 @@ import pytest
 from tests.oracle.comparison import PLACES, ROUND, compare, draw_points
 from tests.oracle.extended import why_not
 from tests.oracle.points import PUBLISHED
-from thirdbody.model.asperity import SummitPopulation
-from thirdbody.model.summits import QUADRATURE_ERROR
+from thirdbody.core.asperity import SummitPopulation
+from thirdbody.core.summits import QUADRATURE_ERROR
 
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),

@@ -1,6 +1,5 @@
 """Datasets as others see them: the data contract, CF and ACDD."""
 
-import dataclasses
 import re
 import sys
 from pathlib import Path
@@ -12,8 +11,8 @@ import yaml
 
 import thirdbody as tb
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solution import QUANTITIES
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.state import QUANTITIES
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.results
@@ -64,7 +63,7 @@ def test_axes_points_and_inputs_are_those_of_the_configuration(
 ):
     contract, recompute = verification
     data = recompute.read(stored)
-    inputs = dataclasses.asdict(tb.load_parameters())
+    inputs = tb.load_parameters().as_dict()
     assert list(contract.configuration_findings(data, figure, config, inputs)) == []
     assert all((np.diff(data.axes[name]) > 0.0).all() for name in contract.DIMENSIONS)
 

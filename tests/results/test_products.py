@@ -1,13 +1,23 @@
 """Tables that the workflow made."""
 
+import json
+
 import pytest
 
-from thirdbody.curves.transitions import LIMITS
+from thirdbody.core.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 
-NAMES = ("table1", "table2", "tpca_loads", "tpca_windows", "transitions")
+NAMES = (
+    "table1",
+    "table2",
+    "tpca_loads",
+    "tpca_windows",
+    "transitions",
+    "deviations",
+    "departures",
+)
 COLUMNS = TABLES | {"table1": TABLES["paper_table"], "table2": TABLES["paper_table"]}
 
 
@@ -45,6 +55,27 @@ def test_each_roughness_has_a_window_with_two_ends(tables):
         assert set(ends) == {"low", "high"}
         low, high = (ends[end]["diameter_over_roughness"] for end in ("low", "high"))
         assert 0.0 < low < high
+
+
+def test_each_printed_number_has_its_deviation(tables, results):
+    content = json.loads((results / "claims" / "claims.json").read_text(encoding="utf-8"))
+    rows = {row["id"]: row for row in content["statements"]}
+    assert len(tables["deviations"]) >= 22
+    for row in tables["deviations"]:
+        expected = -1.0 if row["computed"] is None else row["computed"] / row["printed"] - 1.0
+        assert row["deviation"] == pytest.approx(expected, abs=1e-8)
+        assert row["computed"] in (None, *map(pytest.approx, rows[row["id"]]["numbers"]))
+
+
+def test_departures_begin_with_what_the_claims_say(tables, results):
+    content = json.loads((results / "claims" / "claims.json").read_text(encoding="utf-8"))
+    first, *others = tables["departures"]
+    assert (first["holds"], first["judged"]) == (content["held"], content["judged"])
+    reached = [row for row in content["headline"] if row["verdict"] == "holds"]
+    assert first["headline"] == len(reached)
+    sizes = [abs(row["deviation"]) for row in tables["deviations"]]
+    assert first["mean_deviation"] == pytest.approx(sum(sizes) / len(sizes))
+    assert all(0 <= row["holds"] <= row["judged"] for row in others)
 
 
 @pytest.mark.parametrize("name", ["table1", "table2"])

@@ -24,7 +24,7 @@ METHODS = {"tables": 0.0, "quadrature": 1e12}
 @contextmanager
 def solved_by(method):
     """Context in which points are solved by ``method`` first, however few or many they are."""
-    module = import_module("thirdbody.solver.solve")
+    module = import_module("thirdbody.core.solve")
     usual, module.TABLE_WORTH = module.TABLE_WORTH, METHODS[method]
     try:
         yield

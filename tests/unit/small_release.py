@@ -72,15 +72,12 @@ def make_release(folder):
     """The folder of a release and its archive file below ``folder``; the path of the former."""
     release = Release.of("pyproject.toml", "CITATION.cff")
     products = make_products(folder / "results")
-    datasets = [path for path in products if path.suffix == ".nc"]
-    places = [f"results/datasets/{path.name}" for path in datasets]
-    jobs = [{"rule": "solve_scene", "inputs": [], "outputs": [place]} for place in places]
     parameters = dataclasses.asdict(tb.load_parameters())
     settings = {"config": CONFIG, "parameters": parameters}
     software = software_versions("pyproject.toml")
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
-    stage(place, products, [*SOURCES, *programs], settings, jobs, software, release)
+    stage(place, products, [*SOURCES, *programs], settings, software, release)
     pack(place, folder / f"{release.full_name}.zip", release.date)
     return place
 

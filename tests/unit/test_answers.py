@@ -11,18 +11,15 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.answers.answer import Row
 from thirdbody.answers.bearing import MATERIALS, Material, derived
-from thirdbody.configuration.inputs import calibrated_ensemble
-from thirdbody.data.quantities import QUANTITIES
-from thirdbody.model.parameters import WORDS
-from thirdbody.model.regimes import LUBRICATION_REGIMES
+from thirdbody.core.regimes import LUBRICATION_REGIMES
+from thirdbody.variables import QUANTITIES
 
 
 @pytest.fixture
-def interface(monkeypatch):
+def interface(defaults):
     """An interface with two members, which are enough here."""
-    few = "thirdbody.answers.interface.calibrated_ensemble"
-    monkeypatch.setattr(few, lambda parameters: calibrated_ensemble(parameters)[:2])
-    return tb.Interface(**ENGINEERING)
+    few = defaults.with_members(defaults.members[:2])
+    return tb.Interface(**ENGINEERING, parameters=few)
 
 
 def solved(inputs, load_N=10.0, **given):
@@ -41,18 +38,19 @@ def test_the_state_is_what_solve_gives_in_other_units(interface, defaults):
 
 
 def test_the_range_is_that_of_the_members(defaults):
-    members = calibrated_ensemble(defaults)
+    members = tb.ensemble(defaults)
     shares = [float(solved(each).solid_load_fraction) for each in members]
-    rows = tb.Interface(**ENGINEERING).state().rows
-    row = {row.name: row for row in rows}["solid_load_fraction"]
+    state = tb.Interface(**ENGINEERING).state()
+    row = {row.name: row for row in state.rows}["solid_load_fraction"]
     assert (row.low, row.high) == pytest.approx(tuple(np.quantile(shares, [0.05, 0.95])))
     assert (row.agree, row.members) == (len(members), len(members))
+    assert any(f"5 to 95 % over {len(members)} sets" in note for note in state.notes)
 
 
 def test_members_keep_what_the_user_has_changed(defaults):
-    mine = replace(defaults, ball_radius=0.01, apparent_area=0.5 * defaults.apparent_area)
-    members = calibrated_ensemble(mine)
-    assert members
+    mine = defaults.changed(ball_radius=0.01, apparent_area=0.5 * defaults.apparent_area)
+    members = tb.Interface(**ENGINEERING, parameters=mine).members
+    assert len(members) == len(defaults.members)
     assert {each.ball_radius for each in members} == {0.01}
     assert {each.apparent_area for each in members} == {mine.apparent_area}
 
@@ -171,17 +169,13 @@ def test_what_stays_of_the_film_where_a_modulus_changes_is_said(defaults):
 
 
 def test_inputs_without_an_ensemble_have_no_range_and_say_so(interface, defaults):
-    members, changed = [each.as_dict() for each in calibrated_ensemble(defaults)], {}
-    for name, value in defaults.as_dict().items():
-        if len({each[name] for each in members}) > 1:  # another of the words, or another number
-            words = [word for word in WORDS.get(name, ()) if word != value]
-            changed[name] = words[0] if words else 1.001 * value
-    alone = interface.changed(parameters=replace(defaults, **changed))
+    alone = interface.changed(parameters=replace(defaults, truncation=3.0))
     assert alone.members == ()
     other = alone.changed(viscosity_cSt=120)
     answers = [alone.state(), alone.compare(other), alone.transitions(), alone.turning_point()]
     for answer in answers:
-        assert [note for note in answer.notes if note.startswith("no ensemble: ")]
+        assert [note for note in answer.notes if note.startswith("no range: ")]
+        assert not [note for note in answer.notes if note.startswith("ranges are ")]
         assert {row.low for row in answer.rows} == {None}
         assert {row.range_text for row in answer.rows} == {""}
     assert "separation_low" not in alone.curve("load", 1.0, 10.0, count=2).values

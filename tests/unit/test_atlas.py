@@ -9,9 +9,8 @@ import thirdbody as tb
 from thirdbody.atlas.catalogue import chart_panels, chart_rows, open_atlas, write_catalogue
 from thirdbody.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.atlas.surfaces import quantiles
-from thirdbody.configuration.inputs import calibrated_ensemble
-from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
+from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
+from thirdbody.variables import DIMENSIONS
 
 RTOL = 1e-3
 ENDS = {  # of the axes, how many values they have, and which besides
@@ -29,8 +28,9 @@ AXES = {
 
 @pytest.fixture(scope="module")
 def members(defaults):
-    """The first of the ensemble, which is the default, and two others."""
-    return calibrated_ensemble(defaults)[:3]
+    """The default, and two others of the ensemble."""
+    others = [each for each in tb.ensemble(defaults) if each != defaults]
+    return defaults, *others[:2]
 
 
 @pytest.fixture(scope="module")

@@ -4,17 +4,28 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 import yaml
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration.inputs import read_calibrated, read_entries
+from thirdbody.configuration.inputs import plain_values, read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.tables import TABLES
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.choice import choose_default, mixed_ensemble, price_front
+from thirdbody.study.choice import (
+    Candidate,
+    choose_default,
+    equal_ensemble,
+    excess_over,
+    largest_summit_parameter,
+    left_out_losses,
+    printed_numbers,
+    rank_interpretations,
+)
 from thirdbody.study.claim import Verdict
 from thirdbody.study.claims import load_claims
-from thirdbody.study.judge import Judge
+from thirdbody.study.kinds import Value, Window
 from thirdbody.study.results import acceptable, shortlist, summary
 from thirdbody.study.search import (
     _loss,
@@ -27,17 +38,19 @@ from thirdbody.study.search import (
     scattered_starts,
     search,
 )
-from thirdbody.study.verdicts import Candidate
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
 SETTINGS = read_yaml(CONFIG / "calibration.yaml")
-DEFAULT = "fluid_natural"
+NAMES = list(SETTINGS["interpretations"])
 LINEAR = Unknown("mean_ratio", (0.0, 4.0), (1.0, 2.0), False)
 RADIUS = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 TWO = Interpretation("two", {}, (LINEAR, RADIUS))
 BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5, "walkers": 16, "steps": 300}
-BUDGET |= {"starts": 3, "descents": 1, "hops": 1, "nearby_hops": 1, "iterations": 20}
+BUDGET |= {"starts": 3, "descents": 1, "hops": 1, "iterations": 20}
+
+
+HALVES = slice(40), slice(40, None)
 
 
 def valley(interpretation, positions):
@@ -74,12 +87,14 @@ def test_the_loss_grows_with_the_score_and_no_miss_outweighs_the_others():
 def test_the_objective_adds_up_weighted_losses_and_penalties(parameters):
     objective = Objective.of(CLAIMS, SETTINGS, parameters.as_dict())
     assert not any(claim.aside for claim in objective.claims)
-    interpretation = Interpretation.of(DEFAULT, SETTINGS)
+    interpretation = Interpretation.of(NAMES[0], SETTINGS)
     inputs = {each.name: (each.usual[1] + each.bounds[1]) / 2 for each in interpretation.unknowns}
     inputs = interpretation.values(interpretation.positions(inputs))
-    losses = loss(objective.scores(interpretation, inputs))
-    expected = interpretation.penalty(inputs) + objective.weights @ losses
+    scores = objective.scores(interpretation, inputs)
+    expected = interpretation.penalty(inputs) + objective.weights @ loss(scores)
     assert objective(interpretation, interpretation.positions(inputs)) == pytest.approx(expected)
+    parts = [objective.losses(scores[part], objective.claims[part]) for part in HALVES]
+    assert interpretation.penalty(inputs) + np.concatenate(parts).sum() == pytest.approx(expected)
 
 
 def test_statements_that_repeat_one_another_share_one_weight(parameters):
@@ -90,18 +105,19 @@ def test_statements_that_repeat_one_another_share_one_weight(parameters):
         clusters.setdefault(claim.counted_as, []).append(weight / of_kind)
     assert max(map(len, clusters.values())) > 2
     assert_allclose([sum(shares) for shares in clusters.values()], 1.0)
-    chosen = [claim.counted_as == "window-on-300nm" for claim in objective.claims]
-    assert objective.repeating("fig09-window").tolist() == chosen
+    assert sum(clusters["window-on-300nm"]) == pytest.approx(1.0)
+    assert len(clusters["window-on-300nm"]) > 1
 
 
-def test_an_interpretation_searches_what_it_does_not_fix():
-    for name in SETTINGS["interpretations"]:
-        interpretation = Interpretation.of(name, SETTINGS)
-        assert not {unknown.name for unknown in interpretation.unknowns} & set(interpretation.fixed)
-    natural = Interpretation.of("fluid_natural", SETTINGS)
-    assert len(natural.unknowns) == 8
-    values = {"apparent_area": 4.5e-6, "participation": 0.63662, "truncation": 4.0}
-    assert values.items() <= natural.fixed.items()
+@pytest.mark.parametrize("name", NAMES)
+def test_an_interpretation_searches_what_it_does_not_fix(name):
+    interpretation = Interpretation.of(name, SETTINGS)
+    searched = [unknown.name for unknown in interpretation.unknowns]
+    assert searched == [each for each in SETTINGS["always"] if each not in interpretation.fixed]
+    # with what is printed or assumed, that is all inputs
+    known = plain_values(read_entries()).keys()
+    assert not known & set(searched)
+    assert known | set(searched) | interpretation.fixed.keys() == read_entries().keys()
 
 
 def test_no_fold_sees_what_it_is_judged_on(parameters):
@@ -236,14 +252,17 @@ def test_acceptable_sets_are_near_the_best_each_once():
     assert acceptable(rows, 2.0).tolist() == [[0.2, 1.0], [0.3, 2.5], [0.1, 3.0]]
 
 
-def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, parameters):
+def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path):
     searches = [searched(seed) for seed in (1, 2)]
     folds = [searches[0][:50]] * len(SETTINGS["folds"])
     samples = [rows[-40:] for rows in searches]
     settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
-    judge = Judge([], parameters.as_dict(), SETTINGS["newtons"])
-    found = summary(TWO, judge, searches, samples, folds, settings)
+    found = summary(TWO, searches, samples, folds, settings)
     assert found["inputs"]["mean_ratio"] == pytest.approx(1.5, abs=0.1)
+    least = min(rows[:, -1].min() for rows in searches)
+    assert found["objective"] == pytest.approx(least, rel=1e-5)
+    assert found["objective"] == min(found["objective_of_each_seed"])
+    assert found["ensemble"][0] == found["inputs"]
     assert found["identification"]["mean_ratio"]["identified"]
     assert not found["identification"]["summit_radius"]["identified"]
     assert [fold["figures"] for fold in found["folds"]] == SETTINGS["folds"]
@@ -251,29 +270,6 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     path = tmp_path / "two.yaml"
     path.write_text(yaml.safe_dump(found))
     assert read_calibrated(path, read_entries()) == found
-
-
-def test_the_price_of_a_number_is_a_front_that_falls(parameters):
-    interpretation = Interpretation.of(DEFAULT, SETTINGS)
-    objective = Objective.of(CLAIMS[:12], SETTINGS, parameters.as_dict())
-    count, name = len(interpretation.unknowns), objective.claims[0].id
-    rows = np.column_stack([np.random.default_rng(1).random((6, count)), np.arange(6.0)])
-    start = interpretation.values(np.full(count, 0.5))
-    front = np.array(price_front(interpretation, objective, name, rows, start))
-    assert front.shape[1] == 2 and len(front) >= 1
-    assert (np.diff(front[:, 0]) > 0.0).all() and (np.diff(front[:, 1]) < 0.0).all()
-
-
-def test_an_ensemble_over_interpretations_takes_those_that_predict_as_much():
-    shares = {"best": [0.9, 0.7], "near": [0.75, 0.75], "far": [0.5, 0.5]}
-    ensemble = [{"truncation": 3.0}] * 4
-    contents = [
-        {"interpretation": name, "inputs": {"film_load": name}, "ensemble": ensemble}
-        for name in shares
-    ]
-    members, labels = mixed_ensemble(contents, shares, 16)
-    assert set(labels) == {"best", "near"} and labels.count("best") == 8
-    assert [member["film_load"] for member in members] == labels
 
 
 def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():
@@ -286,25 +282,224 @@ def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():
     assert all(none == 0 < some for none, some in (first, *others))
 
 
-def test_the_choice_is_what_predicts_most_and_prices_what_it_misses(parameters):
-    dry, outside = "fig11a-turning-point-load-dry", "fig09a-no-turning-point-outside"
-    claims = [claim for claim in CLAIMS if claim.id in (dry, outside)]
-    settings = SETTINGS | {"ensemble": 3, "headline": [dry, outside]}
-    settings["budget"] = {"evaluations": 2}
-    content = read_yaml(CONFIG / "calibrated" / f"{DEFAULT}.yaml")
-    right = content["inputs"]
-    wrong = right | {"elastic_depth_ratio": 0.5}  # misses the load of the dry turning point
-    figures = [9], [11]
-    contents = [
-        {"interpretation": name, "inputs": wrong, "ensemble": [{}]}
-        | {"folds": [{"figures": each, "inputs": inputs} for each in figures]}
-        for name, inputs in (("fluid_natural_all", wrong), (DEFAULT, right))
+def said(name, figure, made=Value, **fields):
+    """A statement that prints 2 in a figure, unless it is given what is ``published``."""
+    fields = {"published": 2.0, "conditions": {"viscosity_cSt": 0, "roughness_nm": 300}} | fields
+    fields |= {"tolerance": 0.1, "tolerance_kind": "absolute", "reason": "", "quote": ""}
+    fields |= {"statement": "", "kind": "value"}
+    return made(id=name, place=f"Figure {figure}A", **fields)
+
+
+def missed_by(distance, *numbers):
+    return Verdict("", distance, 0.0, numbers)
+
+
+# losses of scores 1 and 2, and the distance with a score of 2
+ONE, TWICE = 0.6, 16.0 / 17.0 + 0.2
+E = float(np.e)
+
+
+def test_what_was_left_out_is_lost_by_figure_with_the_weights_of_the_objective(parameters):
+    claims = [
+        said("four", 4),
+        said("twin", 5, cluster="twins"),
+        said("other", 5, cluster="twins"),
+        said("also", 9, figures=[5]),
+        said("aside", 4, aside="why"),
+        said("unseen", 6),
     ]
-    judge = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
-    chosen, table = choose_default(judge, contents, settings)
-    assert table["interpretation"].tolist() == [DEFAULT, "fluid_natural_all"]
-    assert table["predicted"].tolist() == ["2/2", "1/2"]
-    assert chosen["interpretation"] == DEFAULT
-    assert list(chosen["fronts"]) == [dry] and len(chosen["fronts"][dry]) >= 1
-    assert chosen["ensemble"] == [wrong] * 3
-    assert chosen["ensemble_interpretations"] == [DEFAULT] * 3
+    settings = SETTINGS | {"weights": {"value": 4.0}}
+    objective = Objective.of(claims, settings, parameters.as_dict())
+    distances = {"four": 1.0, "twin": E, "other": 0.0, "also": 1.0, "aside": 9.0}
+    predicted = {name: missed_by(distance) for name, distance in distances.items()}
+    losses = left_out_losses(objective, predicted)
+    assert losses.to_dict() == pytest.approx({4: 4.0 * ONE, 5: 2.0 * TWICE + 4.0 * ONE})
+    assert left_out_losses(objective, {}).empty
+
+
+def test_the_excess_has_the_standard_error_of_the_differences_by_figure():
+    losses, least = (pd.Series(each, [4, 5, 6]) for each in ([3.0, 5.0, 1.0], [2.0, 2.0, 2.0]))
+    # differences of 1, 3 and -1: variance 4, that of their sum 12
+    assert excess_over(losses, least) == pytest.approx((3.0, 12.0**0.5))
+    assert excess_over(least, least) == (0.0, 0.0)
+
+
+class Told:
+    """Judges statements by what is told of them in the inputs: the distance of each, and its number."""
+
+    claims = tuple(said(f"in {figure}", figure) for figure in (4, 5, 6))
+    newtons = 0.04, 80.0
+
+    def __init__(self, parameters):
+        self.base = parameters.as_dict()
+
+    def __call__(self, inputs, effort=None, claims=None):
+        some = self.claims if claims is None else claims
+        told = zip(self.claims, inputs["distances"], strict=True)
+        distances = {claim.id: distance for claim, distance in told}
+        return {each.id: missed_by(distances[each.id], inputs["number"]) for each in some}
+
+
+USUAL = {name: unknown["usual"][0] for name, unknown in SETTINGS["unknowns"].items()}
+
+
+def made_up(name, predicted=(0.0, 0.0, 0.0), number=2.0, fitted=(0.0, 0.0, 0.0), **inputs):
+    """A calibrated file; in its folds the statements are missed by the distances ``predicted``."""
+    told = USUAL | inputs | {"distances": fitted, "number": number}
+    folds = [
+        {"figures": [figure], "inputs": told | {"distances": predicted}} for figure in (4, 5, 6)
+    ]
+    return {
+        "interpretation": name,
+        "inputs": told,
+        "ensemble": [{"truncation": 2.0 + each} for each in range(4)],
+        "folds": folds if predicted else [],
+    }
+
+
+MADE_UP = SETTINGS | {
+    "interpretations": {
+        name: {"fixed": {}} for name in ("least", "near", "far", "farther", "unseen")
+    },
+    "weights": {},
+    "headline": ["in 4"],
+    "ensemble": 6,
+}
+
+
+@pytest.fixture
+def told(parameters):
+    return Told(parameters)
+
+
+def ranked(judge, contents, settings=MADE_UP):
+    candidates = [Candidate.of(judge, content) for content in contents]
+    return rank_interpretations(judge, candidates, settings).set_index("interpretation")
+
+
+CONTENTS = [
+    made_up("unseen", predicted=(), number=2.0),
+    made_up("farther", (E, E, E), number=2.0),
+    made_up("far", (1.0, 1.0, 1.0), number=2.0),
+    made_up("least", (0.0, 1.0, 0.0), number=2.4),
+    made_up("near", (E, 0.0, 0.0), number=1.8, fitted=(0.5, E, 0.0)),
+]
+
+
+def test_interpretations_within_one_standard_error_of_the_least_loss_are_equal(told):
+    """Of equals the closest to the printed numbers is the first; the others follow by their loss."""
+    table = ranked(told, CONTENTS)
+    assert list(table.index) == ["near", "least", "far", "farther", "unseen"]
+    assert table["equal"].tolist() == [True, True, False, False, False]
+    losses = [TWICE, ONE, 3.0 * ONE, 3.0 * TWICE]
+    assert table["left_out_loss"].tolist()[:4] == pytest.approx(losses, abs=0.005)
+    excess = np.subtract(losses, ONE)
+    assert table["above_least"].tolist()[:4] == pytest.approx(excess.tolist(), abs=0.005)
+    differences = [[TWICE, -ONE, 0.0], [0.0] * 3, [ONE, 0.0, ONE], [TWICE, TWICE - ONE, TWICE]]
+    errors = 3.0**0.5 * np.std(differences, axis=1, ddof=1)
+    assert table["standard_error"].tolist()[:4] == pytest.approx(errors.tolist(), abs=0.005)
+    assert table.loc["unseen", ["left_out_loss", "above_least", "standard_error"]].isna().all()
+
+
+def test_the_table_of_interpretations_has_counts_and_deviations(told):
+    table = ranked(told, CONTENTS)
+    assert table["predicted"].tolist() == ["2/3", "3/3", "3/3", "0/3", "not cross-validated"]
+    assert table.loc["near", "folds"] == "0/1, 1/1, 1/1"
+    assert table.loc["near", ["fitted", "headline"]].tolist() == ["2/3", "1/1"]
+    assert table["mean_deviation"].tolist() == pytest.approx([0.1, 0.2, 0.0, 0.0, 0.0])
+    assert (table["mean_deviation"] == table["median_deviation"]).all()
+    assert (table["unknowns"] == len(SETTINGS["always"])).all() and (table["penalty"] == 0.0).all()
+    # the loss of scores 0.5, 2 and 0
+    half = 0.5**4 / (1.0 + 0.5**4) + 0.05
+    assert table.loc["near", "objective"] == pytest.approx(half + TWICE, abs=0.005)
+
+
+def test_equals_are_ordered_by_deviation_then_unknowns_then_penalty(told):
+    fewer = {"fixed": {"apparent_area": 4e-6, "participation": 0.5}}
+    settings = MADE_UP | {
+        "interpretations": {each: {"fixed": {}} for each in "abcd"} | {"e": fewer}
+    }
+    unusual = {"summit_parameter": 0.2}  # a penalty of the square of log10(2)
+    contents = [
+        made_up("a", number=2.4),
+        made_up("b", number=2.2, **unusual),
+        made_up("c", number=2.2),
+        made_up("d", number=2.1, **unusual),
+        made_up("e", number=2.2, **unusual),
+    ]
+    table = ranked(told, contents, settings)
+    assert table["equal"].all()
+    assert list(table.index) == ["d", "e", "c", "b", "a"]
+    every = len(SETTINGS["always"])
+    assert table["unknowns"].tolist() == [every, every - 2, every, every, every]
+    assert table["penalty"].tolist() == pytest.approx([0.09, 0.09, 0.0, 0.09, 0.0])
+
+
+def test_the_choice_is_the_first_with_an_ensemble_of_its_equals(told):
+    chosen, table = choose_default(told, CONTENTS, MADE_UP)
+    assert chosen["interpretation"] == table.loc[0, "interpretation"] == "near"
+    assert chosen["ensemble_interpretations"] == ["near"] * 3 + ["least"] * 3
+    # the first, the middle and the last of each, with all other inputs of its file
+    assert [member["truncation"] for member in chosen["ensemble"]] == [2.0, 4.0, 5.0] * 2
+    assert [member["number"] for member in chosen["ensemble"]] == [1.8] * 3 + [2.4] * 3
+
+
+@pytest.mark.parametrize(("least", "count"), [(1, 1), (3, 1), (4, 2), (10, 4), (30, 10)])
+def test_an_ensemble_has_as_many_members_of_each_of_the_equals(least, count):
+    contents = [
+        {
+            "interpretation": name,
+            "inputs": {"film_load": name, "truncation": -1},
+            "ensemble": [{"truncation": place} for place in range(size)],
+        }
+        for name, size in (("one", 4), ("two", 8), ("three", 30))
+    ]
+    members, names = equal_ensemble(contents, least)
+    assert names == ["one"] * count + ["two"] * count + ["three"] * count
+    assert [member["film_load"] for member in members] == names
+    if count == 4:  # evenly from the first to the last
+        places = [0, 1, 2, 3, 0, 2, 5, 7, 0, 10, 19, 29]
+        assert [member["truncation"] for member in members] == places
+
+
+@pytest.mark.parametrize(("exponent", "largest"), [(0.0, 0.05), (1.0, 0.25 / 3), (-1.0, 0.15)])
+def test_the_largest_summit_parameter_is_that_at_an_end_of_the_roughness(exponent, largest):
+    inputs = {"summit_parameter": 0.05, "summit_parameter_exponent": exponent}
+    inputs |= {"reference_roughness": 300e-9}
+    settings = {"roughness_nm": [100, 500]}
+    assert largest_summit_parameter(inputs, settings) == pytest.approx(largest)
+
+
+def test_each_printed_number_has_its_deviation_and_minus_one_if_the_model_has_none():
+    missing = float("nan")
+    window = said("window", 9, Window, published=[0.8, 1.25])
+    claims = [
+        said("value", 4),
+        said("change", 4, published=-0.5),
+        said("none", 5, published=-0.5),
+        window,
+        replace(window, id="half"),
+        replace(window, id="no window"),
+        said("wordless", 5, published=None),
+        said("not asked", 5),
+    ]
+    verdicts = {
+        "value": Verdict("", 1.0, 0.2, (2.0, 2.2), worst=1),
+        "change": missed_by(1.0, -0.4),
+        "none": missed_by(9.0),
+        "window": missed_by(1.0, 1.0, 1.0),
+        "half": missed_by(9.0, 0.8, missing),
+        "no window": missed_by(9.0, missing, missing),
+        "wordless": missed_by(0.0, 3.0),
+        "not asked": missed_by(0.0, 3.0),
+    }
+    table = printed_numbers(claims, verdicts, [each.id for each in claims[:-1]])
+    windows = ["window", "window", "half", "half", "no window", "no window"]
+    assert table["id"].tolist() == ["value", "change", "none", *windows]
+    assert table["printed"].tolist() == [2.0, -0.5, -0.5, *[0.8, 1.25] * 3]
+    computed = [2.2, -0.4, missing, 1.0, 1.0, 0.8, missing, missing, missing]
+    assert_allclose(table["computed"], computed)
+    expected = [0.1, -0.2, -1.0, 0.25, -0.2, 0.0, -1.0, -1.0, -1.0]
+    assert table["deviation"].tolist() == pytest.approx(expected, abs=1e-12)
+    assert table["place"].tolist()[-1] == "Figure 9A"
+    assert [*table] == [column.name for column in TABLES["deviations"]]

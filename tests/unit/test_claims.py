@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import yaml
 
-from thirdbody.curves.turning_point import PROMINENCE, TurningPoints
+from thirdbody.core.turning_points import PROMINENCE, TurningPoints
 from thirdbody.study import claims
 from thirdbody.study.claim import CONDITION_KEYS, MISSING_SCORE
 from thirdbody.study.evidence import FULL_EFFORT, curve_of
@@ -123,12 +123,11 @@ def test_turning_point_quantities(quantity, value):
 
 def test_a_factor_is_the_same_tolerance_on_both_sides():
     claim = make_claim("value", "turning_point_load", 1e-5, size=1.41)
-    claim = replace(claim, tolerance_kind="factor", fine_tolerance=0.05)
+    claim = replace(claim, tolerance_kind="factor")
     for load, distance in ((1.41e-5, 1.0), (1e-5 / 1.41, 1.0), (1.41**0.5 * 1e-5, 0.5)):
         assert judged(claim, **at_load(load)).distance == pytest.approx(distance)
     assert claim.interval(2.0) == pytest.approx((2.0 / 1.41, 2.82))
-    assert judged(claim, **at_load(1.2e-5)).holds
-    assert not judged(claim.on_a_fine_axis(), **at_load(1.2e-5)).holds
+    assert judged(claim, **at_load(1.4e-5)).holds and not judged(claim, **at_load(1.42e-5)).holds
 
 
 def test_of_any_curve_the_one_that_agrees_must_have_a_turning_point():
@@ -543,6 +542,26 @@ def test_one_width_makes_a_turning_point_visible(paper):
             assert claim.tolerance == PROMINENCE, claim.id
 
 
+def test_printed_loads_of_turning_points_are_fine_where_dry_and_half_a_step_where_lubricated(paper):
+    loads = [each for each in paper if each.quantity == "turning_point_load" and each.published]
+    assert len(loads) == 6
+    for claim in loads:
+        is_dry = not np.any(claim.conditions["viscosity_cSt"])
+        expected = ("relative", 0.05) if is_dry else ("factor", 1.41)
+        assert (claim.tolerance_kind, claim.tolerance) == expected, claim.id
+
+
+def test_what_no_inputs_can_meet_follows_from_the_papers_own_numbers(paper):
+    numbers = {claim.id: claim.published for claim in paper}
+    (claim,) = (each for each in paper if each.limit)
+    load = numbers["fig11a-turning-point-load-at-120cst"]
+    solid = numbers["fig11b-solid-share-at-turning-point"]
+    # five times as many particles at the same separation carry five times as much
+    most = load * (5.0 * solid + 1.0 - solid)
+    assert f"at most {1e5 * most:.2f}e-5" in claim.limit
+    assert most < claim.published == 3.0e-5
+
+
 CONDITIONS = dict(zip(CONDITION_KEYS, (0, [0, 500], 300, 1.0e11), strict=True))
 GOOD = {
     "id": "some-claim",
@@ -570,6 +589,7 @@ GOOD = {
         ({"conditions": CONDITIONS | {"load_mim": 1e-6}}, "load_mim"),
         ({"conditions": CONDITIONS | {"roughness_nm": [1, 2, 3]}}, "conditions"),
         ({"tolerance": {"absolute": 0.1}}, "reason"),
+        ({"limit": 2.75e-5}, "limit"),
         ({"kind": "regime_sequence", "published": ["wet"], "quantity": None}, "extreme"),
         ({"contradicts": ["nobody"]}, "nobody"),
         ({"aside": "of nothing"}, "contradicts"),

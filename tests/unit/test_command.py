@@ -10,9 +10,11 @@ from pathlib import Path
 
 import pytest
 
+import thirdbody as tb
 from thirdbody.__main__ import run as command
 from thirdbody.command import ANSWERED, BAD_INPUT, EXAMPLES, NONE_FOUND, NOT_WRITTEN, STOPPED, main
-from thirdbody.configuration.inputs import calibrated_ensemble
+from thirdbody.configuration.inputs import ensemble_of
+from thirdbody.configuration.plain_yaml import read_yaml
 
 DRY = "--viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0 --load-N 10"
 CURVE = f"curve {DRY} --particle-diameter-nm 0 --along load --from 1 --to 2"
@@ -54,8 +56,8 @@ def run(text):
 def elsewhere(tmp_path, monkeypatch):
     """An empty folder, and two members of the ensemble, which are enough here."""
     monkeypatch.chdir(tmp_path)
-    few = "thirdbody.answers.interface.calibrated_ensemble"
-    monkeypatch.setattr(few, lambda parameters: calibrated_ensemble(parameters)[:2])
+    few = "thirdbody.configuration.inputs.ensemble_of"
+    monkeypatch.setattr(few, lambda *given: ensemble_of(*given)[:2])
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -158,6 +160,22 @@ def test_a_written_bearing_is_read_by_the_other_questions(capsys):
     rows = {row["name"]: row for row in json.loads(capsys.readouterr().out)["rows"]}
     thickness = rows["film_thickness"]
     assert thickness["value"] != pytest.approx(thickness["other"], rel=0.05)
+
+
+def test_what_a_bearing_leaves_open_is_not_written_and_stays_open(defaults):
+    found = tb.bearing(ball_radius_mm=10.0)
+    first, second = found.members
+    assert run("bearing --ball-radius-mm 10 --write mine.yaml") == ANSWERED
+    written = read_yaml("mine.yaml")
+    assert written["ball_radius"] == 0.01
+    assert written["speed_per_viscosity"] == pytest.approx(0.635 * defaults.speed_per_viscosity)
+    other = second.as_dict()
+    is_open = {name for name, value in first.as_dict().items() if value != other[name]}
+    assert is_open and written.keys() == first.as_dict().keys() - is_open
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        again = tb.load_parameters("mine.yaml")
+    assert again == found and again.members == found.members
 
 
 def test_a_curve_is_printed_as_it_is_written(capsys):

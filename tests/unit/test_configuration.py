@@ -14,10 +14,12 @@ from thirdbody.configuration.inputs import load_parameters, read_calibrated, rea
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema
 from thirdbody.configuration.settings import read_settings, workflow_settings
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.parameters import Parameters
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
+CALIBRATED = read_yaml(CONFIG / "config.yaml")["calibrated"]
+SHIPPED = sorted(f"config/calibrated/{path.name}" for path in (CONFIG / "calibrated").iterdir())
 
 
 @pytest.fixture
@@ -122,11 +124,12 @@ def test_a_template_that_runs_code_is_refused(write, from_root):
 
 
 def test_the_inputs_have_an_entry_for_each_field_and_no_other():
-    names = {field.name for field in fields(Parameters)}
+    names = {field.name for field in fields(Parameters) if field.init}
     schema = read_schema("inputs")
     assert set(read_entries()) == set(schema["properties"]) == set(schema["required"]) == names
 
 
+@pytest.mark.filterwarnings("ignore:.* is changed without")
 def test_single_inputs_win_over_a_file_and_a_file_over_the_calibrated_inputs(write, defaults):
     path = write("truncation: 3.0\nmean_ratio: 0.5\nfilm_load: {value: total}\n")
     expected = replace(defaults, truncation=4.0, mean_ratio=0.5, film_load="total")
@@ -178,9 +181,13 @@ def test_a_bad_input_is_refused_with_file_and_key(write, content, expected):
     assert message.startswith(f"{path}: ") and expected in message
 
 
-@pytest.mark.parametrize("path", sorted((CONFIG / "calibrated").iterdir()), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", SHIPPED)
 def test_each_shipped_calibrated_file_is_valid(path):
-    assert read_calibrated(path)["interpretation"] == path.stem
+    assert read_calibrated(ROOT / path)["interpretation"] == Path(path).stem
+
+
+def test_the_default_is_among_the_shipped_files():
+    assert CALIBRATED in SHIPPED
 
 
 def in_line(inputs):
@@ -214,13 +221,15 @@ def test_inputs_are_laid_over_the_calibrated_file(shipped, from_root, inputs):
     assert shipped == before
 
 
-def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root):
-    other = "config/calibrated/total_natural.yaml"
+@pytest.mark.parametrize("other", [path for path in SHIPPED if path != CALIBRATED][:2])
+def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root, other):
     for key in ("inputs", "calibrated"):
         settings = workflow_settings(changed(shipped, key, other), CONFIG)
         assert settings["parameters"] == load_parameters(other).as_dict()
         assert settings["calibrated"] == other
         assert settings["inputs"] == {}
+        members = [Parameters(**settings["parameters"] | each) for each in settings["ensemble"]]
+        assert load_parameters(other).members == tuple(members)
 
 
 def test_each_scene_carries_all_that_it_depends_on(shipped, from_root):

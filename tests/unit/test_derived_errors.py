@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.curves.transitions import LIMITS, limit_crossings
-from thirdbody.curves.turning_point import turning_points
-from thirdbody.curves.windows import WindowSearch, turning_point_windows
+from thirdbody.core.transitions import LIMITS, limit_crossings
+from thirdbody.core.turning_points import turning_points
+from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")

@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from thirdbody.command import EXAMPLES
-from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, STATUS_MEANINGS, VARIABLES
-from thirdbody.model.regimes import WITHOUT_VALUES
+from thirdbody.core.regimes import WITHOUT_VALUES
+from thirdbody.variables import AXES, FLAGS, NORMAL_LOAD, STATUS_MEANINGS, VARIABLES
 
 DOCS = Path(__file__).parents[2] / "docs"
 NOMENCLATURE = (DOCS / "nomenclature.md").read_text(encoding="utf-8")

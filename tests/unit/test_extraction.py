@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.data.conditions import Condition
 from thirdbody.data.extraction import tpca_rows, transition_rows
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.variables import CONDITION_AXES
 
 AXES = {
     "load": np.geomspace(1e-8, 1e-2, 80),

@@ -15,7 +15,7 @@ from methods import POINT
 import thirdbody as tb
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import VARIABLES, read_rows, relative_error
-from thirdbody.model.regimes import SOLUTION_STATUSES, has_values
+from thirdbody.core.regimes import SOLUTION_STATUSES, has_values
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),

@@ -10,9 +10,8 @@ import yaml
 from matplotlib.colors import to_rgb
 
 import thirdbody as tb
-from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
+from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption, read_caption
 from thirdbody.figures.crowding import GREY_TEXT
@@ -25,6 +24,7 @@ from thirdbody.figures.scales import power_text
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import STRETCH, sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows
+from thirdbody.variables import CONDITION_AXES, QUANTITIES
 
 pytestmark = pytest.mark.usefixtures("style")
 
@@ -394,7 +394,8 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     def state(diameter, load, viscosity):
         condition = Condition(viscosity, diameter, 3e-7, 1e11)
         given = condition._asdict() | {"load": load / parameters.newtons_per_load}
-        return state_of(condition, load, tb.solve(**given, parameters=parameters))
+        solution = tb.solve(**given, parameters=parameters)
+        return state_of(condition, load, solution.variables)
 
     states = [state(diameter, 2.0, 0.0) for diameter in (1e-7, 1e-6, 3e-7)]
     lubricated = sections("fig01", [state(5e-7, 50.0, 9e-5)], parameters)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.model.film import Film
+from thirdbody.core.film import Film
 
 pytestmark = pytest.mark.filterwarnings("error")
 

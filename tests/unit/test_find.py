@@ -7,11 +7,10 @@ import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.answers.crossings import sweep_values
-from thirdbody.answers.find import FULL_FILM
-from thirdbody.arguments import in_si
-from thirdbody.curves.transitions import LIMITS
-from thirdbody.units import ENGINEERING
+from thirdbody.answers.find import FULL_FILM, sample
+from thirdbody.conditions import from_si, read_conditions
+from thirdbody.core.transitions import LIMITS
+from thirdbody.variables import BY_ALIAS
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -31,9 +30,9 @@ def others(key):
 
 def dense(key, variable, level, parameters):
     """Query of every crossing of a dense curve, the points on both sides, and its direction."""
-    unit, swept = sweep_values(key, None, DENSE, parameters)
-    points = unit.from_si(swept, parameters.newtons_per_load)
-    given = in_si(others(key) | {key: points[:, None]}, parameters)
+    samples = sample(key, None, DENSE, parameters)
+    points = from_si(key, samples, parameters.newtons_per_load)
+    given = others(key) | {key: points[:, None]}
     values = getattr(tb.solve(**given, parameters=parameters), variable) - level
     known = np.isfinite(values[:-1]) & np.isfinite(values[1:])
     step, query = np.nonzero(known & ((values[:-1] > 0.0) != (values[1:] > 0.0)))
@@ -43,7 +42,7 @@ def dense(key, variable, level, parameters):
 
 
 @pytest.mark.parametrize(("variable", "level"), [*LIMITS, ("total_contact_area", 1e-4)])
-@pytest.mark.parametrize("key", ENGINEERING.values())
+@pytest.mark.parametrize("key", [*BY_ALIAS])
 def test_crossings_are_those_of_a_dense_curve(parameters, key, variable, level):
     found = tb.find(variable, level, key, parameters=parameters, **others(key))
     query, low, high, rises = dense(key, variable, level, parameters)
@@ -97,27 +96,23 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    "change",
     [
-        ({"variable": "contact_mode"}, "variable is 'contact_mode'; allowed: total_contact_area"),
-        ({"along": "time"}, "unknown axis 'time'; allowed: load, viscosity"),
-        ({"along": "load"}, "load_N: load is searched along; allowed: each axis once"),
-        ({"viscosity": 1e-6}, "viscosity is given twice; allowed: each axis once"),
-        ({"load_N": None}, "load is missing; allowed: load or load_N"),
-        (
-            {"between": (0.0, 1.0)},
-            r"between is \(0.0, 1.0\); allowed: two numbers, positive and increasing",
-        ),
-        ({"count": 1}, "count is 1; allowed: whole numbers from 2 to 1000000"),
-        ({"load_N": -5.0}, "load_N is -5; allowed: positive finite numbers"),
-        ({"level": 90}, "level of solid_load_fraction is 90; allowed: 0 to 1"),
-        ({"load_N": xr.DataArray([1.0])}, "load_N has named dimensions; allowed: its .values in N"),
+        {"along": "load"},
+        {"viscosity": 1e-6},
+        {"load_N": None},
+        {"between": (0.0, 1.0)},
+        {"between": (2.0, 1.0)},
+        {"count": 1},
+        {"load_N": -5.0},
+        {"level": 90},
+        {"load_N": xr.DataArray([1.0])},
     ],
 )
-def test_what_cannot_be_searched_is_refused(parameters, change, message):
+def test_what_would_find_nothing_in_silence_is_refused(parameters, change):
     asked = {"variable": "solid_load_fraction", "level": 0.9, "along": "roughness_nm"}
     asked |= others("roughness_nm") | change
-    with pytest.raises(ValueError, match=message):
+    with pytest.raises(ValueError):
         tb.find(**{k: v for k, v in asked.items() if v is not None}, parameters=parameters)
 
 
@@ -155,7 +150,7 @@ def test_nothing_found_is_printed_in_a_word(parameters):
 def test_engineering_units_and_SI_are_the_same_place_in_a_table_too(parameters):
     given = others("viscosity_cSt")
     one = tb.find(*LIMITS[0], "viscosity_cSt", parameters=parameters, **given)
-    si = in_si(given, parameters, without="viscosity")
+    si = read_conditions(given, parameters, without="viscosity").arrays
     other = tb.find(*LIMITS[0], "viscosity", parameters=parameters, **si)
     assert_allclose(one.value, 1e6 * other.value, rtol=1e-12)
     table = one.to_dataframe()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.model.logarithms import WithSlope, log_product, log_sum
+from thirdbody.core.logarithms import WithSlope, log_product, log_sum
 
 D = np.array([0.5, 1.0, 4.0])
 FIRST = WithSlope(value=-3.0 * D, slope=np.full(3, -3.0))

@@ -8,9 +8,9 @@ import pytest
 from methods import solved_by
 
 import thirdbody as tb
-from thirdbody.model.contact import Contact
-from thirdbody.model.film import Film, log_load_parameter
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.core.contact import Contact
+from thirdbody.core.film import Film, log_load_parameter
+from thirdbody.core.regimes import SOLUTION_STATUSES
 
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 DIAMETER, ROUGHNESS, DENSITY = 3e-6, 100e-9, 1e9

@@ -17,10 +17,9 @@ from thirdbody.command import BAD_INPUT, main
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.settings import workflow_settings
+from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
 from thirdbody.data.attributes import model_attribute
 from thirdbody.messages import format_value
-from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.parameters import WORDS, Parameters
 
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]
 CONTRACT = Path(__file__).parents[2] / "verification" / "contract.py"

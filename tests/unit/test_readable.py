@@ -102,6 +102,35 @@ def test_sensitivities_are_inputs_by_results():
     assert cells(sheet) == [["mean ratio", "-3.46"], ["truncation", "0"]]
 
 
+def test_deviations_have_their_median_and_mean_and_say_what_is_missing():
+    common = {"id": "a", "statement": "A statement.", "printed": 3.27e-6}
+    places = "Figure 11A, section 3.3", "Figure 9", "Figure 4C, section 3.3"
+    numbers = (3.679e-6, 0.125), (None, -1.0), (3.2046e-6, -0.02)
+    rows = [
+        common | {"place": place, "computed": computed, "deviation": deviation}
+        for place, (computed, deviation) in zip(places, numbers, strict=True)
+    ]
+    (sheet,) = readable("deviations", rows, (), NEWTONS)
+    assert cells(sheet) == [
+        ["Figure 11A", "A statement.", "3.27e-6", "3.679e-6", "+12.5 %"],
+        ["Figure 9", "A statement.", "3.27e-6", "none", "-100.0 %"],
+        ["Figure 4C", "A statement.", "3.27e-6", "3.205e-6", "-2.0 %"],
+    ]
+    assert "median of the deviations is 12.5 %, the mean 38.2 %" in sheet.note
+
+
+def test_departures_are_rows_of_counts_and_deviations():
+    row = {"departure": "as it is", "inputs": "", "holds": 100.0, "judged": 115.0}
+    row |= {"headline": 16.0, "median_deviation": 0.0288, "mean_deviation": 0.0598}
+    random = row | {"departure": "at random", "holds": 65.0}
+    random |= dict.fromkeys(("headline", "median_deviation", "mean_deviation"))
+    (sheet,) = readable("departures", [row, random], (), NEWTONS)
+    assert cells(sheet) == [
+        ["as it is", "", "100 of 115", "16", "2.9 %", "6.0 %"],
+        ["at random", "", "65 of 115", "", "", ""],
+    ]
+
+
 def test_a_page_is_the_text_and_needs_no_other_file():
     sheets = [Sheet("One", "Note.", [{"a": "<b> & c"}]), Sheet("Two", "More.", [{"a": "x"}])]
     shown = page(sheets)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from thirdbody.model.regimes import (
+from thirdbody.core.regimes import (
     CONTACT_MODES,
     LUBRICATION_REGIMES,
     MILDEST_FIRST,

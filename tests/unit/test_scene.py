@@ -8,8 +8,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.dataset import scene_groups
+from thirdbody.variables import CONDITION_AXES
 
 NEWTONS = 7.0e5
 AXIS = {"load_N": [0.04, 80.0], "count": 240}

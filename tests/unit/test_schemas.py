@@ -13,7 +13,7 @@ from thirdbody.atlas.chunk import atlas_axes, axis_values
 from thirdbody.configuration.inputs import read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import validate
-from thirdbody.data.conditions import AXES
+from thirdbody.variables import AXES
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

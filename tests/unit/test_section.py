@@ -7,6 +7,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.answers.sizes import sizes_note
+from thirdbody.core.particles import ParticleLayer
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.figures.sections import (
@@ -17,7 +18,6 @@ from thirdbody.figures.sections import (
     size_quantiles,
     state_of,
 )
-from thirdbody.model.particles import ParticleLayer
 
 # the s-s, p-s and hybrid modes of figure 2
 DRY = {"load_N": 2.0, "viscosity_cSt": 0, "roughness_nm": 300, "particle_density_per_m2": 1e11}
@@ -28,7 +28,7 @@ def solved_state(given, parameters):
     condition = Condition.of(given)
     load = given["load_N"] / parameters.newtons_per_load
     solution = tb.solve(load=load, **condition._asdict(), parameters=parameters)
-    return state_of(condition, given["load_N"], solution)
+    return state_of(condition, given["load_N"], solution.variables)
 
 
 def test_section_has_the_statistics_of_the_model(parameters):

@@ -8,10 +8,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.curves.transitions import LIMITS
+from thirdbody.core.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import LEAST, plot
-from thirdbody.solver.solve import solve
+from thirdbody.points import solve
 from thirdbody.study.evidence import FULL_EFFORT, solve_evidence
 from thirdbody.study.sensitivity import (
     STEP,
@@ -32,6 +32,14 @@ INPUTS = {"first": 0.3, "second": -2.0, "third": 5e-6}
 @pytest.fixture(scope="module")
 def subject():
     return Subject.of(SETTINGS)
+
+
+def test_there_are_sets_enough_for_the_response_surface_of_all_inputs(defaults):
+    unknowns = read_yaml(CONFIG / "calibration.yaml")["unknowns"]
+    assert not unknowns.keys() & set(SETTINGS["also"])
+    count = len(varied_inputs(defaults, [*unknowns, *SETTINGS["also"]]))
+    terms = (count + 1) * (count + 2) / 2
+    assert 1.2 * terms <= SETTINGS["sobol"]["solved"]
 
 
 def power_laws(changes):

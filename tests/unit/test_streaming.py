@@ -6,9 +6,9 @@ import pytest
 import xarray as xr
 
 import thirdbody as tb
+from thirdbody.core.solve import solve_points
 from thirdbody.data import dataset
 from thirdbody.data.netcdf import read_plain
-from thirdbody.solver.solve import solve_arrays
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -43,10 +43,10 @@ def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
     def failing(*given, **more):
         if next(calls) == 2:
             raise OSError("no room")
-        return solve_arrays(*given, **more)
+        return solve_points(*given, **more)
 
     monkeypatch.setattr(dataset, "POINTS_PER_BLOCK", 50)
-    monkeypatch.setattr(dataset, "solve_arrays", failing)
+    monkeypatch.setattr(dataset, "solve_points", failing)
     with pytest.raises(OSError, match="no room"):
         tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
     assert not list(tmp_path.iterdir())

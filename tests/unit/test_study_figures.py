@@ -1,12 +1,11 @@
-"""The figures of the verdicts, and of what the headline numbers cost."""
+"""The figure of the verdicts."""
 
 from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
 
-from thirdbody.figures import claims, fronts
+from thirdbody.figures import claims
 from thirdbody.places import part_of_paper
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
@@ -86,21 +85,3 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
         fillings = [filling for _, filling in markers_at(claims.plot(some)).values()]
         assert len(fillings) == len(few)
         assert all((filling == "white") == hollow for filling in fillings)
-
-
-def test_each_headline_number_has_a_panel_and_each_interpretation_a_line():
-    interpretations = [
-        {"interpretation": "one", "fronts": {"a": [[0.5, 9.0], [2.0, 4.0]], "b": [[0.1, 5.0]]}},
-        {"interpretation": "two", "fronts": {"a": [[0.4, 8.0]], "b": []}},
-    ]
-    drawing = fronts.plot(interpretations, {"a": "The first.", "b": "The second."})
-    assert [panel.title for panel in drawing.panels] == ["The first.", "The second."]
-    one, two = drawing.panels[0].series
-    assert (one.name, two.name) == ("one", "two")
-    # what is good near the statement is good farther off
-    assert_allclose(np.column_stack([one.x, one.y])[:2], [[0.5, 9.0], [2.0, 4.0]])
-    assert one.y[-1] == 4.0
-    texts = [text.get_text() for text in drawing.axes[0].get_legend().get_texts()]
-    assert texts == ["one", "two"]
-    (axes,) = fronts.plot(interpretations[:1], {"a": "The first.", "b": "The second."}).axes[:1]
-    assert axes.get_legend() is None

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solution import QUANTITIES, VARIABLES
-from thirdbody.solver.solve import solve_arrays
-from thirdbody.solver.sweep import sweep
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.solve import solve_points
+from thirdbody.core.state import QUANTITIES, VARIABLES
+from thirdbody.core.sweep import sweep
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -34,9 +34,9 @@ def compared(axes, parameters, rtol):
     """The sweep, the points solved one by one, and whether both have the error asked for."""
     found = sweep(axes, parameters, rtol, VARIABLES)
     crossed = dict(zip(axes, np.ix_(*axes.values()), strict=True))
-    points = solve_arrays(crossed, parameters, 1e-9, VARIABLES)
+    points = solve_points(crossed, parameters, 1e-9, VARIABLES)
     hidden = SOLUTION_STATUSES.index("not_converged")
-    both = (found.solution_status != hidden) & (points.solution_status != hidden)
+    both = (found["solution_status"] != hidden) & (points["solution_status"] != hidden)
     return found, points, both
 
 
@@ -46,15 +46,15 @@ def test_a_sweep_keeps_the_error_asked_for(interpretation, axes, film_load):
     rtol = 1e-3
     inputs = replace(interpretation, film_load=film_load)
     found, points, both = compared(axes, inputs, rtol)
-    assert np.array_equal(found.solution_status[both], points.solution_status[both])
+    assert np.array_equal(found["solution_status"][both], points["solution_status"][both])
     for quantity in QUANTITIES:
-        value, true = (getattr(each, quantity)[both] for each in (found, points))
+        value, true = (each[quantity][both] for each in (found, points))
         assert np.array_equal(np.isnan(value), np.isnan(true))
         large = true > TINY
         error = np.abs(value[large] / true[large] - 1.0)
-        bound = (found.error_bound + points.error_bound)[both][large]
+        bound = (found["error_bound"] + points["error_bound"])[both][large]
         assert (error <= bound).all(), (quantity, error.max())
-    assert (found.error_bound[both & ~np.isnan(found.separation)] <= rtol).all()
+    assert (found["error_bound"][both & ~np.isnan(found["separation"])] <= rtol).all()
 
 
 def test_a_grid_is_the_sweep_where_digits_are_few(parameters):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from thirdbody.data.tables import Column, read_csv, table_schema, write_csv
+from thirdbody.data.tables import TABLES, Column, read_csv, table_schema, write_csv
 
 COLUMNS = (
     Column("figure", "string", "", "figure of the paper"),
@@ -21,6 +21,16 @@ def test_rows_survive_the_file_and_a_row_without_a_column_is_refused(tmp_path):
     assert read_csv(path, COLUMNS) == ROWS
     with pytest.raises(KeyError):
         write_csv(path, [{"figure": "fig03"}], COLUMNS)
+
+
+@pytest.mark.parametrize("name", ["deviations", "departures"])
+def test_what_the_model_does_not_give_is_an_empty_cell(tmp_path, name):
+    path = tmp_path / f"{name}.csv"
+    row = {each.name: 0.25 if each.kind == "number" else "a, b" for each in TABLES[name]}
+    missing = {each.name: None for each in TABLES[name][-3:]}
+    write_csv(path, [row, row | missing], TABLES[name])
+    assert path.read_text().endswith(",,,\n")
+    assert read_csv(path, TABLES[name]) == [row, row | missing]
 
 
 def test_numbers_have_ten_digits_and_lines_end_alike_everywhere(tmp_path):

@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.curves.turning_point import PROMINENCE, film_turning_points, turning_points
-from thirdbody.curves.windows import WindowSearch, swept_windows, turning_point_windows
+from thirdbody.core.turning_points import PROMINENCE, film_turning_points, turning_points
+from thirdbody.core.windows import WindowSearch, swept_windows, turning_point_windows
 from thirdbody.data.conditions import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")

@@ -1,6 +1,7 @@
-"""Tables and pages of the verdicts: words, counts, ranges and order, on made-up verdicts."""
+"""Tables and pages of the verdicts: words, counts, ranges and departures, mostly on made-up verdicts."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
@@ -8,15 +9,19 @@ import pytest
 
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.tables import TABLES
 from thirdbody.study import verdicts
+from thirdbody.study.calibration import Interpretation
 from thirdbody.study.claim import Verdict
 from thirdbody.study.claims import load_claims
-from thirdbody.study.judge import Judge
+from thirdbody.study.departures import departure_rows, random_inputs
+from thirdbody.study.evidence import QUICK_EFFORT
+from thirdbody.study.judge import Judge, count_once
 from thirdbody.study.kinds import Value
 from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
-NOTHING_REQUIRED = {"headline": 0, "summit_parameter": 1e3, "roughness_nm": [100, 500]}
+CALIBRATED = read_yaml(config_directory() / "config.yaml")["calibrated"]
 HELD = Verdict("1", 0.0, 0.0, (1.0,))
 MISSED = Verdict("2", 7.4, 1.0, (2.0,))
 BEYOND = Verdict("> 2", 0.0, 1.0, (2.0,), tested=False)
@@ -34,7 +39,6 @@ TAKEN_FIELDS = {"contradicts": ("aside",), "published": 1.0, "reference": {"visc
 TAKEN = claim("taken", {"load_max": 1e-5}, **TAKEN_FIELDS)
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
 CLAIMS = (TAKEN, ASIDE, claim("one", cluster="twins"), claim("other", cluster="twins"))
-DEFAULT_NAME = "fluid_natural_area_3"
 DEFAULT = {
     "interpretation": "some",
     "inputs": {"truncation": 2.0},
@@ -46,25 +50,17 @@ def by_id(found):
     return {each.id: verdict for each, verdict in zip(CLAIMS, found, strict=True)}
 
 
-def report(main, members=(), predicted=None, headline=()):
+def report(main, members=(), predicted=None, headline=(), comparison=None):
     main = by_id(main)
     return verdicts.Report(
         claims=CLAIMS,
-        settings={"headline": headline, "headline_tolerances": {}},
+        settings={"headline": headline},
         default=DEFAULT,
         verdicts=main,
-        faint=main,
-        fine=main,
         members=tuple(map(by_id, members)),
         interpretations={},
         predicted=predicted or {},
-        comparison=pd.DataFrame(),
-    )
-
-
-def candidate(content, verdict, predicted):
-    return verdicts.Candidate(
-        content=content, verdicts={"taken": verdict}, predicted={"taken": predicted}
+        comparison=pd.DataFrame() if comparison is None else comparison,
     )
 
 
@@ -99,8 +95,7 @@ def test_the_page_has_the_score_and_the_contradictions_apart():
     predicted = {"taken": HELD, "one": MISSED, "other": HELD}
     results = report(main, predicted=predicted)
     page = claims_markdown(results)
-    assert "Of 2 distinct statements 1 are predicted" in page
-    assert "Of 2 that can be judged 0 hold (0 %)" in page
+    assert "**0 of 2 checkable statements hold with one set of inputs; 1 of 2 hold when" in page
     apart = page.split("## Where the paper contradicts itself")[1].split("## Predictions")[0]
     (row,) = (line for line in apart.splitlines() if "Figure 9" in line)
     cells = [cell.strip() for cell in row.replace("\\|", "or").split("|")[1:-1]]
@@ -109,6 +104,7 @@ def test_the_page_has_the_score_and_the_contradictions_apart():
     assert "**taken**" in failed and "**other**" in failed and "**aside**" not in failed
     assert "It holds under none of the 0 interpretations." in failed
     html = claims_html(results)
+    assert "0 of 2 checkable statements hold" in html and "; 1 of 2 hold when" in html
     assert html.count("<tr class") == len(CLAIMS)
     assert "rowgroup" in html and html.count('type="radio"') == 5
 
@@ -123,7 +119,7 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     main = (numbered[10], HELD, WORDY, window[10]._replace(worst=1))
     results = report(main, members, headline=["taken", "one", "other"])
     table = verdicts.headline_table(results).set_index("id")
-    column = table["ensemble, 90 %"]
+    column = table["ensemble, 5 to 95 %"]
     assert column["taken"] == "1 to 19"
     assert column["one"] == "16 of 21 agree"
     assert column["other"] == "0.05 to 0.95, 1.1 to 2.9"
@@ -132,48 +128,30 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     ends = rows.loc["other", ["value", "range_low", "range_high"]].tolist()
     assert ends == pytest.approx([2.0, 1.1, 2.9])
     alone = verdicts.headline_table(report(main, headline=["one"]))
-    assert alone["ensemble, 90 %"].tolist() == ["no ensemble"]
+    assert alone["ensemble, 5 to 95 %"].tolist() == ["no ensemble"]
 
 
-def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
-    """Most predicted, then the least penalty, then the fewest unknowns."""
-    some = dict(list(SETTINGS["interpretations"].items())[:4])
-    settings, names = SETTINGS | {"interpretations": some, "required": NOTHING_REQUIRED}, list(some)
-    inputs = {name: unknown["usual"][0] for name, unknown in SETTINGS["unknowns"].items()}
-    contents = [{"interpretation": name, "inputs": inputs} for name in names]
-    contents[2] |= {"inputs": inputs | {"summit_parameter": 0.2}}  # unusual
-    predicted = [MISSED, HELD, HELD, HELD]
-    judge = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
-    candidates = map(candidate, contents, [HELD] * 4, predicted)
-    table = verdicts.rank_interpretations(judge, candidates, settings)
-    ranking = table["interpretation"].tolist()
-    assert ranking[-1] == names[0] and ranking[-2] == names[2]
-    assert table["inputs"].iloc[0] <= table["inputs"].iloc[1]
-    assert table["predicted"].tolist()[-1] == "0/1"
+def test_the_score_says_among_how_many_the_default_was_chosen():
+    losses = pd.DataFrame({"left_out_loss": [30.0, 31.0, 42.0, np.nan]})
+    predicted = {"taken": HELD, "one": HELD}
+    results = report((HELD, HELD, HELD, MISSED), predicted=predicted, comparison=losses)
+    said = verdicts.score_sentence(results)
+    assert said.startswith("**1 of 2 checkable") and "; 2 of 2 hold when" in said
+    assert "chosen among 3 " in said
+    alone = verdicts.score_sentence(replace(results, comparison=losses[:1]))
+    assert "chosen among" not in alone and "; 2 of 2 hold when" in alone
+    unknown = verdicts.score_sentence(report((HELD, HELD, HELD, MISSED)))
+    assert unknown.startswith("**1 of 2 checkable") and "hold when" not in unknown
 
 
-def test_what_is_required_of_the_default_comes_first(parameters):
-    """Enough headline numbers, and summits like those of usual surfaces on the roughest surface too."""
-    some = dict(list(SETTINGS["interpretations"].items())[:2])
-    inputs = {name: unknown["usual"][0] for name, unknown in SETTINGS["unknowns"].items()}
-    steep = {"summit_parameter": 0.08, "summit_parameter_exponent": 0.9}
-    contents = [
-        {"interpretation": name, "inputs": inputs | own}
-        for name, own in zip(some, (steep, {}), strict=True)
-    ]
-    settings = SETTINGS | {"interpretations": some, "headline": ["taken"]}
-    first, second = some
-    judge = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
-
-    def ranked(required, held):
-        candidates = map(candidate, contents, held, [HELD] * 2)
-        required = SETTINGS["required"] | required
-        table = verdicts.rank_interpretations(judge, candidates, settings | {"required": required})
-        return table["interpretation"].tolist(), table["eligible"].tolist()
-
-    assert ranked({"headline": 1}, [HELD, HELD]) == ([second, first], [True, False])
-    unlimited = {"headline": 1, "summit_parameter": 1.0}
-    assert ranked(unlimited, [HELD, MISSED]) == ([first, second], [True, False])
+def test_what_no_inputs_can_meet_stands_beside_the_number_that_is_missed():
+    limited = replace(TAKEN, limit="it is at most 0.9 under any inputs")
+    results = replace(report((MISSED, HELD, HELD, HELD)), claims=(limited, *CLAIMS[1:]))
+    failed = claims_markdown(results).split("## What fails")[1].split("## The inputs")[0]
+    assert "Computed: 2 (paper: 1.0), it is at most 0.9 under any inputs\n" in failed
+    html = claims_html(results)
+    (row,) = (line for line in html.splitlines() if "at most 0.9" in line)
+    assert row.startswith('<tr class="fails">')
 
 
 def test_programs_read_what_the_page_says():
@@ -192,22 +170,74 @@ def test_programs_read_what_the_page_says():
     assert (last["deviation"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
 
 
-def test_everything_is_judged_by_the_real_model(parameters):
-    dry, outside = "fig11a-turning-point-load-dry", "fig09a-no-turning-point-outside"
-    every = load_claims(config_directory() / "claims.yaml")
-    claims = [each for each in every if each.id in (dry, outside)]
-    content = read_yaml(config_directory() / "calibrated" / f"{DEFAULT_NAME}.yaml")
+DRY, OUTSIDE = "fig11a-turning-point-load-dry", "fig09a-no-turning-point-outside"
+
+
+@pytest.fixture(scope="module")
+def some():
+    """Two statements, of which one has a wide tolerance: the load of the dry turning point."""
+    every = {each.id: each for each in load_claims(config_directory() / "claims.yaml")}
+    wide = replace(every[DRY], tolerance_kind="factor", tolerance=1.41)
+    return [every[OUTSIDE], wide]
+
+
+def test_everything_is_judged_by_the_real_model(parameters, some):
+    content = read_yaml(config_directory().parent / CALIBRATED)
     inputs = content["inputs"]
     content["ensemble"] = []
     content["folds"] = [
         {"figures": [9], "inputs": inputs},
         {"figures": [11], "inputs": inputs | {"elastic_depth_ratio": 0.5}},
     ]
-    judge = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
-    found = verdicts.Report.of(judge, content, [content], SETTINGS)
+    name = content["interpretation"]
+    settings = SETTINGS | {"interpretations": {name: {"fixed": {}}}}
+    judge = Judge(some, parameters.as_dict(), SETTINGS["newtons"])
+    found = verdicts.Report.of(judge, content, [content], settings)
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
     predicted = found.predicted
-    assert predicted[outside].holds and not predicted[dry].holds
+    assert predicted[OUTSIDE].holds and not predicted[DRY].holds
     table = found.table
     assert table["predicted"].tolist() == ["holds", "fails"]
     assert np.isnan(table["range_low"]).all() and (table["ensemble_size"] == 0).all()
+    (row,) = found.comparison.to_dict("records")
+    assert (row["interpretation"], row["predicted"], row["fitted"]) == (name, "1/2", "2/2")
+    assert (row["above_least"], row["standard_error"], row["equal"]) == (0.0, 0.0, True)
+    deviation = found.verdicts[DRY].value / 3.27e-6 - 1.0
+    assert row["mean_deviation"] == pytest.approx(abs(deviation))
+
+
+def test_departures_are_taken_back_one_by_one(defaults, some):
+    judge = Judge(some, defaults.as_dict(), SETTINGS["newtons"])
+    shallow = {"elastic_depth_ratio": 0.0111}
+    departures = [{"name": "one", "inputs": shallow}]
+    settings = SETTINGS | {"headline": [DRY], "departures": departures, "random_sets": 3}
+    rows = departure_rows(judge, settings)
+    unchanged, changed, least, most = rows
+    names = [column.name for column in TABLES["departures"]]
+    assert all([*row] == names for row in rows)
+    for row, name, inputs in ((unchanged, "as it is", {}), (changed, "one", shallow)):
+        found = judge(inputs)
+        assert row["departure"] == name
+        assert (row["holds"], row["judged"]) == count_once(some, found)
+        assert row["headline"] == found[DRY].holds
+        deviation = abs(found[DRY].value / 3.27e-6 - 1.0) if found[DRY].value > 0.0 else 1.0
+        assert row["mean_deviation"] == row["median_deviation"] == pytest.approx(deviation)
+    assert (unchanged["inputs"], changed["inputs"]) == ("", "elastic_depth_ratio = 0.0111")
+    assert unchanged["holds"] == 2 and changed["holds"] < 2
+    counts = [count_once(some, judge(each, QUICK_EFFORT)) for each in random_inputs(settings)]
+    assert (least["holds"], least["judged"]) == min(counts)
+    assert (most["holds"], most["judged"]) == max(counts)
+    assert least["headline"] is least["mean_deviation"] is most["median_deviation"] is None
+
+
+def test_random_inputs_fill_the_usual_ranges():
+    sets = random_inputs(SETTINGS | {"random_sets": 8})
+    assert sets == random_inputs(SETTINGS | {"random_sets": 8})
+    settings = SETTINGS | {"interpretations": {"all": {"fixed": {}}}}
+    for unknown in Interpretation.of("all", settings).unknowns:
+        values = np.array([each[unknown.name] for each in sets])
+        low, high = map(unknown.position, unknown.usual)
+        places = (np.array([unknown.position(value) for value in values]) - low) / (high - low)
+        # one in each eighth of the range
+        assert sorted((8.0 * places).astype(int)) == list(range(8)), unknown.name
+        assert max(map(unknown.penalty, values)) == 0.0

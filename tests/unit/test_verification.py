@@ -1,13 +1,15 @@
 """The verification of an archive: passes where it is whole, and finds every kind of damage."""
 
 import json
+import os
 import random
 import re
 import shutil
 import subprocess
 import sys
+import warnings
 import zipfile
-from dataclasses import replace
+from dataclasses import asdict, replace
 from importlib.util import find_spec
 from pathlib import Path
 from runpy import run_path
@@ -18,6 +20,7 @@ import pytest
 import small_release
 
 import thirdbody as tb
+from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.files import digest
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.release.crate import crate
@@ -160,8 +163,7 @@ def mend(folder, release):
     write_json(data / "datasets/content-sha256.json", contents)
     write_json(data / "datapackage.json", data_package(data, KINDS, release))
     titles = {kind: kind for kind in KINDS}
-    described = crate(data, titles, [], {"snakemake": "9.0.0"}, release)
-    write_json(data / "ro-crate-metadata.json", described)
+    write_json(data / "ro-crate-metadata.json", crate(data, titles, release))
     seal(folder, release)
 
 
@@ -219,6 +221,31 @@ def restated(status, unsolved=False, **numbers):
 def last_shown(dataset):
     """The place of the last shown point."""
     return tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1])
+
+
+def all_unresolved(error_bound):
+    """Declare all points that have values not converged."""
+
+    def forge(dataset):
+        status, bound = dataset["solution_status"][:], dataset["error_bound"][:]
+        has_values = np.isin(status, (0, 1, 4))
+        at(
+            has_values, solution_status=3, error_bound=np.full(bound.shape, error_bound)[has_values]
+        )(dataset)
+
+    return forge
+
+
+def moved_by(factor):
+    """Multiply all numbers of a few points, which are declared not converged with any bound."""
+
+    def forge(dataset):
+        place = (slice(None), 1, 1, 1, 0)
+        for name in ("separation", "film_thickness", "total_contact_area"):
+            dataset[name][place] = dataset[name][place] * factor
+        at(place, solution_status=3, error_bound=1e12)(dataset)
+
+    return forge
 
 
 def next_flag(flag):
@@ -299,6 +326,10 @@ IN_FIG04 = {
     "false coverage_exceeded": restated("coverage_exceeded", unsolved=True),
     "false load_exceeded": restated("load_exceeded", unsolved=True),
     "not_converged with a bound": restated("not_converged", unsolved=True, error_bound=1e-9),
+    "false not_converged": restated("not_converged", error_bound=np.inf),
+    "false not_converged without values": restated("not_converged", unsolved=True),
+    "all not_converged with good values": all_unresolved(error_bound=0.5),
+    "all not_converged and moved": moved_by(1.08),
     # inputs of the model
     "another k": inputs(k=1.0001),
     "another sigma_s": inputs(sigma_s=1.0001),
@@ -330,17 +361,39 @@ def test_forged_dataset_is_found(copy, verify, release, figure, forge):
     assert list(found(verify, copy)) == [f"data/datasets/{figure}.nc"]
 
 
-@pytest.mark.parametrize(
-    "forge",
-    [
-        restated("not_converged", error_bound=np.inf),
-        restated("not_converged", unsolved=True),
-    ],
-    ids=["not converged", "not converged without values"],
-)
-def test_what_a_dataset_may_say_is_no_forgery(copy, verify, release, forge):
-    forge_dataset(copy, "fig04", forge, release)
-    assert list(found(verify, copy, points=2)) == []
+USUAL = ([0, 90], [0, 300], [300], [1e11])
+CROWD = {"participation": 1.0, "mean_ratio": 1.0, "spread_ratio": 1.0, "apparent_area": 5e-7}
+GENUINE = {
+    # as many points as the library interpolates
+    **{f"rtol {rtol:g}": (USUAL, (0.04, 80.0), rtol, {}) for rtol in (1e-11, 1e-5, 1e-3, 1e-2)},
+    # covered by particles, and a load that they do not bear at any separation
+    "two statuses": (([0, 90], [300], [300], [1e13]), (10.0, 10000.0), 1e-9, CROWD),
+    # solids that bear less than float64 holds
+    "full film": (([1000, 10000], [0, 30], [10], [1e11]), (0.001, 1.0), 1e-9, {}),
+    "full film of the total": (
+        *(([1000], [0, 30], [10], [1e11]), (0.001, 1.0), 1e-9),
+        {"film_load": "total"},
+    ),
+    # next to X_max, where float64 does not hold the digits: none of these points converges
+    "narrow sizes": (
+        *(([0], [1000], [10], [1e11]), (0.04, 80.0), 1e-11),
+        {"mean_ratio": 1.0, "spread_ratio": 1e-4, "truncation": 3.0},
+    ),
+}
+
+
+@pytest.mark.parametrize(("conditions", "loads", "rtol", "changes"), GENUINE.values(), ids=GENUINE)
+def test_what_the_workflow_allows_is_no_forgery(verify, tmp_path, conditions, loads, rtol, changes):
+    curves = [dict(zip(small_release.KEYS, conditions, strict=True))]
+    scene = {"title": "x", "rtol": rtol, "load_axis": {"load_N": loads, "count": 30}}
+    parameters = replace(tb.load_parameters(), **changes)
+    path = tmp_path / "mine.nc"
+    write_dataset(scene_dataset(scene | {"curves": curves}, parameters, rtol), path)
+    config = {"scenes": {"mine": scene | {"curves": curves}}}
+    check = verify.own_module("recompute").check
+    outcome = check(path, config, asdict(parameters), 10, random.Random(1))
+    assert outcome.findings == []
+    assert outcome.evaluated > 0
 
 
 def test_scene_of_a_user_need_not_be_in_the_archive(copy, verify, release):
@@ -383,6 +436,81 @@ def test_input_that_is_changed_everywhere_is_found_by_the_equations(
     forge_dataset(copy, "fig04", inputs(**{key: factor}), release)
     fault = found(verify, copy)["data/datasets/fig04.nc"]
     assert re.search(r"is off by|cannot be recomputed \((ZeroDivision|Value)Error", fault), fault
+
+
+NAMES = {
+    "a line break": ("a\nwhole: thirdbody: 592 files", "utf-8"),
+    "not UTF-8": (os.fsdecode(b"\xff\xfe"), "utf-8:strict"),
+    "not of the terminal": ("\u4e2d", "latin-1"),
+    "controls of the terminal": ("a\x1b[2K\rwhole", "utf-8"),
+}
+
+
+@pytest.mark.parametrize(("name", "encoding"), NAMES.values(), ids=NAMES)
+def test_no_name_forges_a_line(copy, name, encoding):
+    (copy / "data" / name).write_text("one too many")
+    command = [sys.executable, VERIFICATION / "verify.py", copy, "--sums"]
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    done = subprocess.run(command, capture_output=True, env=environment)
+    assert (done.returncode, done.stderr) == (1, b"")
+    assert done.stdout.startswith(b"not whole: ")
+    assert done.stdout.count(b"\n") == 1
+    assert done.stdout.isascii() and done.stdout.strip().decode().isprintable()
+
+
+def packed_again(folder, add):
+    """Change the packed archive beside ``folder``, and its sum on record."""
+    packed = folder.with_name(f"{folder.name}.zip")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of names that stand twice
+        with zipfile.ZipFile(packed, "a") as archive:
+            add(archive)
+    write_json(folder.with_name("provenance.json"), {"archive": {"sha256": digest(packed)}})
+    return packed
+
+
+MEMBERS = {
+    "leaves the bag": ("{bag}/../bagit.txt", "do not both hold"),
+    "beside the bag": ("bagit.txt", "do not both hold"),
+    "in another bag": ("other/bagit.txt", "do not both hold"),
+    "absolute": ("/bagit.txt", "do not both hold"),
+    "twice": ("{bag}/bagit.txt", "more than once"),
+}
+
+
+@pytest.mark.parametrize(("name", "fault"), MEMBERS.values(), ids=MEMBERS)
+def test_member_of_the_packed_archive_that_leaves_the_bag_or_stands_twice_is_found(
+    copy, built, verify, release, name, fault
+):
+    shutil.copyfile(built.with_name(f"{built.name}.zip"), copy.with_name(f"{copy.name}.zip"))
+    content = (copy / "bagit.txt").read_bytes()
+    found, faults = verify.read_files(copy, {}), verify.Faults()
+    packed = packed_again(copy, lambda archive: None)
+    verify.check_packed(copy, found, faults)
+    assert faults == {}
+    packed_again(copy, lambda archive: archive.writestr(name.format(bag=copy.name), content))
+    verify.check_packed(copy, found, faults)
+    assert fault in faults[str(packed)]
+
+
+def test_description_too_large_to_be_one_is_not_read(copy, verify, release):
+    with open(copy / "data/datapackage.json", "ab") as file:
+        file.truncate(verify.LARGEST_TEXT + 1)
+    seal(copy, release)
+    assert "is larger than" in found(verify, copy)["data/datapackage.json"]
+
+
+def test_dataset_that_claims_more_points_than_memory_is_not_read(copy, verify, release):
+    path = copy / "data/datasets/fig04.nc"
+    path.unlink()
+    with netCDF4.Dataset(path, "w") as dataset:
+        for name in COORDINATES[:-1]:
+            dataset.createDimension(name, 10**4)
+        for name in NUMBERS:
+            dataset.createVariable(name, "f8", COORDINATES[:-1], zlib=True)
+    outcome = verify.own_module("recompute").check(path, {}, {}, 0, random.Random(1))
+    assert not outcome.has_form
+    assert any("points, more than" in finding for finding in outcome.findings)
 
 
 def write(name, content="raise SystemExit('whole')\n"):

@@ -15,9 +15,9 @@ BUDGET = {
     "starts": 1,
     "descents": 1,
     "hops": 1,
-    "nearby_hops": 1,
     "iterations": 1,
     "evaluations": 1,
+    "nearby_evaluations": 1,
 }
 BUDGET |= {"elastic_radius": 5e-5, "walkers": 18, "steps": 1}
 KEPT = "kept.json"  # what there was of the atlas when its run was killed

@@ -9,7 +9,6 @@ import yaml
 from workspace import ROOT
 
 import thirdbody as tb
-from thirdbody.configuration.inputs import calibrated_ensemble
 from thirdbody.data.tables import TABLES, read_csv
 
 SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
@@ -47,7 +46,7 @@ def test_every_condition_is_solved_for_every_member(charted):
         assert atlas["solution_status"].size == 9 * 4 * 6 * 3 * 2
         assert (atlas["solution_status"].values >= 0).all()
         members = json.loads(atlas.attrs["ensemble"])
-    assert len(members) == len(calibrated_ensemble(tb.load_parameters())) > 10
+    assert len(members) == len(tb.ensemble()) > 10
     for chunk in CHUNKS:
         record = (root / "logs" / "solve_chunk" / f"{chunk}.tsv").read_text(encoding="utf-8")
         (row,) = csv.DictReader(record.splitlines(), delimiter="\t")

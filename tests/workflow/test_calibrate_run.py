@@ -1,39 +1,64 @@
 """`snakemake calibrate` for real, with a small budget: same seeds, same files; nothing done twice."""
 
+import csv
 import json
 
 import yaml
-from workspace import INTERPRETATIONS, Workspace
+from workspace import INTERPRETATIONS, NEARBY, Workspace
 
 
 def files(workspace: Workspace, pattern):
     return {path.name: path.read_bytes() for path in (workspace.root / pattern).glob("*.yaml")}
 
 
+def chosen_of(workspace):
+    return json.loads((workspace.root / "results/calibration/chosen.json").read_text())
+
+
 def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     found = files(calibrated, "results/calibration")
     assert set(found) == {f"{name}.yaml" for name in INTERPRETATIONS}
     adopted = files(calibrated, "config/calibrated")
-    chosen = json.loads((calibrated.root / "results/calibration/chosen.json").read_text())
+    assert set(adopted) == set(found)  # what is not in the ranking is kept no longer
+    chosen = chosen_of(calibrated)
     for name, content in found.items():
         expected = yaml.safe_load(content)
         expected |= chosen if expected["interpretation"] == chosen["interpretation"] else {}
         assert yaml.safe_load(adopted[name]) == expected
-    assert len(chosen["ensemble"]) == len(chosen["ensemble_interpretations"])
+
+
+def test_the_ensemble_has_as_many_members_of_each_that_the_ranking_calls_equal(calibrated):
+    chosen = chosen_of(calibrated)
+    with open(calibrated.root / "results/calibration/ranking.csv", newline="") as stream:
+        ranking = list(csv.DictReader(stream))
+    assert {row["interpretation"] for row in ranking} == set(INTERPRETATIONS)
+    assert chosen["interpretation"] == ranking[0]["interpretation"]
+    equals = [row["interpretation"] for row in ranking if row["equal"] == "True"]
+    for row in ranking:
+        is_equal = float(row["above_least"]) <= float(row["standard_error"])
+        assert (row["equal"] == "True") == is_equal
+    names = chosen["ensemble_interpretations"]
+    least = yaml.safe_load((calibrated.root / "config/calibration.yaml").read_text())["ensemble"]
+    assert len(names) == len(chosen["ensemble"]) >= least
+    assert list(dict.fromkeys(names)) == equals
+    assert len({names.count(name) for name in equals}) == 1
 
 
 def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     again = calibrated.copied_to(tmp_path / "thirdbody")
-    searches = again.root / "results/calibration/surface_natural"
-    (searches / "seed2.csv").unlink()
-    for follower in ("surface_natural.yaml", "chosen.json", "adopted.txt"):
+    name = chosen_of(again)["interpretation"]
+    again.put("config/config.yaml", "calibrated", f"config/calibrated/{name}.yaml")
+    searches = again.root / "results/calibration" / NEARBY
+    (searches / "seed1.csv").unlink()
+    for follower in (f"{NEARBY}.yaml", "chosen.json", "ranking.csv", "adopted.txt"):
         (again.root / "results/calibration" / follower).unlink()
     before = again.stamps()
     run = again.snakemake("calibrate")
     assert run.returncode == 0, run.stdout + run.stderr
     after = again.stamps()
     searched = {name for name in after if name.endswith(".csv") and before.get(name) != after[name]}
-    # samples begin at what the searches of all seeds have found
-    names = ("seed2", "seed1_samples", "seed2_samples")
-    assert searched == {f"calibration/surface_natural/{name}.csv" for name in names}
+    # samples begin at what the search has found
+    names = ("seed1", "seed1_samples", "seed2_samples")
+    made = {f"calibration/{NEARBY}/{name}.csv" for name in names}
+    assert searched == made | {"calibration/ranking.csv"}
     assert files(again, "results/calibration") == files(calibrated, "results/calibration")

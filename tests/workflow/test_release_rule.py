@@ -47,7 +47,7 @@ def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
 
 def test_release_is_one_folder_its_archive_and_the_record(released, tell):
     made = {path.name for path in released.parent.iterdir()}
-    assert made == {NAME, f"{NAME}.zip", "jobs.json", "provenance.json"}
+    assert made == {NAME, f"{NAME}.zip", "provenance.json"}
     record = json.loads((released.parent / "provenance.json").read_text(encoding="utf-8"))
     assert record["archive"]["sha256"] and record["host"] and record["time"] and record["user"]
     code, line = verified_with_products(released)
@@ -69,36 +69,11 @@ def test_no_damaged_product_is_released(released, tmp_path):
     product = workspace.root / "results/figures/fig05.svg"
     content = product.read_bytes()
     product.write_bytes(content[: len(content) // 2])
-    stage = f"results/release/{NAME}/tagmanifest-sha512.txt"
+    stage = f"results/release/{NAME}/tagmanifest-sha256.txt"
     run = workspace.snakemake("--force", stage, "--allowed-rules", "stage_release")
     assert run.returncode != 0
     message = "results/figures/fig05.svg has changed since it was made; remake it: snakemake"
     assert message in run.stdout + run.stderr
-
-
-def test_crate_follows_every_product_to_its_rule(released):
-    graph = json.loads((released / "data/ro-crate-metadata.json").read_text(encoding="utf-8"))
-    entities = {entity["@id"]: entity for entity in graph["@graph"]}
-    jobs = [one for one in entities.values() if one["@type"] == "CreateAction"]
-    made = {one["@id"] for job in jobs if job["@id"] != "#run" for one in listed(job["result"])}
-    made_by_run = {one["@id"] for one in listed(entities["#run"]["result"])}
-    assert made_by_run - made == {"datasets/content-sha256.json"}
-    drawing = entities["#render_figure/figures/fig09"]
-    assert drawing["instrument"]["@id"] == "source/workflow/scripts/render_figure.py"
-    assert {"@id": "datasets/fig09.nc"} in listed(drawing["object"])
-    points = {
-        "@id": "#results/extracted/tpca_loads/fig09.csv"
-    }  # no product, but from one to the other
-    assert points in listed(drawing["object"])
-    assert any(points in listed(job["result"]) for job in jobs)
-    assert entities[points["@id"]]["@type"] == "CreativeWork"
-    solving = entities["#solve_scene/datasets/fig09"]
-    assert {"@id": "configuration/config.json"} in listed(solving["object"])
-
-
-def listed(value):
-    """``value`` as a list: JSON-LD writes a list of one as the one."""
-    return value if isinstance(value, list) else [value]
 
 
 def test_damaged_products_and_archive_file_are_named(released):

@@ -17,34 +17,13 @@ rule release:
         "The release is complete"
 
 
-rule list_jobs:
-    input:
-        products=PRODUCTS,
-    output:
-        jobs="<results>/release/jobs.json",
-    log:
-        "<logs>/list_jobs.log",
-    localrule: True
-    conda:
-        "../envs/thirdbody.yaml"
-    params:
-        config=settings["config"],
-        run=settings["run"],
-        sources=sources_of("list_jobs.py"),
-    message:
-        "Listing which job made which product"
-    script:
-        "../scripts/list_jobs.py"
-
-
 rule stage_release:
     input:
         products=PRODUCTS,
         sums="<results>/SHA256SUMS",
-        jobs="<results>/release/jobs.json",
         sources=lambda wildcards: source_files(),
     output:
-        sealed=f"<results>/release/{RELEASE.full_name}/tagmanifest-sha512.txt",
+        sealed=f"<results>/release/{RELEASE.full_name}/tagmanifest-sha256.txt",
     log:
         "<logs>/stage_release.log",
     localrule: True

@@ -44,6 +44,7 @@ rule judge_departures:
     output:
         deviations="<results>/extracted/deviations/all.csv",
         departures="<results>/extracted/departures/all.csv",
+        verdicts="<results>/extracted/departures/verdicts.json",
     log:
         "<logs>/judge_departures.log",
     params:

@@ -6,6 +6,7 @@ rule build_explorer:
         points=expand("<results>/figures/{figure}.csv", figure=SCENES),
         captions=expand("<results>/figures/{figure}.md", figure=SCENES),
         verdicts="<results>/claims/claims.json",
+        departures="<results>/extracted/departures/verdicts.json",
         page=[
             project_file(path)
             for folder in ("page", "vendor")
@@ -23,10 +24,8 @@ rule build_explorer:
     params:
         *sources_of("build_explorer.py"),
         *CALIBRATED_TEXTS,
-        settings_text(CLAIMS, list),
         settings_text(INPUTS),
         settings_text(PAPER_TABLES),
-        claims=CLAIMS,
         tables=PAPER_TABLES,
         parameters=settings["parameters"],
         calibration=settings["calibration"],

@@ -46,5 +46,8 @@ def shortlisted():
 
 
 def is_cross_validated(wildcards):
-    """Whether an interpretation, or the one that it is near to, is on the shortlist."""
-    return not {wildcards.interpretation, *nearby(wildcards)}.isdisjoint(shortlisted())
+    """Whether an interpretation, or the one from which its starts come in the end, is on the shortlist."""
+    name = wildcards.interpretation
+    while "nearby" in CALIBRATION["interpretations"][name]:
+        name = CALIBRATION["interpretations"][name]["nearby"]
+    return name in shortlisted()

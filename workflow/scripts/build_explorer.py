@@ -1,35 +1,79 @@
 """Build the explorer, a web page, from figures, statements and inputs of the run."""
 
 import json
+from itertools import product
 from pathlib import Path
 
+from thirdbody.answers.bearing import BODIES, MATERIALS, USUAL_BEARING, USUAL_DENSITY, bearing
 from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.core.parameters import Parameters
 from thirdbody.explorer.page import page_content, page_text
 from thirdbody.figures.captions import read_caption
 from thirdbody.figures.curves import CURVE_FIGURES
 from thirdbody.job_log import job
-from thirdbody.study.claims import load_claims
+from thirdbody.measured.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
+
+
+def rig_content(parameters):
+    """What follows from materials and oils, each combination and grade that the library takes."""
+    materials, oils = [], {}
+    first, *_ = MATERIALS  # those of the paper
+    for names in product(MATERIALS, repeat=len(BODIES)):
+        bodies = dict(zip(BODIES, names, strict=True))
+        others = {body: name for body, name in bodies.items() if name != first}
+        try:
+            inputs = bearing(parameters, **others).as_dict()
+        except ValueError:  # particles softer than a surface
+            continue
+        changed = {name: n for name, n in inputs.items() if n != getattr(parameters, name)}
+        materials.append(bodies | {"inputs": changed})
+    for grade in GRADES:
+        try:
+            oils[grade] = oil_viscosity([40.0, 100.0], grade=grade).tolist()
+        except ValueError:  # too thin at 100 C
+            continue
+    numbers = "speed_m_per_s", "oil_density_kg_per_m3"
+    return {
+        "materials": materials,
+        "oils": oils,
+        "usual_density": USUAL_DENSITY,
+        **{name: USUAL_BEARING[name][:2] for name in numbers},
+        "temperature_C": [COLDEST, HOTTEST],
+        "oil_viscosity_cSt": [LEAST, MOST],
+    }
+
 
 with job(snakemake) as output:
     parameters = snakemake.params.parameters
-    unknowns = snakemake.params.calibration["unknowns"]
+    settings = snakemake.params.calibration
+    unknowns = settings["unknowns"]
     entries = read_entries()
-    interpretations = [read_yaml(path) for path in snakemake.params.calibrated]
+    titles = {name: each["title"] for name, each in settings["interpretations"].items()}
+    interpretations = [
+        {"name": name, "title": titles[name], "inputs": each["inputs"]}
+        for each in map(read_yaml, snakemake.params.calibrated)
+        if (name := each["interpretation"]) in titles
+    ]
     inputs = {
         name: entry | unknowns.get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()
     }
     drawn, captions = snakemake.input.points, map(read_caption, snakemake.input.captions)
     least = [max(each.least for each in CURVE_FIGURES[Path(path).stem].contents) for path in drawn]
+    judged, departures = (
+        json.loads(Path(path).read_text(encoding="utf-8"))
+        for path in (snakemake.input.verdicts, snakemake.input.departures)
+    )
     content = page_content(
         zip(drawn, captions, least, strict=True),
-        load_claims(snakemake.params.claims),
-        json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8")),
+        judged,
+        departures,
         inputs,
-        {each["interpretation"]: each["inputs"] for each in interpretations},
+        interpretations,
         snakemake.params.ensemble,
         {row["symbol"]: row["printed"] for row in read_yaml(snakemake.params.tables)["table2"]},
+        rig_content(Parameters(**parameters)),
     )
     output.page.write_text(page_text(content), encoding="utf-8")
     print(f"{output.page.stat().st_size} bytes")

@@ -1,19 +1,19 @@
 """Solve the interfaces of one schematic and generate random sections through them."""
 
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import solve_points
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.figures.sections import sections, state_of
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve
 
 
 def solved_state(conditions, parameters):
     """The state of the interface at the configured ``conditions``."""
     condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
-    solution = solve(load=load, **condition._asdict(), parameters=parameters)
-    return state_of(condition, conditions["load_N"], solution)
+    solved = solve_points({"load": load, **condition._asdict()}, parameters)
+    return state_of(condition, conditions["load_N"], solved)
 
 
 with job(snakemake) as output:

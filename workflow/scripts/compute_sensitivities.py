@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.sensitivity import Subject, elasticities, sensitivity_rows, varied_inputs
 

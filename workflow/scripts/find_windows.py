@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from thirdbody.curves.windows import WindowSearch, turning_point_windows
-from thirdbody.data.conditions import AXES
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
+from thirdbody.variables import AXES
 
 with job(snakemake) as output:
     search = snakemake.params.windows

@@ -1,19 +1,25 @@
 """Printed numbers beside computed ones, and the verdicts with departures from the print taken back."""
 
+import json
+
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import job
 from thirdbody.study.choice import printed_numbers
 from thirdbody.study.claims import load_claims
-from thirdbody.study.departures import departure_rows
+from thirdbody.study.departures import departure_rows, departure_verdicts, departure_words
 from thirdbody.study.judge import Judge
 
 with job(snakemake) as output:
     settings, parameters = snakemake.params.settings, snakemake.params.parameters
     claims = load_claims(snakemake.params.claims)
     judge = Judge(claims, parameters, settings["newtons"])
-    deviations = printed_numbers(claims, judge({}), settings["headline"])
+    default, taken_back = judge({}), departure_verdicts(judge, settings)
+    deviations = printed_numbers(claims, default, settings["headline"])
+    departures = departure_rows(judge, settings, default, taken_back)
     write_csv(output.deviations, deviations.to_dict("records"), TABLES["deviations"])
-    write_csv(output.departures, departure_rows(judge, settings), TABLES["departures"])
+    write_csv(output.departures, departures, TABLES["departures"])
+    words = departure_words(judge, settings, taken_back)
+    output.verdicts.write_text(json.dumps(words, indent=1) + "\n", encoding="utf-8")
     sizes = deviations["deviation"].abs()
     print(
         f"deviation of {len(sizes)} printed numbers: median {sizes.median():.2%}, mean {sizes.mean():.2%}"

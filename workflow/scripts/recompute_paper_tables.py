@@ -1,9 +1,9 @@
 """The tables of the paper with derived entries recomputed."""
 
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.paper_tables import paper_table
 
 with job(snakemake) as output:

@@ -19,7 +19,8 @@ with job(snakemake) as output:
     rows = np.vstack([read_rows(path) for path in snakemake.input.start])
     if nearby := settings["interpretations"][interpretation.name].get("nearby"):
         starts = nearby_starts(interpretation, Interpretation.of(nearby, settings), rows)
-        hops = budget["nearby_hops"]
+        budget = budget | {"evaluations": budget["nearby_evaluations"]}
+        hops = 0
     else:
         every = Objective.of(statements, settings, base)
         starts = scattered_starts(objective, every, rows, settings, seeds)

@@ -3,8 +3,8 @@
 import numpy as np
 
 from thirdbody.atlas.chunk import atlas_axes, write_chunk
+from thirdbody.core.parameters import Parameters
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
 
 with job(snakemake) as output:
     settings = snakemake.params

@@ -1,8 +1,8 @@
 """Solve the points of a dataset for each member of the ensemble, for the band around its curves."""
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.band import band
 
 with job(snakemake) as output:

@@ -1,6 +1,5 @@
 """Fill the folder of a release with products, sources and their descriptions."""
 
-import json
 from pathlib import Path
 
 from thirdbody.data.files import require_sums
@@ -19,7 +18,6 @@ with logged(snakemake.log[0]):
         products,
         sources,
         snakemake.params.settings,
-        json.loads(Path(snakemake.input.jobs).read_text(encoding="utf-8")),
         snakemake.params.software,
         release,
     )

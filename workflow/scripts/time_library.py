@@ -5,9 +5,9 @@ from pathlib import Path
 from benchmarks.accuracy import time_rows
 from benchmarks.baselines import load_plain_model
 from benchmarks.uses import use_rows
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
 
 with job(snakemake) as output:
     budget = snakemake.params.budget

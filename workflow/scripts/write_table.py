@@ -1,8 +1,8 @@
 """Combine the parts of a table, and write it as CSV and, to be read, as HTML and LaTeX."""
 
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.job_log import job
-from thirdbody.model.parameters import Parameters
 from thirdbody.readable import latex_text, page, readable
 
 with job(snakemake) as output:

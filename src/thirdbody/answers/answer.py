@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.quantities import spread
-from thirdbody.messages import did_you_mean, format_value
 from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
@@ -115,12 +114,8 @@ class Answer(Tabular):
         return pd.DataFrame(self.as_dict()["rows"])
 
     def value(self, name: str) -> Value:
-        """The value of the row with a name; ``ValueError`` if there is none."""
-        values = {row.name: row.value for row in self.rows}
-        if name not in values:
-            allowed = ", ".join(values) + did_you_mean(name, values)
-            raise ValueError(f"name is {format_value(name)}; allowed: {allowed}")
-        return values[name]
+        """The value of the row with a name; ``KeyError`` if there is none."""
+        return {row.name: row.value for row in self.rows}[name]
 
     def as_text(self, width: int = WIDTH) -> str:
         """The title, a table and the notes, at most ``width`` columns wide."""

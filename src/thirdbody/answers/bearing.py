@@ -11,13 +11,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.arguments import checked_number, checked_numbers, checked_parameters
-from thirdbody.configuration.inputs import check_ball
+from thirdbody.conditions import checked_number, checked_numbers
+from thirdbody.configuration.inputs import check_ball, or_calibrated
 from thirdbody.configuration.printed import POISSON_RATIO, STEEL_MODULUS
-from thirdbody.messages import did_you_mean, format_value
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.parameters import Parameters
 from thirdbody.toml_tables import toml_beside
-from thirdbody.units import UNITS
+from thirdbody.variables import AXES
 
 TABLES = toml_beside(__file__)
 USUAL_BEARING, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
@@ -70,10 +69,9 @@ def _material(name: str, given: Material | str) -> Material:
     """A material, or the one of this name."""
     if isinstance(given, Material):
         return given
-    word = given.replace("-", " ").lower() if isinstance(given, str) else None
+    word = str(given).replace("-", " ").lower()
     if word not in MATERIALS:
-        allowed = f"a thirdbody.Material, or one of {', '.join(MATERIALS)}{did_you_mean(given, MATERIALS)}"
-        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
+        raise ValueError(f"{name} is {given!r}; allowed: a Material, {', '.join(MATERIALS)}")
     return MATERIALS[word]
 
 
@@ -143,7 +141,7 @@ def bearing(
     134.1
     """
     arguments = {name: value for name, value in locals().items() if value is not None}
-    parameters = checked_parameters(parameters)
+    parameters = or_calibrated(parameters)
     numbers = checked_numbers(
         {name: arguments[name] for name in USUAL_BEARING if name in arguments}, USUAL_BEARING
     )
@@ -211,14 +209,14 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
     """Answer to question 8: the inputs derived by ``bearing``, each with its formula, and U for an
     oil of ``viscosity_cSt`` if given.
     """
-    parameters = checked_parameters(parameters)
+    parameters = or_calibrated(parameters)
     rows = [
         Row(name, formula, getattr(parameters, name), unit)
         for name, (unit, formula) in TABLES["formulas"].items()
     ]
     if viscosity_cSt is not None:
         viscosity_cSt = checked_number("viscosity_cSt", viscosity_cSt, positive=False)
-        speed = parameters.speed_per_viscosity * float(UNITS["viscosity_cSt"].to_si(viscosity_cSt))
+        speed = parameters.speed_per_viscosity * float(AXES["viscosity"].to_si(viscosity_cSt))
         rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
     notes = (
         speed_note(parameters),

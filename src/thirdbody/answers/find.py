@@ -5,37 +5,39 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.answers.crossings import SWEEP, crossings, differing, queries, sweep_values
-from thirdbody.arguments import (
+from thirdbody.conditions import (
+    axis_of,
     check_count,
     check_rtol,
-    checked_array,
-    checked_parameters,
     common_index,
     ends_in_si,
-    is_column,
+    from_si,
+    numbers_in,
+    read_conditions,
+    to_si,
 )
+from thirdbody.configuration.inputs import or_calibrated
 from thirdbody.configuration.printed import LOADS
-from thirdbody.curves.transitions import LIMITS
-from thirdbody.curves.turning_point import TurningPoints, turning_points
-from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
-from thirdbody.data.quantities import QUANTITIES
-from thirdbody.messages import did_you_mean, format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
-from thirdbody.progress import check_progress
-from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.core.crossings import crossings
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
+from thirdbody.core.transitions import LIMITS
+from thirdbody.core.turning_points import TurningPoints, turning_points
+from thirdbody.core.windows import Window, WindowSearch, turning_point_windows
+from thirdbody.progress import Progress
 from thirdbody.tabular import Tabular, indexed
-from thirdbody.units import UNITS, Unit, unit_of
+from thirdbody.variables import QUANTITIES, decimal
 
 if TYPE_CHECKING:
     import pandas as pd
 
+SWEEP = 32  # values along the axis
 LOADS_SWEPT = 60  # between which maxima are sought
 RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
 TOLERANCE = 1e-6  # of its ends
@@ -50,7 +52,7 @@ class Crossings(Tabular):
     the other axes, and ``query`` a flat index into it.  ``conditions`` are the level and axes that differ
     between queries, an element per query.  ``value`` is the place of the crossing in
     the unit of ``along``, increasing within a query; ``rises`` is whether the variable increases
-    there, and ``solution_status`` an index into ``thirdbody.model.regimes.SOLUTION_STATUSES``.
+    there, and ``solution_status`` an index into ``thirdbody.core.regimes.SOLUTION_STATUSES``.
     ``error`` bounds the error of ``value``: at this distance on both sides, the variable is above
     and below the level by more than its ``error_bound``; infinite if float64 cannot decide that.
     """
@@ -63,6 +65,7 @@ class Crossings(Tabular):
     error: NDArray
     rises: NDArray
     solution_status: NDArray
+    index: pd.Index | None = None
 
     @property
     def count(self) -> NDArray:
@@ -91,7 +94,7 @@ class Crossings(Tabular):
         columns |= {self.along: self.value, "error": self.error}
         status = np.array(SOLUTION_STATUSES)[self.solution_status]
         table = pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
-        return indexed(table, self._index, self.query)
+        return indexed(table, self.index, self.query)
 
 
 class Border(NamedTuple):
@@ -108,10 +111,15 @@ class Border(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class TurningLoads(TurningPoints):
+class TurningLoads(TurningPoints, Tabular):
     """``TurningPoints``, also with F_TPCA, the load in newtons."""
 
     load_N: NDArray
+    index: pd.Index | None = None
+
+
+class TurningWindow(Window, Tabular):
+    """``Window`` as a table."""
 
 
 IN_FULL_FILM = "full_film"
@@ -131,7 +139,7 @@ class Transition:
     ``query`` is the flat index into the broadcast shape of the other axes; ``before`` and ``after``
     are the regime or mode at smaller and larger values; ``value`` is the place of the change in the
     unit of the axis, and ``error`` bounds its error; ``solution_status``, one of
-    ``thirdbody.model.regimes.SOLUTION_STATUSES``, is whether the equations are valid there.
+    ``thirdbody.core.regimes.SOLUTION_STATUSES``, is whether the equations are valid there.
     """
 
     query: int
@@ -148,10 +156,14 @@ class Transitions(Tabular, list):
     that differ between queries, as in ``Crossings``."""
 
     def __init__(
-        self, along: str, conditions: Mapping[str, NDArray], changes: Iterable[Transition]
+        self,
+        along: str,
+        conditions: Mapping[str, NDArray],
+        changes: Iterable[Transition],
+        index: pd.Index | None = None,
     ) -> None:
         super().__init__(changes)
-        self.along, self.conditions = along, conditions
+        self.along, self.conditions, self.index = along, conditions, index
 
     def to_dataframe(self) -> pd.DataFrame:
         """One row per change: query, conditions that differ, and its place in a column named ``along``."""
@@ -162,7 +174,7 @@ class Transitions(Tabular, list):
         query = table.pop("query").to_numpy(int)
         columns = {"query": query} | _of_queries(self.conditions, query)
         table = pd.DataFrame(columns).join(table.rename(columns={"value": self.along}))
-        return indexed(table, self._index, query)
+        return indexed(table, self.index, query)
 
 
 def find(
@@ -188,7 +200,7 @@ def find(
     variable : str
         A number of ``Solution``: ``solid_load_fraction``, ``total_contact_area``, ...
     level : array_like
-        Its value, in SI, or a column of pandas; ``thirdbody.model.regimes`` has the limits between regimes and modes.
+        Its value, in SI, or a column of pandas; ``thirdbody.core.regimes`` has the limits between regimes and modes.
     along : str
         The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float, optional
@@ -217,16 +229,27 @@ def find(
     >>> found.count, bool(found.first[0] < found.first[1])
     (array([1, 1]), True)
     """
-    parameters = checked_parameters(parameters)
-    index = common_index(conditions | {"level": level})
-    level = _checked_levels(variable, level)
-    check_progress(progress)
-    unit, swept = sweep_values(along, between, count, parameters)
-    shape, others = queries(conditions, parameters, unit.condition, level=level)
-    differ = differing(conditions, others, parameters)
+    parameters = or_calibrated(parameters)
+    check_rtol(rtol)
+    levels = _read_levels(variable, level)
+    samples = sample(along, between, count, parameters)
+    asked = queries(conditions, parameters, along, level=levels)
+    others = dict(asked.columns)
     limits = [(variable, others.pop("level"))]
-    _, *found = crossings(limits, unit, swept, others, parameters, rtol, progress)
-    return Crossings(along, shape, differ, *found)._with_index(index)
+    with Progress(count * asked.size, "points", progress) as bar:
+        found = crossings(limits, axis_of(along).name, samples, others, parameters, rtol, bar.add)
+    newtons = parameters.newtons_per_load
+    return Crossings(
+        along=along,
+        shape=asked.shape,
+        conditions=asked.differing(newtons),
+        query=found.query,
+        value=from_si(along, found.value, newtons),
+        error=from_si(along, found.error, newtons),
+        rises=found.rises,
+        solution_status=found.solution_status,
+        index=common_index(conditions | {"level": level}),
+    )
 
 
 def transitions(
@@ -252,38 +275,43 @@ def transitions(
     >>> [(each.before, each.after) for each in found if each.border.flag == "lubrication_regime"]
     [('boundary', 'mixed'), ('mixed', 'full_film')]
     """
-    parameters = checked_parameters(parameters)
-    check_progress(progress)
-    unit, swept = sweep_values(along, between, count, parameters)
-    shape, others = queries(conditions, parameters, unit.condition)
-    changes = all_changes(unit, swept, shape, others, parameters, rtol, progress)
-    kept = [each for each in changes if each.solution_status != IN_FULL_FILM]
-    differ = differing(conditions, others, parameters)
-    return Transitions(along, differ, kept)._with_index(common_index(conditions))
+    parameters = or_calibrated(parameters)
+    check_rtol(rtol)
+    samples = sample(along, between, count, parameters)
+    asked = queries(conditions, parameters, along)
+    changes = all_changes(along, samples, asked, parameters, rtol, progress)
+    kept = [change for change in changes if change.solution_status != IN_FULL_FILM]
+    return Transitions(along, asked.differing(parameters.newtons_per_load), kept, asked.index)
 
 
 def all_changes(
-    unit: Unit,
-    swept: NDArray,
-    shape: tuple[int, ...],
-    others: Mapping[str, NDArray],
+    along: str,
+    samples: NDArray,
+    asked: Queries,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
     progress: bool = True,
 ) -> list[Transition]:
-    """The changes of ``transitions`` for conditions from ``queries`` and values from ``sweep_values``, and
-    those of the contact mode in a full film, with the status ``IN_FULL_FILM``."""
-    limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
-    found = crossings(limits, unit, swept, others, parameters, rtol, progress)
-    _, query, value, *_ = found
-    given = {name: column[query] for name, column in others.items()}
-    given[unit.condition] = unit.to_si(value, parameters.newtons_per_load)
-    regime = solve_arrays(given, parameters, rtol, ["lubrication_regime"]).lubrication_regime
-    changes, columns = [], (*found, regime == FULL_FILM)
-    for limit, query, value, error, rises, status, is_full in zip(*map(np.ndarray.tolist, columns)):
+    """The changes of ``transitions`` for values from ``sample`` and conditions from ``queries``, and those of the
+    contact mode in a full film, with the status ``IN_FULL_FILM``."""
+    axis = axis_of(along)
+    limits = [(quantity, np.full(asked.size, level)) for quantity, level in LIMITS]
+    with Progress(samples.size * asked.size, "points", progress) as bar:
+        found = crossings(limits, axis.name, samples, asked.columns, parameters, rtol, bar.add)
+    newtons = parameters.newtons_per_load
+    value, error = (from_si(along, numbers, newtons) for numbers in (found.value, found.error))
+    points = {name: column[found.query] for name, column in asked.columns.items()}
+    points[axis.name] = to_si(along, value, newtons)
+    solved = solve_points(points, parameters, rtol, ["lubrication_regime"])
+    is_full = solved["lubrication_regime"] == FULL_FILM
+    columns = found._replace(value=value, error=error)
+    changes = []
+    for limit, query, value, error, rises, status, full in zip(
+        *map(np.ndarray.tolist, (*columns, is_full))
+    ):
         border = BORDERS[limit]
         states = (border.below, border.above) if rises else (border.above, border.below)
-        is_left_out = is_full and border.flag == "contact_mode"
+        is_left_out = full and border.flag == "contact_mode"
         status = IN_FULL_FILM if is_left_out else SOLUTION_STATUSES[status]
         changes.append(Transition(query, border, *states, value, error, status))
     return changes
@@ -321,19 +349,18 @@ def turning_point(
     >>> tb.turning_point(viscosity_cSt=0, **layer).exists
     array([False,  True])
     """
-    parameters = checked_parameters(parameters)
+    parameters = or_calibrated(parameters)
     check_rtol(rtol)
-    check_progress(progress)
-    check_count("count", count)
-    ends = ends_in_si("between_N", between_N, UNITS["load_N"], parameters)
-    loads = np.geomspace(*ends, count)
-    shape, curves = queries(conditions, parameters, "load")
-    points = {"load": loads[:, None]} | curves
-    solved = solve_arrays(points, parameters, rtol, ["separation"], progress)
-    found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
+    check_count(count)
+    loads = np.geomspace(*ends_in_si("between_N", between_N, "load_N", parameters), count)
+    asked = queries(conditions, parameters, "load")
+    points = {"load": loads[:, None]} | asked.columns
+    with Progress(count * asked.size, "points", progress) as bar:
+        solved = solve_points(points, parameters, rtol, ["separation"], bar.add)
+    found = turning_points(solved["separation"], **asked.columns, parameters=parameters, rtol=rtol)
     columns = vars(found) | {"load_N": found.load * parameters.newtons_per_load}
-    columns = {name: column.reshape(shape) for name, column in columns.items()}
-    return TurningLoads(**columns)._with_index(common_index(conditions))
+    columns = {name: column.reshape(asked.shape) for name, column in columns.items()}
+    return TurningLoads(**columns, index=asked.index)
 
 
 def turning_window(
@@ -341,7 +368,7 @@ def turning_window(
     parameters: Parameters | None = None,
     between_N: tuple[float, float] = LOADS,
     **conditions: float,
-) -> Window:
+) -> TurningWindow:
     """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
 
     Arguments and errors are those of ``turning_point``; the conditions are one roughness and one
@@ -355,19 +382,77 @@ def turning_window(
     True
     """
     for key in conditions:
-        if unit_of(key).condition in ("load", *DRY):
+        if axis_of(key).name in ("load", *DRY):
             message = "allowed: roughness and particle density"
             raise ValueError(f"{key} is not a condition of a window in dry contact; {message}")
-    parameters = checked_parameters(parameters)
-    shape, given = queries(DRY | conditions, parameters, "load")
-    if shape:
+    parameters = or_calibrated(parameters)
+    asked = queries(DRY | conditions, parameters, "load")
+    if asked.shape:
         names = " and ".join(conditions)
-        raise ValueError(f"{names} have shape {shape}; allowed: one number each")
-    loads = ends_in_si("between_N", between_N, UNITS["load_N"], parameters)
+        raise ValueError(f"{names} have shape {asked.shape}; allowed: one number each")
+    loads = ends_in_si("between_N", between_N, "load_N", parameters)
     search = WindowSearch(RATIOS, tolerance=TOLERANCE)
-    (density,) = given["particle_density"].tolist()
-    (found,) = turning_point_windows(search, given["roughness"], density, loads, parameters)
-    return found
+    (density,) = asked.columns["particle_density"].tolist()
+    roughness = asked.columns["roughness"]
+    (window,) = turning_point_windows(search, roughness, density, loads, parameters)
+    return TurningWindow(**vars(window))
+
+
+class Queries(NamedTuple):
+    """The combinations of conditions along whose remaining axis is searched.
+
+    ``columns`` are conditions [SI] and other numbers by name, flat, of the broadcast ``shape``; ``keys`` the names of
+    the conditions in tables, and ``index`` that of columns of pandas.
+    """
+
+    shape: tuple[int, ...]
+    columns: dict[str, NDArray]
+    keys: dict[str, str]
+    index: pd.Index | None
+
+    @property
+    def size(self) -> int:
+        """Their number."""
+        return next(iter(self.columns.values())).size
+
+    def differing(self, newtons_per_load: float) -> dict[str, NDArray]:
+        """The columns that differ between queries; conditions by their names in tables, and in these units."""
+        differ = {}
+        for name, column in self.columns.items():
+            if np.unique(column).size > 1:
+                if name in self.keys:
+                    name = self.keys[name]
+                    column = decimal(from_si(name, column, newtons_per_load))
+                differ[name] = column
+        return differ
+
+
+def queries(
+    conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str, **others: NDArray
+) -> Queries:
+    """The combinations of ``others`` and of the conditions, except the one ``along`` which is searched."""
+    read = read_conditions(conditions, parameters, without=axis_of(along).name)
+    if read.labelled:
+        raise ValueError(
+            f"{', '.join(read.labelled)} have named dimensions; allowed: their .values"
+        )
+    arrays = others | read.arrays
+    columns = np.broadcast_arrays(*arrays.values())
+    flat = dict(zip(arrays, map(np.ravel, columns), strict=True))
+    return Queries(shape=columns[0].shape, columns=flat, keys=read.keys, index=read.index)
+
+
+def sample(
+    along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
+) -> NDArray:
+    """The sampled values of an axis [SI]; arguments as in ``find``."""
+    check_count(count)
+    if between is None:
+        axis = axis_of(along)
+        ends = to_si(axis.alias, axis.searched, parameters.newtons_per_load)
+    else:
+        ends = ends_in_si("between", between, along, parameters)
+    return np.geomspace(*ends, count)
 
 
 def _of_queries(conditions, query) -> dict[str, NDArray]:
@@ -375,16 +460,12 @@ def _of_queries(conditions, query) -> dict[str, NDArray]:
     return {name: column[query] for name, column in conditions.items()}
 
 
-def _checked_levels(variable: Any, level: ArrayLike) -> NDArray:
-    """The levels; ``ValueError`` for an unknown variable and for levels that it cannot have."""
-    if not isinstance(variable, str) or variable not in QUANTITIES:
-        allowed = ", ".join(QUANTITIES) + did_you_mean(variable, QUANTITIES)
-        raise ValueError(f"variable is {format_value(variable)}; allowed: {allowed}")
-    quantity = QUANTITIES[variable]
-    level = level.to_numpy() if is_column(level) else level
-    levels = checked_array("level", level, f"numbers, in {quantity.units}")
-    most, allowed = (0.01, "0 to 0.01 m") if quantity.units == "m" else (1.0, "0 to 1")
+def _read_levels(variable: str, level: ArrayLike) -> NDArray:
+    """The levels of a variable [SI]; ``ValueError`` for those that it cannot have."""
+    unit = QUANTITIES[variable].unit
+    levels = numbers_in("level", level, unit)
+    most = 0.01 if unit == "m" else 1.0
     impossible = levels[~((levels >= 0.0) & (levels <= most))]
     if impossible.size:
-        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {allowed}")
+        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: 0 to {most:g} {unit}")
     return levels

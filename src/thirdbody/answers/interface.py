@@ -7,37 +7,38 @@ from typing import Any, Self
 import numpy as np
 
 from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles, range_note
-from thirdbody.answers.crossings import SWEEP, queries, sweep_values
 from thirdbody.answers.find import (
     BORDERS,
     IN_FULL_FILM,
     RATIOS,
+    SWEEP,
     Border,
     Transition,
     all_changes,
+    queries,
+    sample,
     turning_point,
     turning_window,
 )
 from thirdbody.answers.sizes import sizes_note
-from thirdbody.arguments import (
+from thirdbody.conditions import (
+    axis_of,
     check_count,
-    checked_names,
-    checked_parameters,
+    checked_variables,
     ends_in_si,
-    in_si,
+    from_si,
+    read_conditions,
     without_warnings,
 )
+from thirdbody.configuration.inputs import or_calibrated
 from thirdbody.configuration.printed import LOADS
-from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS, ranges
-from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
-from thirdbody.solver.solution import Solution
-from thirdbody.solver.solve import solve
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, unit_of
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
+from thirdbody.core.turning_points import PROMINENCE
+from thirdbody.data.quantities import ranges
+from thirdbody.points import Solution, solve
+from thirdbody.variables import AXES, BY_ALIAS, FLAGS, QUANTITIES, STATUS_MEANINGS, decimal
 
-LENGTH = UNITS["roughness_nm"]  # unit of sizes and of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
 # changes with these statuses are left out, and why; ``full_film`` are changes of the contact mode there
 LEFT_OUT = {name: STATUS_MEANINGS[name] for name in ("outside_film_formula", "area_exceeded")}
@@ -48,17 +49,17 @@ FULL_FILM_BORDER = BORDERS[1]
 State = Mapping[str, Value]  # variables, or other quantities of an answer
 # by name, the words and the unit of the rows
 STATE = {
-    name: (f"{each.long_name}, {each.symbol}", LENGTH.text if name == "separation" else each.units)
-    for name, each in QUANTITIES.items()
-} | {name: (flag.long_name, "") for name, flag in FLAGS.items()}
-STATE["separation"] = "mean separation, of a film its thickness, d", LENGTH.text
+    name: (f"{quantity.label}, {quantity.symbol}", quantity.unit)
+    for name, quantity in QUANTITIES.items()
+} | {name: (flag.label, "") for name, flag in FLAGS.items()}
+STATE["separation"] = "mean separation, of a film its thickness, d", "nm"
 TURNING = {
     "load_N": ("load at the turning point, F_t", "N"),
     "load": ("the same over A_n E_ss, F_TPCA*", "1"),
     "peak_ratio": ("A_sa,t* there", "1"),
     "solid_load_fraction": ("L_s there", "1"),
-    "low": ("least diameter with a turning point (dry)", LENGTH.text),
-    "high": ("largest diameter with a turning point (dry)", LENGTH.text),
+    "low": ("least diameter with a turning point (dry)", "nm"),
+    "high": ("largest diameter with a turning point (dry)", "nm"),
 }
 
 
@@ -92,24 +93,22 @@ class Interface:
     parameters: Parameters = field(repr=False)
 
     def __init__(self, *, parameters: Parameters | None = None, **conditions: float):
-        parameters = checked_parameters(parameters)
+        parameters = or_calibrated(parameters)
         object.__setattr__(self, "parameters", parameters)
-        found = in_si(conditions, parameters)
-        for key in conditions:
-            shape = found[unit_of(key).condition].shape
-            if shape:
-                raise ValueError(f"{key} has shape {shape}; allowed: one number")
-        for name, values in found.items():
-            key = ENGINEERING[name]
+        read = read_conditions(conditions, parameters)
+        for name, value in read.arrays.items():
+            if value.shape:
+                raise ValueError(f"{read.keys[name]} has shape {value.shape}; allowed: one number")
+            key = AXES[name].alias
             number = conditions.get(key)
             if not isinstance(number, int | float):
-                number = float(decimal(UNITS[key].from_si(values, parameters.newtons_per_load)))
+                number = float(decimal(from_si(key, value, parameters.newtons_per_load)))
             object.__setattr__(self, key, number)
 
     @property
     def conditions(self) -> dict[str, float]:
         """The five conditions by their names in engineering units."""
-        return {key: getattr(self, key) for key in ENGINEERING.values()}
+        return {key: getattr(self, key) for key in BY_ALIAS}
 
     @property
     def members(self) -> tuple[Parameters, ...]:
@@ -118,16 +117,18 @@ class Interface:
 
     def changed(self, **conditions: float | Parameters) -> Self:
         """The same interface with other conditions, or other ``parameters``."""
-        others = {UNITS[key].condition for key in conditions.keys() & UNITS.keys()}
-        kept = {key: getattr(self, key) for name, key in ENGINEERING.items() if name not in others}
+        others = {axis_of(key).name for key in conditions if key != "parameters"}
+        kept = {
+            key: getattr(self, key) for key, axis in BY_ALIAS.items() if axis.name not in others
+        }
         return Interface(**{"parameters": self.parameters} | kept | conditions)
 
     def described(self, without: str = "") -> str:
         """The conditions in words, except the one named ``without``."""
         return ", ".join(
-            f"{_words(name)} {getattr(self, key):g} {UNITS[key].text}"
-            for name, key in ENGINEERING.items()
-            if name != without
+            f"{_words(axis.name)} {getattr(self, key):g} {axis.alias_unit}"
+            for key, axis in BY_ALIAS.items()
+            if axis.name != without
         )
 
     def state(self) -> Answer:
@@ -147,8 +148,6 @@ class Interface:
         The answer has a row for each variable: ``value`` here, ``other`` there, and the ensemble
         range of the second minus the first; ``found`` is false if a force balance has no root.
         """
-        if not isinstance(other, Interface):
-            raise ValueError(f"other is {format_value(other)}; allowed: an Interface")
         mine, *of_members = self._states()
         theirs, *of_their_members = other._states()
         changes = [
@@ -178,10 +177,10 @@ class Interface:
         valid are left out, and those of the contact mode in a full film, where hardly anything touches;
         then the ends of the full film are also given.
         """
-        along = unit_of(along).condition
-        key = ENGINEERING[along]
-        flags = checked_names("flags", flags, FLAGS_WITH_BORDERS)
-        between = SEARCHED[along] if between is None else self._ends("between", between, key)
+        axis = axis_of(along)
+        along, key = axis.name, axis.alias
+        flags = checked_variables(flags, FLAGS_WITH_BORDERS)
+        between = axis.searched if between is None else self._ends("between", between, key)
         given = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
             every = [
@@ -197,7 +196,7 @@ class Interface:
         if any(each.solution_status == IN_FULL_FILM for each in left_out):
             shown = list(dict.fromkeys([*shown, FULL_FILM_BORDER]))
         mine, *of_members = (_by_name(each, shown) for each in every)
-        unit = UNITS[key].text
+        unit = axis.alias_unit
         passed = {name: (_words(name), unit) for name in mine if "_to_" in name}
         missed = {
             border.name: (f"between {_words(border.name)}", unit)
@@ -248,28 +247,27 @@ class Interface:
         """
         import pandas as pd
 
-        key = ENGINEERING[unit_of(along).condition]
+        key = axis_of(along).alias
         low, high = self._ends("low to high", (low, high), key)
-        check_count("count", count)
+        check_count(count)
         table = pd.DataFrame({key: np.geomspace(low, high, count)})
         mine, *of_members = self._solved(**{key: table[key].to_numpy()})
         for name in QUANTITIES:
             table[name] = getattr(mine, name)
             table = table.assign(**ranges(name, [getattr(each, name) for each in of_members]))
-        for name, codes in codes_to_name(mine.known).items():
+        for name, codes in codes_to_name(mine.variables).items():
             table[name] = pd.Categorical.from_codes(codes, FLAGS[name].meanings)
         return Curve(key, table)
 
     def _ends(self, name: str, ends: Any, key: str) -> tuple[float, float]:
         """The ends of a range, numbers or quantities, in the unit of the condition ``key``."""
-        found = ends_in_si(name, ends, UNITS[key], self.parameters)
-        return tuple(decimal(UNITS[key].from_si(found, self.parameters.newtons_per_load)).tolist())
+        si = ends_in_si(name, ends, key, self.parameters)
+        return tuple(decimal(from_si(key, si, self.parameters.newtons_per_load)).tolist())
 
     def _changes(self, key, given, between, parameters) -> list[Transition]:
         """All changes along ``key``, with those in a full film."""
-        unit, swept = sweep_values(key, between, SWEEP, parameters)
-        shape, others = queries(given, parameters, unit.condition)
-        return all_changes(unit, swept, shape, others, parameters)
+        samples = sample(key, between, SWEEP, parameters)
+        return all_changes(key, samples, queries(given, parameters, key), parameters)
 
     def _solved(self, **changes) -> list[Solution]:
         """Solutions with ``changes`` of the conditions, for the inputs and for each member."""
@@ -312,7 +310,8 @@ class Interface:
         """The sizes that each x_a [nm] stands for, if there are particles; and a lacking ensemble."""
         notes = []
         if self.particle_density_per_m2 > 0.0:
-            roughness, *sizes = LENGTH.to_si([self.roughness_nm, *diameters_nm]).tolist()
+            lengths = AXES["roughness"].to_si([self.roughness_nm, *diameters_nm])
+            roughness, *sizes = lengths.tolist()
             notes = [sizes_note(each, roughness, self.parameters) for each in sizes if each > 0.0]
         return [*notes, range_note(self.members)]
 
@@ -328,8 +327,8 @@ def _rows(described: Mapping, mine: State, of_members: Sequence[State]) -> tuple
 def _state(solution: Solution) -> State:
     """The variables of one point in engineering units and words."""
     state = {name: _known(getattr(solution, name)) for name in QUANTITIES}
-    state["separation"] = _known(LENGTH.from_si(solution.separation))
-    for name, code in codes_to_name(solution.known).items():
+    state["separation"] = _known(QUANTITIES["separation"].from_si(solution.separation))
+    for name, code in codes_to_name(solution.variables).items():
         state[name] = _words(FLAGS[name].meanings[code]) if code >= 0 else None
     return state
 

@@ -4,8 +4,8 @@ from statistics import NormalDist
 
 import numpy as np
 
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ParticleLayer
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import ParticleLayer
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:

@@ -13,11 +13,10 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
+from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.data.attributes import identity
-from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.files import readable_file, unreadable
-from thirdbody.data.quantities import STATUS
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, STATUS
 
 CATALOGUE = "results/atlas/catalogue.json"
 CHARTS = {  # the variable of the atlas in each
@@ -118,7 +117,9 @@ def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Datas
     panels = []
     for given in charts[name]:
         held = {
-            axis.name: axis.to_si(given[axis.key]) for axis in CONDITION_AXES if axis.key in given
+            axis.name: axis.to_si(given[axis.alias])
+            for axis in CONDITION_AXES
+            if axis.alias in given
         }
         found = {"limit": variable, "range": f"{variable}_range", STATUS: STATUS}
         shown = xr.Dataset({name: atlas[of] for name, of in found.items()})

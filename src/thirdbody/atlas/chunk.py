@@ -14,14 +14,13 @@ import numpy as np
 import xarray as xr
 
 from thirdbody.atlas.surfaces import QUANTILES, solve_surface
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
+from thirdbody.core.state import type_of
 from thirdbody.data.attributes import described_grid
-from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import Axes
 from thirdbody.data.netcdf import declare
-from thirdbody.data.quantities import FLAGS
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
-from thirdbody.solver.solution import type_of
+from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, FLAGS
 
 SAFE_DIGITS = 2  # written in addition to the requested ones
 APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own
@@ -44,7 +43,9 @@ def axis_values(axis: Mapping) -> list[float]:
 
 def atlas_axes(configured: Mapping[str, Mapping]) -> Axes:
     """The five axes of ``config/atlas.yaml``, increasing, SI; the load is F_t [N]."""
-    others = {axis.name: axis.values(axis_values(configured[axis.key])) for axis in CONDITION_AXES}
+    others = {
+        axis.name: axis.values(axis_values(configured[axis.alias])) for axis in CONDITION_AXES
+    }
     return {"load": np.array(axis_values(configured["load_N"])), **others}
 
 

@@ -7,22 +7,23 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import logit
 
-from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.curves.turning_point import film_turning_points
-from thirdbody.curves.windows import swept_windows
-from thirdbody.data.dataset import Axes, crossed
-from thirdbody.data.quantities import ENDS, FLAGS
-from thirdbody.model.contact import Contact
-from thirdbody.model.film import Film, film_load, log_load_parameter
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import (
+from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.contact import Contact
+from thirdbody.core.film import Film, film_load, log_load_parameter
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import (
     BOUNDARY_LIMIT,
     CONTACT_MODES,
     LUBRICATION_REGIMES,
     PARTICLE_LIMIT,
 )
-from thirdbody.solver.solve import solve_arrays
-from thirdbody.solver.sweep import is_worthwhile, sweep
+from thirdbody.core.solve import solve_points
+from thirdbody.core.sweep import is_worthwhile, sweep
+from thirdbody.core.turning_points import film_turning_points
+from thirdbody.core.windows import swept_windows
+from thirdbody.data.dataset import Axes, crossed
+from thirdbody.data.quantities import ENDS
+from thirdbody.variables import FLAGS
 
 STATES = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
 SOLVED = ("separation", "particle_contact_area_ratio", "solid_load_fraction", *STATES)
@@ -56,14 +57,14 @@ def solve_surface(
         if is_worthwhile(own, rtol):
             solution = sweep(own, parameters, rtol, wanted)
         else:
-            solution = solve_arrays(crossed(own), parameters, rtol, wanted)
-        values = values or {name: getattr(solution, name) for name in (*kept, *FLAGS)}
+            solution = solve_points(crossed(own), parameters, rtol, wanted)
+        values = values or {name: solution[name] for name in (*kept, *FLAGS)}
         for flag, states in STATES.items():
             for index, state in enumerate(states):
-                counts[f"{state}_probability"] += weight * (getattr(solution, flag) == index)
+                counts[f"{state}_probability"] += weight * (solution[flag] == index)
         limits.append(
             _passed(own, solution, parameters, rtol)
-            | _turning(own, solution.separation, parameters, rtol)
+            | _turning(own, solution["separation"], parameters, rtol)
         )
     found: dict[str, NDArray] = {}
     exists: dict[str, NDArray] = {}
@@ -93,11 +94,11 @@ def quantiles(values: NDArray) -> NDArray[np.float64]:
 @np.errstate(divide="ignore", invalid="ignore")  # fractions of 0 and 1
 def _passed(axes, solution, parameters, rtol) -> dict[str, NDArray]:
     """Largest diameter out of the p-s mode, and least viscosity out of boundary lubrication."""
-    ends = np.nanmin(solution.separation), np.nanmax(solution.separation)
+    ends = np.nanmin(solution["separation"]), np.nanmax(solution["separation"])
     diameter = passed_diameter(PARTICLE_LIMIT, axes, ends, parameters, rtol)
     viscosity = passed_viscosity(BOUNDARY_LIMIT, axes, parameters, rtol)
-    particles = logit(solution.particle_contact_area_ratio) - logit(PARTICLE_LIMIT)
-    film = logit(BOUNDARY_LIMIT) - logit(solution.solid_load_fraction)
+    particles = logit(solution["particle_contact_area_ratio"]) - logit(PARTICLE_LIMIT)
+    film = logit(BOUNDARY_LIMIT) - logit(solution["solid_load_fraction"])
     return {
         "largest_particle_diameter": first_passed("particle_diameter", axes, particles, diameter),
         "least_viscosity": first_passed("viscosity", axes, film, viscosity),
@@ -173,7 +174,7 @@ def passed_viscosity(level: float, axes: Axes, parameters: Parameters, rtol: flo
     """
     films = axes["viscosity"][axes["viscosity"] > 0.0]
     dry = axes | {"load": level * axes["load"][:, np.newaxis], "viscosity": np.zeros(1)}
-    separation = solve_arrays(dry, parameters, rtol, ["separation"]).separation
+    separation = solve_points(dry, parameters, rtol, ["separation"])["separation"]
     log_fluid = np.log1p(-level) if parameters.film_shares_load else 0.0
     film = Film.of(films, axes["roughness"], parameters)
     found = []

@@ -9,15 +9,15 @@ in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
 import math
 import warnings
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+from thirdbody.conditions import numbers_in
 from thirdbody.configuration import config_directory, schema
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.core.parameters import BOUNDS, Parameters
 from thirdbody.messages import format_path
-from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.parameters import Parameters
-from thirdbody.units import plain_numbers
 
 Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
@@ -74,8 +74,10 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     calibrated = directory.parent / settings["calibrated"]
     chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
     inputs = {
-        name: plain_numbers(name, each, entries[name].get("unit", "1")) if name in entries else each
-        for name, each in inputs.items()
+        name: numbers_in(name, value, entries[name]["unit"]).tolist()
+        if "unit" in entries.get(name, {})
+        else value
+        for name, value in inputs.items()
     }
     schema.validate(inputs, values_schema(entries), "load_parameters")
     inputs = plain_values(inputs)
@@ -85,6 +87,17 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
         _warn_of_what_stays(changed, choose_inputs(entries, chosen["calibrated"], {})["parameters"])
     members = [Parameters(**chosen["parameters"] | member) for member in chosen["ensemble"]]
     return Parameters(**chosen["parameters"]).with_members(members).changed(**inputs)
+
+
+def or_calibrated(parameters: Parameters | None) -> Parameters:
+    """``parameters``, or the calibrated ones if it is None."""
+    return _calibrated() if parameters is None else parameters
+
+
+@cache
+def _calibrated():
+    """Cached: reading the files takes longer than solving one point."""
+    return load_parameters()
 
 
 def ensemble(parameters: Parameters | None = None) -> tuple[Parameters, ...]:
@@ -118,7 +131,7 @@ def ensemble(parameters: Parameters | None = None) -> tuple[Parameters, ...]:
     >>> bool(low < tb.solve(**interface).solid_load_fraction < high)
     True
     """
-    return (load_parameters() if parameters is None else parameters).members
+    return or_calibrated(parameters).members
 
 
 # inputs that were found for one value of another, or are derived from it (below Eq. 8), and what changes them together

@@ -12,8 +12,8 @@ import numpy as np
 from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, validate
+from thirdbody.core.parameters import Parameters
 from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
 
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
 MOST_POINTS = 3_000_000  # of a scene: while they are solved they fill the memory of a job

@@ -9,20 +9,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.conditions import AXES, DIMENSIONS, Axis
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import NO_FLAG
 from thirdbody.data.netcdf import PlainDataset, Variable
-from thirdbody.data.quantities import (
-    FILL_FLAG,
-    FILL_FLOAT,
-    NORMAL_LOAD,
-    NUMBERS,
-    STATUS,
-    VARIABLES,
-    Quantity,
-)
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import NO_FLAG
-from thirdbody.units import SI, Unit
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT
+from thirdbody.variables import AXES, DIMENSIONS, NORMAL_LOAD, NUMBERS, STATUS, VARIABLES
+from thirdbody.variables import Variable as Described
 
 # Attributes of a dataset in their order; null if they depend on its content.  The dates are those
 # of the software version, so that the same inputs give the same bytes.
@@ -34,13 +26,17 @@ GIVEN_AS = (
 )
 
 
-def coordinate_attributes(described: Axis | Quantity, unit: Unit | None = None) -> dict[str, str]:
-    """Attributes of a coordinate: an axis, which was given in a ``unit``, or the normal load along the load axis."""
-    attributes = {name: getattr(described, name) for name in ("units", "long_name", "symbol")}
-    return attributes | ({GIVEN_AS: "load_N"} if unit and unit.is_force else {})
+def coordinate_attributes(described: Described, key: str = "") -> dict[str, str]:
+    """Attributes of a coordinate: an axis, which was given by the name ``key``, or the normal load."""
+    attributes = {
+        "units": described.unit,
+        "long_name": described.label,
+        "symbol": described.symbol,
+    }
+    return attributes | ({GIVEN_AS: key} if key == "load_N" else {})
 
 
-def variable_attributes(quantity: Quantity) -> dict:
+def variable_attributes(quantity: Described) -> dict:
     """Attributes of a variable."""
     attributes = coordinate_attributes(quantity) | {"equation": quantity.equation}
     if quantity.meanings:
@@ -58,7 +54,7 @@ def variable_attributes(quantity: Quantity) -> dict:
     return attributes
 
 
-def variable_encoding(quantity: Quantity) -> dict:
+def variable_encoding(quantity: Described) -> dict:
     """How files store a variable: with the fill value of points that a figure does not show."""
     return {"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {}
 
@@ -88,10 +84,10 @@ def described_grid(
     rtol: float,
     title: str = "Three-body contact on a grid",
     request: Mapping | None = None,
-    units: Mapping[str, Unit] = SI,
+    load_key: str = "load",
 ) -> PlainDataset:
     """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes; the axes were given in ``units``.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
+    attributes; the load was given by the name ``load_key``.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
     variables = {
         name: Variable(
             DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
@@ -100,7 +96,9 @@ def described_grid(
         if name in values
     }
     coordinates = {
-        name: Variable((name,), axis, coordinate_attributes(AXES[name], units.get(name)))
+        name: Variable(
+            (name,), axis, coordinate_attributes(AXES[name], load_key if name == "load" else name)
+        )
         for name, axis in axes.items()
     }
     newtons = axes["load"] * parameters.newtons_per_load

@@ -16,26 +16,28 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.arguments import check_rtol, checked_names, checked_parameters, in_si
+from thirdbody.conditions import check_rtol, checked_variables, read_conditions
+from thirdbody.configuration.inputs import or_calibrated
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
+from thirdbody.core.state import type_of
+from thirdbody.core.sweep import is_worthwhile, sweep
 from thirdbody.data.attributes import described_grid
-from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import PlainDataset, declare
-from thirdbody.data.quantities import (
-    FILL_FLAG,
-    FILL_FLOAT,
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT
+from thirdbody.messages import format_path, format_value
+from thirdbody.progress import Progress
+from thirdbody.variables import (
+    CONDITION_AXES,
+    DIMENSIONS,
     FLAGS,
     NUMBERS,
     STATUS,
     VARIABLES,
+    decimal,
 )
-from thirdbody.messages import format_path, format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.solution import type_of
-from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
-from thirdbody.solver.sweep import is_worthwhile, sweep
-from thirdbody.units import unit_of, units_in_tables
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -100,14 +102,14 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
-    parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
-    if is_worthwhile(axes, rtol):
-        solution = sweep(axes, parameters, rtol, names, progress)
-    else:
-        solution = solve_arrays(crossed(axes), parameters, rtol, names, progress)
-    values = {name: getattr(solution, name) for name in names}
-    units = units_in_tables(conditions)
-    return described_grid(axes, values, parameters, rtol, units=units).to_xarray()
+    parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    points = prod(axis.size for axis in axes.values())
+    with Progress(points, "points", progress) as bar:
+        if is_worthwhile(axes, rtol):
+            values = sweep(axes, parameters, rtol, names, bar.add)
+        else:
+            values = solve_points(crossed(axes), parameters, rtol, names, bar.add)
+    return described_grid(axes, values, parameters, rtol, load_key=load_key).to_xarray()
 
 
 def stream(
@@ -156,7 +158,7 @@ def stream(
     """
     if not isinstance(compression, Integral) or compression not in range(10):
         raise ValueError(f"compression is {format_value(compression)}; allowed: 0 to 9")
-    parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
+    parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
     shape = tuple(axis.size for axis in axes.values())
     lengths = [*shape]
     while prod(lengths) > POINTS_PER_BLOCK:
@@ -164,7 +166,7 @@ def stream(
         lengths[lengths.index(longest)] = -(-longest // 2)
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
-    described = described_grid(axes, empty, parameters, rtol, units=units_in_tables(conditions))
+    described = described_grid(axes, empty, parameters, rtol, load_key=load_key)
     with atomic_write(path) as part:
         size = prod(shape) * sum(kind.itemsize for kind in types.values())
         free = disk_usage(Path(path).parent).free
@@ -175,7 +177,7 @@ def stream(
             )
         with (
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
-            Progress(prod(shape), "points", progress) as progressing,
+            Progress(prod(shape), "points", progress) as bar,
         ):
             storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
             storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
@@ -184,32 +186,26 @@ def stream(
             for corner in product(*starts):
                 block = tuple(slice(i, i + length) for i, length in zip(corner, lengths))
                 sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
-                solution = solve_arrays(crossed(sides), parameters, rtol, names)
+                values = solve_points(crossed(sides), parameters, rtol, names)
                 for name, variable in stored.items():
-                    variable[block] = getattr(solution, name)
-                progressing.add(solution.solution_status.size)
+                    variable[block] = values[name]
+                bar.add(values[STATUS].size)
 
 
-def _checked_grid(parameters, rtol, variables, progress, conditions):
-    """Inputs, variables and axes [SI] of ``grid``; the status, which explains nan, is always included."""
-    parameters = checked_parameters(parameters)
+def _read_grid(parameters, rtol, variables, conditions):
+    """Inputs, names of variables, axes [SI] and the name of the load as given; the status, which explains nan, is
+    always included."""
+    parameters = or_calibrated(parameters)
     check_rtol(rtol)
-    check_progress(progress)
-    variables = VARIABLES if variables is None else checked_names("variables", variables, VARIABLES)
+    variables = checked_variables(variables, VARIABLES)
     names = [name for name in VARIABLES if name in variables or name == STATUS]
-    axes = in_si(conditions, parameters)
-    for key in conditions:
-        name = unit_of(key).condition
-        axes[name] = _checked_increasing(key, axes[name])
-    return parameters, names, axes
-
-
-def _checked_increasing(key: str, values: NDArray) -> NDArray:
-    axis = np.atleast_1d(values)
-    if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
-        message = f"{key} of shape {axis.shape} does not increase"  # `axis` is in SI
-        raise ValueError(f"{message}; allowed: one increasing dimension")
-    return axis
+    read = read_conditions(conditions, parameters)
+    axes = {name: np.atleast_1d(values) for name, values in read.arrays.items()}
+    for name, axis in axes.items():
+        if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
+            message = f"{read.keys[name]} of shape {axis.shape} does not increase"
+            raise ValueError(f"{message}; allowed: one increasing dimension")
+    return parameters, names, axes, read.keys["load"]
 
 
 def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
@@ -223,7 +219,7 @@ def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
     the ends.  Diameters relative to the roughness make a group for each roughness.
     """
     axis = scene["load_axis"]
-    first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])
+    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load)
     named = [load for load in scene.get("named_loads", []) if first <= load <= last]
     load = np.unique([*np.geomspace(first, last, axis["count"]), *named])
     entries = []
@@ -235,7 +231,7 @@ def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
             diameters = [ratio * sigma for ratio in entry[RELATIVE_DIAMETER]]
             entries.append(entry | {"roughness_nm": [sigma], "particle_diameter_nm": diameters})
     return [
-        {"load": load} | {axis.name: axis.values(entry[axis.key]) for axis in CONDITION_AXES}
+        {"load": load} | {axis.name: axis.values(entry[axis.alias]) for axis in CONDITION_AXES}
         for entry in entries
     ]
 
@@ -255,9 +251,9 @@ def scene_dataset(
     values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
     for group in groups:
         place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
-        solution = solve(**crossed(group), parameters=parameters, rtol=rtol)
+        solved = solve_points(crossed(group), parameters, rtol)
         for name in values:
-            values[name][place] = getattr(solution, name)
+            values[name][place] = solved[name]
     request = {
         "load": axes["load"].tolist(),
         "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],

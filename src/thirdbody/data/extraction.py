@@ -2,14 +2,15 @@
 
 import numpy as np
 
-from thirdbody.curves.transitions import LIMITS, limit_crossings
-from thirdbody.curves.turning_point import turning_points
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.solve import solve_points
+from thirdbody.core.transitions import LIMITS, limit_crossings
+from thirdbody.core.turning_points import turning_points
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import PlainDataset
-from thirdbody.data.quantities import STATUS, curves_of
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.solve import solve_arrays
+from thirdbody.data.quantities import curves_of
+from thirdbody.variables import STATUS
 
 FOUND = ("load", "load_error", "peak_ratio", "solid_load_fraction")  # of a turning point
 
@@ -48,7 +49,7 @@ def _rows(figure, conditions, columns, dataset, parameters) -> list[dict]:
     """Rows of a table, each with the condition of its curve and the status of its point."""
     given = {"load": columns["load"]} | dict(zip(Condition._fields, conditions, strict=True))
     rtol = float(dataset.attrs["rtol"])
-    status = solve_arrays(given, parameters, rtol, [STATUS]).solution_status
+    status = solve_points(given, parameters, rtol, [STATUS])[STATUS]
     columns["normal_load_N"] = columns["load"] * parameters.newtons_per_load
     columns[STATUS] = [SOLUTION_STATUSES[index] for index in status]
     rows = zip(*columns.values(), strict=True)

@@ -124,7 +124,7 @@ def require_sums(path: str | Path) -> None:
             raise DamagedFile(product, "has changed since it was made")
 
 
-def digest(path: str | os.PathLike, algorithm: str = "sha256") -> str:
-    """The sum of a file, in hexadecimal."""
+def digest(path: str | os.PathLike) -> str:
+    """The SHA-256 of a file, in hexadecimal."""
     with open(path, "rb") as content:
-        return hashlib.file_digest(content, algorithm).hexdigest()
+        return hashlib.file_digest(content, "sha256").hexdigest()

@@ -1,32 +1,36 @@
 """Labelled solutions: the results of ``Solution.to_dataset`` and ``Solution.to_dataframe``."""
 
-from collections.abc import Mapping
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
+from thirdbody.conditions import from_si, unit_text
+from thirdbody.core.regimes import FLAG_MEANINGS, codes_to_name
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
-from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
-from thirdbody.model.regimes import codes_to_name
-from thirdbody.tabular import indexed
-from thirdbody.units import Unit, decimal
+from thirdbody.tabular import indexed, with_rows
+from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES, decimal
+
+if TYPE_CHECKING:
+    from thirdbody.points import Solution
 
 RATIOS = "load", "film_thickness"  # dimensionless, unlike others of this name
 POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
-def labelled_dataset(
-    variables: Mapping[str, Any],
-    conditions: Mapping[str, Any],
-    units: Mapping[str, Unit],
-    newtons_per_load: float,
-) -> xr.Dataset:
-    """Variables and conditions (SI, given in ``units``) of a ``Solution``, which broadcast to the same shape,
-    as a dataset, with the load also in newtons.  A dimension has the name of the only condition that
-    varies along it."""
+def labelled_dataset(solution: Solution) -> xr.Dataset:
+    """The variables and conditions of a solution, and the load in newtons.
+
+    A dimension has the name of the only condition that varies along it.
+    """
+    return with_rows(_labelled(solution), solution.index)
+
+
+def _labelled(solution) -> xr.Dataset:
+    variables, conditions = solution.variables, solution.conditions
     first = next(iter(variables.values()), None)
     labelled = isinstance(first, xr.DataArray)
     plain = [values for values in conditions.values() if not isinstance(values, xr.DataArray)]
@@ -35,38 +39,35 @@ def labelled_dataset(
     coordinates = dict(first.coords) if labelled else {}
     for name, values in conditions.items():
         if name not in coordinates:
-            attributes = coordinate_attributes(AXES[name], units[name])
+            attributes = coordinate_attributes(AXES[name], solution.keys[name])
             coordinates[name] = *_placed(values, dimensions, shape), attributes
-    described = {}
-    for name, values in variables.items():
-        described[name] = dimensions, np.asarray(values), variable_attributes(VARIABLES[name])
+    described = {
+        name: (dimensions, np.asarray(values), variable_attributes(VARIABLES[name]))
+        for name, values in variables.items()
+    }
     dataset = xr.Dataset(described, coordinates)
-    newtons = dataset["load"].variable * newtons_per_load
+    newtons = dataset["load"].variable * solution.newtons_per_load
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)
     return dataset.assign_coords(normal_load=newtons)
 
 
-def labelled_frame(
-    dataset: xr.Dataset,
-    units: Mapping[str, Unit],
-    newtons_per_load: float | None,
-    index: pd.Index | None = None,
-) -> pd.DataFrame:
-    """The result of ``labelled_dataset`` as a table: one row per point, flags by name.
+def labelled_frame(solution: Solution) -> pd.DataFrame:
+    """A solution as a table: one row per point, flags by name.
 
-    Headings have units: of conditions those in ``units`` by name, of variables SI.
+    Headings have units: of conditions those in which they were given, of variables SI.
     """
+    dataset = _labelled(solution)
     flat = dataset if dataset.sizes else dataset.expand_dims(POINT)
     labels = [name for name in flat.dims if name in flat.coords]
     others = [name for name in flat.coords if name not in labels]
     frame = flat.to_dataframe().reset_index()[[*labels, *others, *flat.data_vars]]
-    for name, codes in codes_to_name({each: frame[each] for each in flat.data_vars}).items():
-        frame[name] = pd.Categorical.from_codes(codes, FLAGS[name].meanings)
+    for name, codes in codes_to_name({name: frame[name] for name in flat.data_vars}).items():
+        frame[name] = pd.Categorical.from_codes(codes, FLAG_MEANINGS[name])
     headings = {name: flat[name].attrs.get("units") for name in frame.columns}
-    for name, unit in units.items():
-        headings[name] = unit.text
-        frame[name] = decimal(unit.from_si(frame[name], newtons_per_load))
-    if units["load"].is_force:
+    for name, key in solution.keys.items():
+        headings[name] = unit_text(key)
+        frame[name] = decimal(from_si(key, frame[name], solution.newtons_per_load))
+    if solution.keys["load"] == "load_N":
         frame = frame.drop(columns=NORMAL_LOAD.name)
     headings = {
         name: f"{name} [{unit}]"
@@ -74,16 +75,16 @@ def labelled_frame(
         if unit and (unit != "1" or name in RATIOS)
     }
     frame = frame.rename(columns=headings)
-    return indexed(frame, index, range(len(frame)))
+    return indexed(frame, solution.index, range(len(frame)))
 
 
 def _dimensions(shape, conditions) -> list[str]:
     """A name for each axis of the points: the condition, if only one varies along it and along no other."""
-    having = [
+    varying = [
         [name for name, values in conditions.items() if axis in _axes(np.shape(values), shape)]
         for axis in range(-len(shape), 0)
     ]
-    owners = [names[0] if len(names) == 1 else None for names in having]
+    owners = [names[0] if len(names) == 1 else None for names in varying]
     owners = [name if owners.count(name) == 1 else None for name in owners]
     if owners.count(None) == 1:
         return [name or POINT for name in owners]

@@ -14,8 +14,8 @@ import netCDF4
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.files import unreadable
+from thirdbody.variables import DIMENSIONS
 
 if TYPE_CHECKING:
     import xarray as xr

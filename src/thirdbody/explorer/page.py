@@ -2,7 +2,6 @@
 template, style and scripts of the folder ``page/`` and with D3.  It computes the curves itself."""
 
 import json
-import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
@@ -11,22 +10,19 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.data.conditions import AXES, CONDITION_AXES
-from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
+from thirdbody.core.parameters import BOUNDS
 from thirdbody.data.tables import DRAWN_POINTS, read_csv
-from thirdbody.model.bounds import BOUNDS
 from thirdbody.places import part_of_paper
-from thirdbody.units import CONDITIONS, ENGINEERING
+from thirdbody.variables import AXES, CONDITION_AXES, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
 FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
-EXPORT = re.compile(r"^export (?=(?:const|function|class) (\w+))", re.MULTILINE)
+EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
 NODES = 48  # of the integrals computed in the page
 DIGITS = 5  # of coordinates in panels
-RANGE_STEP = 2  # every second point of the outline of an ensemble range is kept
 CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
-PRINTED, LEVEL, TOLERANCE, RANGE = "printed; ", "printed at every load; ", "tolerance; ", "band; "
+PRINTED, LEVEL, TOLERANCE = "printed; ", "printed at every load; ", "tolerance; "
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
 MARKUP = {
@@ -42,50 +38,43 @@ MARKUP = {
     r"_\{(\w+(?:,t)?)\}": r"_\1",
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
-STATED = (  # fields of a statement that the page needs to evaluate and show it
-    *("id", "place", "statement", "kind", "quantity", "published", "direction", "along"),
-    *(
-        "extreme",
-        "against",
-        "open_end",
-        "any_curve",
-        "must_be_reached",
-        "tolerance",
-        "tolerance_kind",
-        "relative",
-    ),
-    *("step", "limits", "source", "reason", "aside", "counted_as"),
+STATED = (  # what the page shows of a statement in claims.json
+    *("id", "place", "statement", "verdict", "verdicts_of", "published", "computed"),
+    *("tolerance", "tolerance_kind", "reason"),
 )
 
 
 def page_content(
     figures: Iterable[tuple[str | PathLike, Any, float]],
-    claims: Iterable[Any],
-    verdicts: Mapping[str, Any],
+    judged: Mapping[str, Any],
+    departures: Sequence[Mapping[str, Any]],
     inputs: Mapping[str, Any],
-    interpretations: Mapping[str, Mapping[str, Any]],
+    interpretations: Sequence[Mapping[str, Any]],
     ensemble: Sequence[Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
+    rig: Mapping[str, Any],
 ) -> dict[str, Any]:
     """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
 
     ``figures`` are of each figure of curves the points drawn (.csv), the caption, with ``title`` and ``text``,
     and where its logarithmic axis of a fraction begins, 0 for a linear one;
-    ``verdicts`` the content of ``claims.json``.  ``inputs`` are entries of ``config/inputs.yaml``
+    ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
+    departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
-    ``interpretations`` are inputs by the name of each calibrated interpretation, ``ensemble`` the
+    ``interpretations`` have ``name``, ``title`` and ``inputs`` of each calibrated one, ``ensemble`` the
     inputs of each member that differ from the default, ``ranges`` the first and last value of each
-    condition in the paper, by symbol, in engineering units.
+    condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
+    oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
+    ``usual_density`` of an oil; and the least and most of each number that a reader gives.
     """
-    found = {row["id"]: row for row in verdicts["statements"]}
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     return {
         "axes": [
             {
                 "name": axis.name,
-                "key": ENGINEERING[axis.name],
+                "key": axis.alias,
                 "scale": axis.scale,
-                "usual": CONDITIONS[axis.name]["usual"],
+                "usual": axis.usual,
                 "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
             }
             for axis in AXES.values()
@@ -98,28 +87,28 @@ def page_content(
             name: {**entry, **(BOUNDS[name]._asdict() if name in BOUNDS else {})}
             for name, entry in inputs.items()
         },
-        "interpretation": verdicts["interpretation"],
-        "interpretations": dict(interpretations),
+        "interpretations": list(interpretations),
         "ensemble": list(ensemble),
+        "rig": dict(rig),
         "figures": [figure_content(*each) for each in figures],
-        "claims": [_claim(claim, found[claim.id]) for claim in claims],
+        **{key: judged[key] for key in ("held", "judged", "counts")},
+        "statements": [_statement(row, departures) for row in judged["statements"]],
     }
 
 
-def _claim(claim, verdict):
-    """The statement with its verdict; conditions in SI, without those it does not specify."""
-    return {key: getattr(claim, key) for key in STATED} | {
-        "quote": plain_text(claim.quote),
-        "curves": [*map(_specified, claim.curves)],
-        "references": [*map(_specified, claim.references)],
-        "part": part_of_paper(claim.place),
-        "measured": verdict["computed"],
-        "verdict": verdict["verdict"],
+def _statement(row, departures):
+    """What the page shows of a statement; conditions in SI, without those it does not specify."""
+    return {key: row[key] for key in STATED} | {
+        "quote": plain_text(row["quote"]),
+        "curves": [*map(_specified, row["curves"])],
+        "references": [*map(_specified, row["references"])],
+        "part": part_of_paper(row["place"]),
+        "taken_back": {each["name"]: each["verdicts"][row["id"]] for each in departures},
     }
 
 
 def _specified(condition):
-    return {name: value for name, value in condition._asdict().items() if not math.isnan(value)}
+    return {name: value for name, value in condition.items() if value is not None}
 
 
 def plain_text(quote: str) -> str:
@@ -131,8 +120,8 @@ def plain_text(quote: str) -> str:
 
 def figure_content(points: str | PathLike, caption: Any, least: float) -> dict[str, Any]:
     """Data of a figure from its ``points`` drawn (.csv), its ``caption`` and the ``least`` fraction on a
-    logarithmic axis: the conditions [SI] of all ``curves``; for each of the ``panels`` their indices, ensemble
-    ranges and printed numbers."""
+    logarithmic axis: the conditions [SI] of all ``curves``; for each of the ``panels`` their indices and printed
+    numbers."""
     panels: dict[str, dict] = {}
     for row in read_csv(points, DRAWN_POINTS):
         names = {"x": row["x_name"], "y": row["y_name"]}
@@ -156,17 +145,11 @@ def figure_content(points: str | PathLike, caption: Any, least: float) -> dict[s
 
 def _panel(letter, panel, labels):
     drawn = panel["drawn"]
-    ranges = {place: drawn.get(RANGE + label) for place, label in enumerate(labels)}
     return {
         "letter": letter,
         "x": panel["x"],
         "y": panel["y"],
         "curves": [place for place, label in enumerate(labels) if label in drawn],
-        "ranges": {
-            place: _rounded([*outline[:-1:RANGE_STEP], outline[-1]])
-            for place, outline in ranges.items()
-            if outline
-        },
         "printed": [*_marks(PRINTED, drawn)],
         "levels": [*_marks(LEVEL, drawn, step=2)],  # the first of both ends
         "turning_points": "turning points" in drawn,
@@ -195,7 +178,7 @@ def page_text(content: Mapping[str, Any]) -> str:
         "style.css": _read("page/style.css"),
         "d3.LICENSE": _read("vendor/d3.LICENSE"),
         "d3.min.js": _read("vendor/d3.min.js"),
-        "content.json": data.replace("</", "<\\/"),
+        "content.json": data.replace("<", "\\u003c"),
         "main.js": _one_script(FIRST),
     }
     return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("page/index.html"))

@@ -22,15 +22,15 @@ def set_scales(
         (axes.xaxis, x, limits.intervalx),
         (axes.yaxis, y, limits.intervaly),
     ):
-        scale = SCALES[name]
-        axis.set_label_text(scale.label)
-        spread = 3.0 if scale.logarithmic else 10.0
-        logarithmic = (scale.logarithmic or axis is axes.xaxis) and 0.0 < spread * low < high
+        variable = SCALES[name]
+        axis.set_label_text(variable.axis)
+        spread = 3.0 if variable.is_logarithmic else 10.0
+        logarithmic = (variable.is_logarithmic or axis is axes.xaxis) and 0.0 < spread * low < high
         if logarithmic:
             axes.set(**{f"{axis.axis_name}scale": "log"})
             axis.set_major_formatter(lambda value, _: power_text(value))
-        if scale.unit != 1.0:
-            axis.set_major_formatter(_in_unit(axis, scale.unit))
+        if variable.scale != 1.0:
+            axis.set_major_formatter(_in_unit(axis, variable.scale))
             if logarithmic:
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.set_minor_locator(NullLocator())

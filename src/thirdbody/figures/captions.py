@@ -8,19 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from thirdbody.data.conditions import AXES, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.figures import marks
 from thirdbody.figures.panels import CURVE, Panel
-from thirdbody.figures.scales import (
-    SCALES,
-    axis_text,
-    label,
-    note,
-    quantity,
-    unit_text,
-    value_text,
-)
+from thirdbody.figures.scales import SCALES, axis_text, label, note, quantity, unit_text, value_text
 from thirdbody.toml_tables import toml_beside
+from thirdbody.variables import AXES
 
 WORDS = toml_beside(__file__)
 ZONES = WORDS.pop("zones")

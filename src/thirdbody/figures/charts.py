@@ -5,11 +5,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import xarray as xr
 
-from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.figures.curves import draw_panels, level_styles, range_series
 from thirdbody.figures.drawing import Drawing
 from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.figures.scales import note, parameter_title, value_text
+from thirdbody.variables import CONDITION_AXES
 
 
 def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:

@@ -25,12 +25,7 @@ from thirdbody.figures.crowding import hide_bars, keep_apart, label_curves
 from thirdbody.figures.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
 from thirdbody.figures.panels import CURVE, Curve, Panel, Series
-from thirdbody.figures.scales import (
-    panel_title,
-    parameter_title,
-    shared_notes,
-    value_text,
-)
+from thirdbody.figures.scales import panel_title, parameter_title, shared_notes, value_text
 from thirdbody.toml_tables import toml_beside
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all

@@ -15,12 +15,11 @@ import matplotlib.style
 import numpy as np
 from matplotlib.figure import Figure
 
-from thirdbody.data.conditions import AXES
 from thirdbody.data.files import atomic_write
-from thirdbody.data.quantities import VARIABLES
 from thirdbody.data.tables import DRAWN_POINTS, write_csv
 from thirdbody.figures.captions import Caption
 from thirdbody.figures.panels import CURVE, Panel, Series
+from thirdbody.variables import AXES, VARIABLES
 
 STYLE = Path(__file__).with_name("paper.mplstyle")
 # without dates, so that files are reproducible
@@ -31,7 +30,7 @@ FORMATS = {
 }
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md"))
 ONE_COLUMN, TWO_COLUMNS = 84.0 / 25.4, 174.0 / 25.4  # widths of figures in journals [inches]
-SI_UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
+SI_UNITS = {name: each.unit for name, each in (AXES | VARIABLES).items()}
 
 
 class Drawing(Figure):

@@ -6,13 +6,13 @@ from os import PathLike
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
-from thirdbody.data.quantities import STATUS
+from thirdbody.core.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
+from thirdbody.data.conditions import condition_key, row_key
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.panels import Curve, Series
 from thirdbody.figures.scales import SCALES
-from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 from thirdbody.toml_tables import toml_beside
+from thirdbody.variables import CONDITION_AXES, STATUS
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"

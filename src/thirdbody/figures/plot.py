@@ -16,12 +16,11 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from thirdbody.arguments import checked_names
+from thirdbody.conditions import axis_of, checked_variables
 from thirdbody.data.attributes import GIVEN_AS
-from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.files import DamagedFile, readable_file
 from thirdbody.data.netcdf import OF_THE_FILE, read_plain
-from thirdbody.data.quantities import NORMAL_LOAD, STATUS
+from thirdbody.explorer.page import CURVE
 from thirdbody.figures.curves import (
     BLUE,
     CURVE_FIGURES,
@@ -31,11 +30,12 @@ from thirdbody.figures.curves import (
     level_styles,
     range_series,
 )
-from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
+from thirdbody.figures.drawing import STYLE, Drawing
 from thirdbody.figures.marks import read_turning_points
+from thirdbody.figures.panels import Panel, Series
 from thirdbody.figures.scales import SCALES, note
-from thirdbody.messages import did_you_mean, format_value
-from thirdbody.units import UNITS
+from thirdbody.messages import format_value
+from thirdbody.variables import CONDITION_AXES, DIMENSIONS, NORMAL_LOAD, STATUS
 
 MOST_CURVES = 24  # of which a legend names each
 ALLOWED = (
@@ -109,11 +109,9 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity ν (cSt)'
     """
-    for name, value, known in (("over", over, UNITS), ("like", like, CURVE_FIGURES)):
-        if value is not None and (not isinstance(value, str) or value not in known):
-            allowed = ", ".join(known) + did_you_mean(value, known)
-            raise ValueError(f"{name} is {format_value(value)}; allowed: {allowed}")
-    variables = checked_names("variables", variables, LUBRICATED)
+    if like is not None and like not in CURVE_FIGURES:
+        raise ValueError(f"like is {like!r}; allowed: {', '.join(CURVE_FIGURES)}")
+    variables = checked_variables(variables, LUBRICATED)
     axes = _checked_axes(ax)
     turning_points = _checked_turning_points(turning_points)
     if hasattr(data, "along") and hasattr(data, "points"):  # figures do not import ``Curve``
@@ -122,19 +120,17 @@ def plot(
         return plot_curve(data, variables, axes)
     complete = _with_all_dimensions("data", data)
     in_newtons = GIVEN_AS in complete["load"].attrs and NORMAL_LOAD.name in complete
-    unit = UNITS[over or ("load_N" if in_newtons else "load")]
-    if complete.sizes[unit.condition] < 2:
-        message = (
-            f"data has one {unit.condition}; allowed: two or more, which curves are drawn over"
-        )
-        raise ValueError(message)
+    over = over or ("load_N" if in_newtons else "load")
+    along = axis_of(over).name
+    if complete.sizes[along] < 2:
+        raise ValueError(f"data has one {along}; allowed: two or more, which curves are drawn over")
     with matplotlib.style.context(STYLE, after_reset=True):
-        if unit.condition != "load":
-            return _plot_over(complete, unit.condition, variables, axes)
+        if along != "load":
+            return _plot_over(complete, along, variables, axes)
         ranges = None if band is None else _with_all_dimensions("band", band)
         drawn = curve_figure(like or "data", complete)
         chosen = tuple(each for each in drawn.contents if like or each.y in variables)
-        if unit.is_force:
+        if over == "load_N":
             if NORMAL_LOAD.name not in complete:
                 raise ValueError("data has no normal_load; allowed: over='load'")
             chosen = tuple(
@@ -207,7 +203,7 @@ def plot_curve(
     curve: Any, variables: Collection[str] = LUBRICATED, axes: Sequence[Axes] = ()
 ) -> Figure:
     """Draw ``variables`` of the result of ``Interface.curve``, with its range if it has one."""
-    units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
+    units = {axis.alias: (axis.name, axis.scale) for axis in CONDITION_AXES}
     along, unit = units.get(curve.along, ("normal_load", 1.0))
     x = unit * np.asarray(curve.points)
     panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in variables]

@@ -1,12 +1,11 @@
-"""Text of numbers and conditions in figures, and the axis of each quantity, from ``scales.toml``; nothing is drawn here."""
+"""Text of numbers and conditions in figures, and the variables of their axes; nothing is drawn here."""
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
 
-from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
-from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.toml_tables import toml_beside
+from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.data.conditions import Condition
+from thirdbody.variables import AXES, CONDITION_AXES, DERIVED, NORMAL_LOAD, QUANTITIES
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
@@ -21,7 +20,7 @@ def power_text(value: float) -> str:
 
 def unit_text(parameter: str) -> str:
     """Engineering unit of one of the four conditions."""
-    return AXES[parameter].unit.translate(SUPERSCRIPTS)
+    return AXES[parameter].alias_unit.translate(SUPERSCRIPTS)
 
 
 def parameter_title(parameter: str) -> str:
@@ -62,37 +61,22 @@ def shared_notes(conditions: Sequence[Condition]) -> list[str]:
 def label(condition: Condition) -> str:
     """All four conditions, the name of a curve in the file of the data drawn."""
     return "; ".join(
-        f"{axis.symbol} = {axis.from_si(value):.10g} {axis.unit}"
+        f"{axis.symbol} = {axis.from_si(value):.10g} {axis.alias_unit}"
         for axis, value in zip(CONDITION_AXES, condition, strict=True)
     )
 
 
-class Scale(NamedTuple):
-    """The axis of one quantity, a row of ``scales.toml``: ``unit`` is that of the ticks in SI, ``zones``
-    the key of ``ZONES`` into which a fraction is divided."""
-
-    title: str
-    label: str
-    logarithmic: bool = False
-    unit: float = 1.0
-    zones: str = ""
-
-
 # limits between contact modes or lubrication regimes, and their names from the lowest on
 ZONES = {
-    "modes": ((SURFACE_LIMIT, PARTICLE_LIMIT), ("s-s", "hybrid", "p-s")),
-    "regimes": ((FULL_FILM_LIMIT, BOUNDARY_LIMIT), ("F.L.", "M.L.", "B.L.")),
+    "contact_mode": ((SURFACE_LIMIT, PARTICLE_LIMIT), ("s-s", "hybrid", "p-s")),
+    "lubrication_regime": ((FULL_FILM_LIMIT, BOUNDARY_LIMIT), ("F.L.", "M.L.", "B.L.")),
 }
-ROWS = toml_beside(__file__)
-SCALES = {name: Scale(**row) for name, row in ROWS.items()} | {
-    axis.name: Scale(axis.name.replace("_", " "), parameter_title(axis.name), unit=axis.scale)
-    for axis in CONDITION_AXES
-}
+SCALES = AXES | QUANTITIES | {NORMAL_LOAD.name: NORMAL_LOAD} | DERIVED
 
 
 def panel_title(x: str, y: str) -> str:
     """Title of a panel of ``y`` over ``x``."""
-    symbol = SCALES[x].label.partition(" ")[0]
+    symbol = SCALES[x].axis.partition(" ")[0]
     over = "" if x in ("load", "normal_load", "diameter_ratio") else f" over {symbol}"
     return SCALES[y].title + over
 
@@ -105,13 +89,13 @@ def quantity(name: str) -> str:
 
 def axis_text(name: str, value: float) -> str:
     """``value`` [SI] with the unit of its axis and two digits: 89 %, 1.8×10⁻⁴."""
-    scale = SCALES[name]
-    rounded = float(f"{value / scale.unit:.2g}")
-    if scale.zones and rounded < 1e-3:  # none of a fraction
+    variable = SCALES[name]
+    rounded = float(f"{value / variable.scale:.2g}")
+    if variable.zones and rounded < 1e-3:  # none of a fraction
         rounded = 0.0
     is_power = 0.0 < rounded < 1e-3 or rounded >= 1e3
     number = power_text(rounded) if is_power else f"{rounded:g}"
     if name == "film_thickness":
-        return f"{number}×{power_text(scale.unit)}"
-    unit = re.search(r"\(([^$]+)\)$", scale.label)
+        return f"{number}×{power_text(variable.scale)}"
+    unit = re.search(r"\(([^$]+)\)$", variable.axis)
     return f"{number} {unit[1]}" if unit else number

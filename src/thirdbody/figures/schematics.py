@@ -5,12 +5,12 @@ from collections.abc import Callable
 import numpy as np
 from matplotlib.axes import Axes
 
+from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.data.netcdf import PlainDataset
 from thirdbody.figures.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.figures.panels import CURVE, Panel, Series
 from thirdbody.figures.scales import label, shared_notes
 from thirdbody.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
-from thirdbody.model.regimes import CONTACT_MODES
 from thirdbody.toml_tables import toml_beside
 
 INTERFACE, MODES = 3.6, 2.75  # heights of the figures [inches]

@@ -14,13 +14,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr, ndtri
 
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
-from thirdbody.data.conditions import AXES, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
-from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, QUANTITIES
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import CONTACT_MODES
 from thirdbody.toml_tables import toml_beside
+from thirdbody.variables import AXES, FLAGS, NORMAL_LOAD, QUANTITIES
 
 SEED = 20240507  # publication date of the paper
 STRETCH = 25.0  # of heights over lengths, so that several summits are seen
@@ -52,13 +52,16 @@ LINES, PARTICLES = OTHERS["lines"], OTHERS["particles"]
 VARIABLES = STATE | OTHERS["panel"] | LINES | PARTICLES
 
 
-def state_of(condition: Condition, load_N: float, solution: Any) -> dict[str, Any]:
-    """The state of an interface from the ``Solution`` of one point at ``load_N`` [N]; ``ValueError`` if there is none."""
-    if not np.isfinite(solution.separation):
+def state_of(
+    condition: Condition, load_N: float, variables: Mapping[str, NDArray]
+) -> dict[str, Any]:
+    """The state of an interface from the variables of one point at ``load_N`` [N]; ``ValueError`` if it has no
+    solution."""
+    if not np.isfinite(variables["separation"]):
         raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
-    numbers = {name: float(getattr(solution, name)) for name in NUMBERS}
+    numbers = {name: float(variables[name]) for name in NUMBERS}
     numbers |= {NORMAL_LOAD.name: float(load_N)}
-    return {**condition._asdict(), **numbers, "contact_mode": np.int8(solution.contact_mode)}
+    return {**condition._asdict(), **numbers, "contact_mode": np.int8(variables["contact_mode"])}
 
 
 def condition_of(section: Section) -> Condition:

@@ -19,21 +19,21 @@ from thirdbody.answers.bearing import (
     implied_speed,
     speed_note,
 )
-from thirdbody.arguments import (
+from thirdbody.conditions import (
+    axis_of,
     checked_numbers,
-    checked_parameters,
-    in_si,
-    is_column,
+    from_si,
+    read_conditions,
     without_warnings,
 )
+from thirdbody.configuration.inputs import or_calibrated
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.quantities import ranges
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.measured.reading import read_measured
-from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve
+from thirdbody.points import solve
 from thirdbody.tabular import Tabular
-from thirdbody.units import ENGINEERING, UNITS, decimal, unit_of
+from thirdbody.variables import AXES, BY_ALIAS, decimal
 
 UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
 CURVE = 80  # points of the model's curve where one condition varies
@@ -136,10 +136,8 @@ def compare(
     >>> found.table["friction_coefficient_model"].round(3).tolist()
     [0.109, 0.089, 0.07]
     """
-    parameters = checked_parameters(parameters)
+    parameters = or_calibrated(parameters)
     assumed = Assumed() if assumed is None else assumed
-    if not isinstance(assumed, Assumed):
-        raise ValueError(f"assumed is {format_value(assumed)}; allowed: a thirdbody.Assumed")
     columns, notes = read_measured(measured)
     observed = {MEASURED[name][0]: each for name, each in columns.items() if name in MEASURED}
     bearing_given = {
@@ -213,23 +211,23 @@ def _implied_density(parameters, speed):
 
 def _conditions(columns, conditions, parameters, index):
     """The conditions of each measurement in engineering units, with the speed if there is one."""
-    words = {name: name.replace("_", " ") for name in ENGINEERING}
+    words = {name: name.replace("_", " ") for name in AXES}
     given = {name: columns[each] for name, each in words.items() if each in columns}
-    for key, values in conditions.items():
-        if unit_of(key, compare.__kwdefaults__).condition in given:
+    for key in conditions:
+        if axis_of(key).name in given:
             raise ValueError(f"{key} is given twice; allowed: a column, or one number")
-        if is_column(values) and not values.index.equals(index):
-            message = f"{key} and measured have different indexes"
-            raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
-    found = in_si(given | conditions, parameters)
+    read = read_conditions(given | conditions, parameters)
+    if read.index is not None and not read.index.equals(index):
+        message = "conditions and measured have different indexes"
+        raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
     table = {
-        key: decimal(UNITS[key].from_si(found[name], parameters.newtons_per_load))
-        for name, key in ENGINEERING.items()
+        key: decimal(from_si(key, read.arrays[axis.name], parameters.newtons_per_load))
+        for key, axis in BY_ALIAS.items()
     }
     if "speed" in columns:
         table["speed_m_per_s"] = columns["speed"].to("m/s").magnitude
     for key in conditions:
-        shape = found[unit_of(key).condition].shape
+        shape = read.arrays[axis_of(key).name].shape
         if shape not in ((), (len(index),)):
             raise ValueError(f"{key} has shape {shape}; allowed: one number, or {len(index)}")
     return pd.DataFrame(table, index=index).astype(float)
@@ -248,7 +246,7 @@ def _curve(table):
 
 def _with_model(table, columns, inputs, speed, assumed):
     """Conditions with the model values for the first of the inputs, and the range of the others."""
-    conditions = {name: table[name].to_numpy() for name in ENGINEERING.values()}
+    conditions = {name: table[name].to_numpy() for name in BY_ALIAS}
     if "speed_m_per_s" in table:  # the film depends on the product of speed and viscosity
         ratio = table["speed_m_per_s"].to_numpy() / speed
         conditions["viscosity_cSt"] = conditions["viscosity_cSt"] * ratio

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.arguments import checked_numbers
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solution import Solution
+from thirdbody.conditions import checked_numbers
+from thirdbody.core.parameters import Parameters
+from thirdbody.points import Solution
 from thirdbody.toml_tables import toml_beside
 
 TABLES = toml_beside(__file__)

@@ -15,16 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.arguments import (
-    checked_array,
-    checked_number,
-    checked_numbers,
-    checked_parameters,
-    is_column,
-)
+from thirdbody.conditions import checked_number, checked_numbers, common_index, numbers_in
+from thirdbody.configuration.inputs import or_calibrated
+from thirdbody.core.parameters import Parameters
 from thirdbody.messages import format_value
-from thirdbody.model.parameters import Parameters
-from thirdbody.units import plain_numbers
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -85,13 +79,12 @@ def oil_viscosity(
     >>> tb.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
     array([38.5])
     """
-    if is_column(temperature_C):
+    if common_index({"temperature_C": temperature_C}) is not None:
         oil = dict(grade=grade, viscosity_index=viscosity_index, points=points)
-        found = oil_viscosity(temperature_C.to_numpy(), **oil)
-        return type(temperature_C)(found, temperature_C.index, name="viscosity_cSt")
-    temperature_C = plain_numbers("temperature_C", temperature_C, "degC")
-    temperature = checked_array("temperature_C", temperature_C, "numbers, in degrees Celsius")
-    given = f"temperature_C is {format_value(temperature_C)}"
+        viscosity = oil_viscosity(temperature_C.to_numpy(), **oil)
+        return type(temperature_C)(viscosity, temperature_C.index, name="viscosity_cSt")
+    temperature = numbers_in("temperature_C", temperature_C, "degC")
+    given = f"temperature_C is {format_value(temperature)}"
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
         raise ValueError(f"{given}; allowed: {COLDEST:g} to {HOTTEST:g}")
     if (points is None) == (grade is None) or (grade is None and viscosity_index is not None):
@@ -126,8 +119,8 @@ def _checked_points(points):
     try:
         cold, hot = sorted(
             (
-                float(plain_numbers("points", each, "degC")),
-                float(plain_numbers("points", nu, "cSt")),
+                float(numbers_in("points", each, "degC")),
+                float(numbers_in("points", nu, "cSt")),
             )
             for each, nu in points.items()
         )
@@ -184,7 +177,7 @@ def cleanliness(
     >>> print(tb.cleanliness("18/16/13", gap_nm=1000).notes[0])
     0.0075 particles above 4 um in A_n = 3e-06 m2: most contacts have none
     """
-    parameters = checked_parameters(parameters)
+    parameters = or_calibrated(parameters)
     enrichment = checked_number("enrichment", enrichment)
     gap_nm = checked_numbers({"gap_nm": gap_nm}, USUAL_GAP)["gap_nm"]
     rows, notes = [], []

@@ -14,21 +14,19 @@ import numpy as np
 import pandas as pd
 
 from thirdbody.answers.bearing import USUAL_BEARING
-from thirdbody.arguments import NEVER_ZERO, warn_outside
+from thirdbody.conditions import NEVER_ZERO, registry, warn_outside
 from thirdbody.data.files import readable_file
 from thirdbody.measured.estimates import MEASURED
-from thirdbody.messages import format_path, format_row, format_value
-from thirdbody.units import ENGINEERING, UNITS, registry
+from thirdbody.messages import format_path, format_value
+from thirdbody.variables import AXES, BY_ALIAS
 
 # a unit of each condition, and the usual range of the numbers, by the name in headings
-CONDITION_UNITS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
+CONDITION_UNITS = {name.replace("_", " "): axis.alias_unit for name, axis in AXES.items()}
 CONDITION_UNITS["speed"] = "m/s"
 USUAL_ENDS = {name: ends for name, (_, _, *ends) in MEASURED.items()}
 USUAL_ENDS["speed"] = USUAL_BEARING["speed_m_per_s"][:2]
 # headings of the library's own tables: their name and unit
-OWN = {
-    key: (UNITS[key].condition.replace("_", " "), UNITS[key].text) for key in ENGINEERING.values()
-}
+OWN = {key: (axis.name.replace("_", " "), axis.alias_unit) for key, axis in BY_ALIAS.items()}
 OWN |= {column: (name, unit) for name, (column, unit, *_) in MEASURED.items()}
 OWN["speed_m_per_s"] = "speed", "m/s"
 ALIASES = dict.fromkeys(("cof", "coefficient of friction", "µ", "μ"), "friction coefficient")
@@ -214,7 +212,7 @@ def _numbers(name, heading, column, notes):
         wrong = numbers <= 0.0 if name in NEVER_ZERO else numbers < 0.0
         allowed = f"{'' if name in NEVER_ZERO else 'zero or '}positive numbers"
     for index in np.flatnonzero(wrong):
-        row, cell = format_row(column.index[index]), format_value(column.iloc[index])
+        row, cell = column.index[index], format_value(column.iloc[index])
         raise ValueError(f"{heading} is {cell} in row {row}; allowed: {allowed}")
     if np.isnan(numbers).all():
         raise ValueError(f"{heading} has no numbers; allowed: one or more")

@@ -5,11 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numpy as np
-
-from thirdbody.arguments import checked_array, common_index, is_column
-from thirdbody.messages import format_value
-from thirdbody.units import has_unit, plain_numbers
+from thirdbody.conditions import common_index
 
 
 def equivalent_roughness(
@@ -20,8 +16,8 @@ def equivalent_roughness(
     Parameters
     ----------
     Rq, Ra : pair of numbers
-        Root mean square, or arithmetic mean, of the heights of both surfaces: numbers in one unit,
-        quantities, or columns of one table of pandas.  For Gaussian heights Rq is sqrt(pi/2) Ra.
+        Root mean square, or arithmetic mean, of the heights of both surfaces: numbers or arrays in one
+        unit, quantities, or columns of one table of pandas.  For Gaussian heights Rq is sqrt(pi/2) Ra.
 
     Returns
     -------
@@ -31,7 +27,7 @@ def equivalent_roughness(
     Raises
     ------
     ValueError
-        Unless exactly one pair is given, of numbers that are not negative, or of lengths.
+        Unless exactly one pair is given, and for columns with different indexes.
 
     Examples
     --------
@@ -40,33 +36,9 @@ def equivalent_roughness(
     >>> sigma_nm
     300.0
     """
-    given = {name: pair for name, pair in (("Rq", Rq), ("Ra", Ra)) if pair is not None}
-    if len(given) != 1:
-        raise ValueError(
-            f"Rq is {format_value(Rq)} and Ra {format_value(Ra)}; allowed: one of them"
-        )
-    ((name, pair),) = given.items()
-    try:
-        one, other = pair
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} is {format_value(pair)}; allowed: two numbers") from None
-    common_index({f"{name} of surface 1": one, f"{name} of surface 2": other})
-    one, other = (_checked_heights(name, each) for each in (one, other))
-    factor = math.sqrt(math.pi / 2.0) if name == "Ra" else 1.0
-    try:
-        return factor * (one**2 + other**2) ** 0.5
-    except Exception:  # pint raises many types
-        allowed = "two numbers, or two lengths with units"
-        raise ValueError(f"{name} is {format_value(pair)}; allowed: {allowed}") from None
-
-
-def _checked_heights(name, given):
-    """Heights as given, lists as arrays; ``ValueError`` unless they are lengths and not negative."""
-    allowed = "zero or positive numbers"
-    bare = given.to_numpy() if is_column(given) else plain_numbers(name, given, "m")
-    numbers = checked_array(name, bare, allowed)
-    if not ((numbers >= 0.0) & np.isfinite(numbers)).all():
-        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
-    if is_column(given) or has_unit(given):
-        return given
-    return numbers if numbers.ndim else float(numbers)
+    if (Rq is None) == (Ra is None):
+        raise ValueError("allowed: one of Rq and Ra")
+    one, other = Ra if Rq is None else Rq
+    common_index({"surface 1": one, "surface 2": other})
+    squares = one**2 + other**2
+    return (math.sqrt(math.pi / 2.0) if Rq is None else 1.0) * squares**0.5

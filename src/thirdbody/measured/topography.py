@@ -9,18 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.arguments import (
-    OutOfRangeWarning,
-    checked_number,
-    checked_parameters,
-    warn_outside,
-)
+from thirdbody.conditions import OutOfRangeWarning, checked_number, warn_outside
+from thirdbody.configuration.inputs import or_calibrated
+from thirdbody.core.parameters import Parameters, mccool_summits
 from thirdbody.data.files import readable_file
 from thirdbody.extras import require
-from thirdbody.messages import did_you_mean, format_path
-from thirdbody.model.parameters import Parameters, mccool_summits
+from thirdbody.messages import format_path
 from thirdbody.tabular import Tabular
-from thirdbody.units import CONDITIONS, plain_numbers
+from thirdbody.variables import AXES
 
 STEEPEST = 1.0  # root mean square slope
 
@@ -49,7 +45,7 @@ class MeasuredSurface(Tabular):
         """
         summit_parameter = self.summit_density * self.summit_radius * self.roughness
         return replace(
-            checked_parameters(parameters),
+            or_calibrated(parameters),
             reference_roughness=self.roughness,
             summit_radius=self.summit_radius,
             summit_parameter=summit_parameter,
@@ -97,14 +93,14 @@ def surface(
     spacing = max(max(each.pixel_size) for each in topographies)
     scale = float(spacing)
     if scale_nm is not None:
-        scale_nm = checked_number("scale_nm", plain_numbers("scale_nm", scale_nm, "nm"))
+        scale_nm = checked_number("scale_nm", scale_nm, unit="nm")
         scale = 1e-9 * scale_nm
     if scale < spacing * (1.0 - 1e-9):
         raise ValueError(f"scale_nm is {scale_nm:g}; allowed: {1e9 * spacing:.6g} or more")
     found = [_moments(path, each, scale) for path, each in zip(paths, topographies)]
     m_0, m_2, m_4 = np.sum(found, axis=0).tolist()
     roughness = math.sqrt(m_0)
-    warn_outside({"roughness": roughness}, {"roughness": (*CONDITIONS["roughness"]["usual"], "m")})
+    warn_outside({"roughness": roughness}, {"roughness": (*AXES["roughness"].usual, "m")})
     _warn_if_steep(math.sqrt(m_2))
     return MeasuredSurface(
         roughness=roughness,
@@ -123,8 +119,7 @@ def _check_options(options):
     known = [name for name in signature(ReaderBase.topography).parameters if name != "self"]
     for name in options:
         if name not in (*known, "format"):
-            allowed = ", ".join(known) + did_you_mean(name, known)
-            raise ValueError(f"there is no argument {name}; allowed: {allowed}")
+            raise TypeError(f"there is no argument {name}; allowed: {', '.join(known)}")
 
 
 def _warn_if_steep(slope):

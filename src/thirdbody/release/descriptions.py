@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from thirdbody.core.regimes import WITHOUT_VALUES
 from thirdbody.data.files import digest
 from thirdbody.data.netcdf import PlainDataset, read_plain
-from thirdbody.data.quantities import STATUS, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, TABLES, table_schema
-from thirdbody.model.regimes import WITHOUT_VALUES
 from thirdbody.release.citation import Release
 from thirdbody.release.files import files_in, media_type, render_json
+from thirdbody.variables import STATUS, STATUS_MEANINGS
 
 WIDE = re.compile(r"[A-Z]: \w+ \[.+\]")  # columns of the wide table of a figure
 

@@ -25,7 +25,6 @@ from thirdbody.release.files import files_in, render, render_json, write_json
 
 LICENCES = ("LICENSE", "LICENSE-DATA")
 VERIFICATION = "verification/"
-ALGORITHMS = ("sha256", "sha512")
 DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
 UNIX = 3  # code of the system with these modes
@@ -36,17 +35,14 @@ def stage(
     products: Sequence[str | os.PathLike],
     sources: Iterable[str],
     settings: Mapping[str, Any],
-    jobs: list[dict[str, Any]],
     software: dict[str, str],
     release: Release,
 ) -> None:
     """Fill the folder of a release, from the root of the repository: copy the files, describe them,
-    and add checksums, ``tagmanifest-sha512.txt`` last.
+    and add checksums, ``tagmanifest-sha256.txt`` last.
 
     ``products`` are files in the folders ``KINDS`` of ``results/``, ``settings`` the content of
-    ``configuration/``, by file name.  ``jobs`` of the workflow have the name of their ``rule``, and
-    ``inputs`` and ``outputs``, paths relative to the root; ``software`` are the versions of the
-    packages used.
+    ``configuration/``, by file name; ``software`` are the versions of the packages used.
     """
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
@@ -65,13 +61,12 @@ def stage(
         write_json(data / "configuration" / f"{name}.json", content)
     cited = yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
     (data / "CITATION.cff").write_text(cited, encoding="utf-8")
-    known = {"release": release, "software": software}
-    for name in ("codemeta.json", "zenodo.json"):
-        write_json(data / name, render_json(name, **known))
+    write_json(data / "zenodo.json", render_json("zenodo.json", release=release))
     kinds = {kind: title for kind, title in KINDS.items() if (data / kind).is_dir()}
     write_json(data / "datapackage.json", data_package(data, kinds, release))
-    write_json(data / METADATA, crate(data, kinds, jobs, software, release))
-    readme = render("README.md", **known, **describe_content(data, kinds))
+    write_json(data / METADATA, crate(data, kinds, release))
+    content = describe_content(data, kinds)
+    readme = render("README.md", release=release, software=software, **content)
     (folder / "README.md").write_text(readme, encoding="utf-8")
     seal(folder, release)
 
@@ -89,16 +84,15 @@ def seal(folder: Path, release: Release) -> None:
     information = render("bag-info.txt", release=release, oxum=f"{size}.{len(payload)}")
     (folder / "bag-info.txt").write_text(information, encoding="utf-8")
     (folder / "bagit.txt").write_text(DECLARATION, encoding="utf-8")
-    _write_manifests(folder, "manifest", payload)
+    _write_manifest(folder, "manifest", payload)
     not_tags = ("data/", "tagmanifest-")
     tags = [name for name in files_in(folder, folder) if not name.startswith(not_tags)]
-    _write_manifests(folder, "tagmanifest", tags)
+    _write_manifest(folder, "tagmanifest", tags)
 
 
-def _write_manifests(folder: Path, kind: str, names: list[str]) -> None:
-    for algorithm in ALGORITHMS:
-        lines = [f"{digest(folder / name, algorithm)}  {name}\n" for name in names]
-        (folder / f"{kind}-{algorithm}.txt").write_text("".join(lines), encoding="utf-8")
+def _write_manifest(folder: Path, kind: str, names: list[str]) -> None:
+    lines = [f"{digest(folder / name)}  {name}\n" for name in names]
+    (folder / f"{kind}-sha256.txt").write_text("".join(lines), encoding="utf-8")
 
 
 def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:

@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.data.conditions import DIMENSIONS, Condition
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import solve_points
+from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import PlainDataset, Variable
-from thirdbody.data.quantities import ENDS, FILL_FLOAT, QUANTITIES, curves_of
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve
+from thirdbody.data.quantities import ENDS, FILL_FLOAT, curves_of
+from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
 SUFFIXES = "low", "high"
@@ -38,14 +39,9 @@ def band(
     members have the inputs that differ from ``base``, SI, at the points of ``dataset``."""
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
-    solutions = [
-        solve(
-            load=load,
-            **Condition(*conditions)._asdict(),
-            parameters=replace(base, **member),
-            rtol=BAND_RTOL,
-            variables=tuple(QUANTITIES),
-        )
+    points = {"load": load, **Condition(*conditions)._asdict()}
+    solved = [
+        solve_points(points, replace(base, **member), BAND_RTOL, tuple(QUANTITIES))
         for member in ensemble
     ]
     variables = {}
@@ -54,7 +50,7 @@ def band(
             warnings.filterwarnings(
                 "ignore", "All-NaN", RuntimeWarning
             )  # where no member is solved
-            ends = np.nanquantile([getattr(each, name) for each in solutions], ENDS, axis=0)
+            ends = np.nanquantile([member[name] for member in solved], ENDS, axis=0)
         for suffix, fraction, values in zip(SUFFIXES, ENDS, ends, strict=True):
             whole = np.full((len(load), *shown.shape), FILL_FLOAT)
             whole[:, shown] = values

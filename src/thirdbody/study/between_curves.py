@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from thirdbody.model.regimes import BOUNDARY_LIMIT
+from thirdbody.core.regimes import BOUNDARY_LIMIT
 from thirdbody.study.sampling import TINY, first_fall, logarithm
 
 if TYPE_CHECKING:

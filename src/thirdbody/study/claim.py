@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.places import figures_named
 from thirdbody.study.sampling import TINY, NotReached, SolvedCurve, loads_within, logarithm, sample
+from thirdbody.variables import CONDITION_AXES
 
 if TYPE_CHECKING:
     from thirdbody.study.evidence import Evidence
@@ -30,7 +31,7 @@ TURNING_POINT_QUANTITIES = {
     "turning_point_solid_load": lambda point: point.solid_load_fraction * point.load,
 }
 WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
-CONDITION_KEYS = tuple(axis.key for axis in CONDITION_AXES)  # they distinguish curves
+CONDITION_KEYS = tuple(axis.alias for axis in CONDITION_AXES)  # they distinguish curves
 
 
 class Verdict(NamedTuple):
@@ -139,9 +140,9 @@ class Claim:
     def references(self) -> tuple[Condition, ...]:
         """Conditions of the reference of each curve, SI; empty without reference."""
         changes = {
-            axis.name: axis.to_si(self.reference[axis.key])
+            axis.name: axis.to_si(self.reference[axis.alias])
             for axis in CONDITION_AXES
-            if axis.key in self.reference
+            if axis.alias in self.reference
         }
         return tuple(condition._replace(**changes) for condition in self.curves if changes)
 
@@ -264,7 +265,7 @@ class Claim:
 def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
     """The ``conditions`` that distinguish curves, as text: ``nu = 0, 90 cSt``."""
     return [
-        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.unit}"
+        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.alias_unit}"
         for axis in CONDITION_AXES
-        if (given := conditions.get(axis.key)) is not None
+        if (given := conditions.get(axis.alias)) is not None
     ]

@@ -5,7 +5,7 @@ Each departure is taken back alone.  The baseline has all inputs as the text wor
 random from their usual ranges show what no search at all gives.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,15 +14,37 @@ from scipy.stats.qmc import LatinHypercube
 from thirdbody.study.calibration import Interpretation
 from thirdbody.study.choice import printed_numbers
 from thirdbody.study.evidence import QUICK_EFFORT
-from thirdbody.study.judge import Judge, count_once
+from thirdbody.study.judge import Judge, Verdicts, count_once, outcome
 
 
-def departure_rows(judge: Judge, settings: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Rows of the table ``departures``: the inputs of ``judge`` as they are, with each of the ``departures`` of
-    ``settings`` (the content of ``config/calibration.yaml``) taken back, and the worst and the best of
-    random inputs."""
-    rows = [_row(judge, settings, {"name": "as it is", "inputs": {}})]
-    rows += [_row(judge, settings, departure) for departure in settings["departures"]]
+def departure_verdicts(judge: Judge, settings: Mapping[str, Any]) -> list[Verdicts]:
+    """The verdicts with each of the ``departures`` of ``settings`` (the content of ``config/calibration.yaml``)
+    taken back from the inputs of ``judge``."""
+    return [judge(departure["inputs"]) for departure in settings["departures"]]
+
+
+def departure_words(
+    judge: Judge, settings: Mapping[str, Any], found: Sequence[Verdicts]
+) -> list[dict[str, Any]]:
+    """Of each departure its ``name``, its ``inputs`` and, by the id of a statement, the verdict as a word, from
+    the ``departure_verdicts``."""
+    return [
+        dict(departure)
+        | {"verdicts": {claim.id: outcome(claim, verdicts[claim.id]) for claim in judge.claims}}
+        for departure, verdicts in zip(settings["departures"], found, strict=True)
+    ]
+
+
+def departure_rows(
+    judge: Judge, settings: Mapping[str, Any], default: Verdicts, found: Sequence[Verdicts]
+) -> list[dict[str, Any]]:
+    """Rows of the table ``departures``: the inputs of ``judge`` as they are, with the verdicts ``default``; those
+    with each departure taken back, from the ``departure_verdicts``; and the worst and the best of random
+    inputs."""
+    departures = [{"name": "as it is", "inputs": {}}, *settings["departures"]]
+    rows = [
+        _row(judge, settings, *each) for each in zip(departures, [default, *found], strict=True)
+    ]
     counts = sorted(
         count_once(judge.claims, judge(inputs, QUICK_EFFORT)) for inputs in random_inputs(settings)
     )
@@ -33,9 +55,8 @@ def departure_rows(judge: Judge, settings: Mapping[str, Any]) -> list[dict[str, 
     return rows
 
 
-def _row(judge, settings, departure):
-    """The counts and deviations with the inputs of one departure changed."""
-    verdicts = judge(departure["inputs"])
+def _row(judge, settings, departure, verdicts):
+    """The counts and deviations of the verdicts with the inputs of one departure changed."""
     holds, judged = count_once(judge.claims, verdicts)
     deviations = printed_numbers(judge.claims, verdicts, settings["headline"])["deviation"].abs()
     return {

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thirdbody.curves.turning_point import TurningPoints, turning_points
-from thirdbody.curves.windows import WindowSearch, turning_point_windows
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import has_values
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
+from thirdbody.core.turning_points import TurningPoints, turning_points
+from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
-from thirdbody.data.quantities import QUANTITIES
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import has_values
-from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.sampling import SolvedCurve
+from thirdbody.variables import QUANTITIES
 
 WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm
 # Points with larger errors are not used: statements are evaluated to per cents, whatever rtol is.
@@ -74,20 +74,20 @@ def solve_evidence(
     curves, points = {}, {}
     if conditions:
         columns = np.transpose(conditions)
-        solution = solve(
-            load=loads[:, None],
-            **Condition(*columns)._asdict(),
-            parameters=parameters,
-            rtol=effort.rtol,
-            variables=(*QUANTITIES, "solution_status", "error_bound"),
+        solution = solve_points(
+            {"load": loads[:, None], **Condition(*columns)._asdict()},
+            parameters,
+            effort.rtol,
+            (*QUANTITIES, "solution_status", "error_bound"),
         )
-        known = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
-        solved = {name: np.where(known, getattr(solution, name), np.nan) for name in QUANTITIES}
+        accurate = solution["error_bound"] <= LARGEST_ERROR
+        accurate &= has_values(solution["solution_status"])
+        solved = {name: np.where(accurate, solution[name], np.nan) for name in QUANTITIES}
         for index, condition in enumerate(conditions):
             own = {name: values[:, index] for name, values in solved.items()}
             curves[condition] = curve_of(shared | own)
         places = [index for index, each in enumerate(conditions) if each in asked["turning_point"]]
-        separation = solution.separation[:, places]
+        separation = solution["separation"][:, places]
         found = turning_points(separation, *columns[:, places], parameters, effort.rtol)
         numbers = zip(*(values.tolist() for values in vars(found).values()), strict=True)
         for index, some in zip(places, numbers, strict=True):

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.parameters import Parameters
 from thirdbody.study.claim import Claim, Verdict
 from thirdbody.study.claims import referenced_conditions
 from thirdbody.study.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence

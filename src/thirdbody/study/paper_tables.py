@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from thirdbody.configuration.printed import STEEL_MODULUS
-from thirdbody.model.parameters import Parameters
+from thirdbody.core.parameters import Parameters
 
 
 def _force_unit(inputs: Parameters) -> float:

@@ -13,18 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.curves.transitions import LIMITS, limit_crossings
-from thirdbody.curves.windows import WindowSearch
-from thirdbody.data.conditions import AXES, Condition
-from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.parameters import Parameters
-from thirdbody.study.evidence import (
-    FULL_EFFORT,
-    WINDOW_DENSITY,
-    Effort,
-    Evidence,
-    solve_evidence,
-)
+from thirdbody.core.parameters import BOUNDS, Parameters
+from thirdbody.core.transitions import LIMITS, limit_crossings
+from thirdbody.core.windows import WindowSearch
+from thirdbody.data.conditions import Condition
+from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, Evidence, solve_evidence
+from thirdbody.variables import AXES
 
 # Relative change of an input, at which the errors of the difference and of the solver balance
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from thirdbody.curves.turning_point import PROMINENCE
+from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.data.quantities import spread
 from thirdbody.data.tables import TABLES
 from thirdbody.places import part_of_paper
@@ -214,7 +214,8 @@ def claims_html(report: Report) -> str:
 
 def claims_json(report: Report) -> str:
     """The same data for programs, as JSON: statements have the columns of the table ``claims``, lists and
-    objects instead of texts, and the ensemble range of each number."""
+    objects instead of texts, the ensemble range of each number, the reason of the tolerance, and
+    ``verdicts_of``, the verdict with the inputs of each interpretation."""
     held, of = count_once(report.claims, report.verdicts)
     predicted, predicted_of = count_once(report.claims, report.predicted)
     rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")
@@ -240,6 +241,11 @@ def claims_json(report: Report) -> str:
                 "numbers": report.verdicts[claim.id].numbers,
                 "range": number_ranges(report, claim.id).tolist(),
                 "contradicts": list(claim.contradicts),
+                "reason": claim.reason,
+                "verdicts_of": {
+                    name: outcome(claim, verdicts[claim.id])
+                    for name, verdicts in report.interpretations.items()
+                },
             }
             for row, claim in zip(rows, report.claims, strict=True)
         ],

@@ -12,8 +12,8 @@ from workspace import ROOT
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.settings import read_settings
+from thirdbody.core.parameters import Parameters
 from thirdbody.data.dataset import scene_groups
-from thirdbody.model.parameters import Parameters
 
 FILES = {  # and how many mutations of each
     "config/config.yaml": 110,

@@ -1,6 +1,7 @@
 // Any variable against any condition or variable, for several values of another condition.
 
-import { axes, currentPoint, state } from "./state.js";
+import { axes } from "./content.js";
+import { currentPoint, state } from "./state.js";
 import { currentEngine, placesAlong } from "./engine.js";
 import { keyOfMarks, levelStyle } from "./chart.js";
 import { curvesSpec, starsOf } from "./figures.js";

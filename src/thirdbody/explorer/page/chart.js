@@ -8,12 +8,12 @@ const MARKERS = [
   [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
   [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
 ];
-const SHADES = [[0.05, 0.59], [0.35, 1]]; // in the light and in the dark, each with enough contrast
+const [LIGHT, DARK] = [[0.05, 0.59], [0.35, 1]]; // ends of the shades, each with enough contrast
+const STEPS = 60; // shades between the ends
 const SHAPES = {
   star: d3.symbol(d3.symbolStar, 90)(),
   slight: d3.symbol(d3.symbolStar, 60)(),
   printed: d3.symbol(d3.symbolDiamond2, 60)(),
-  measured: d3.symbol(d3.symbolCircle, 40)(),
   doubt: d3.symbol(d3.symbolTimes, 28)(),
   cross: d3.symbol(d3.symbolCross, 110)(),
 };
@@ -33,9 +33,17 @@ export function levelStyle(level, levels) {
   if (level === 0) return { color: "var(--ink)" };
   const rank = levels.indexOf(level);
   const part = levels.length > 1 ? rank / (levels.length - 1) : 0.3;
-  const colors = SHADES.map((ends) => d3.interpolateViridis(d3.interpolate(...ends)(part)));
-  return { color: `light-dark(${colors})`, marker: rank };
+  return { color: shadeAt(part), marker: rank };
 }
+
+// Shades as colours of the style, since the light and the dark have their own.
+const SHADE = d3.range(STEPS + 1);
+const shadeAt = (part) => `var(--shade-${Math.round(part * STEPS)})`;
+const shadesOf = (ends) =>
+  SHADE.map((step) => `--shade-${step}: ${d3.interpolateViridis(d3.interpolate(...ends)(step / STEPS))};`).join(" ");
+d3.select("#shades").text(
+  `:root { ${shadesOf(LIGHT)} } @media screen and (prefers-color-scheme: dark) { :root { ${shadesOf(DARK)} } }`,
+);
 
 const classOf = (kind, { faded, chosen }) => `class="${kind}${faded ? " faded" : ""}${chosen ? " chosen" : ""}"`;
 
@@ -72,17 +80,17 @@ const KEY = {
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level" },
   windows: { text: "limits of turning points", color: "var(--accent)", kind: "window" },
   limits: { text: "printed limits (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit" },
-  ranges: { text: "ensemble range", fill: "var(--range)" },
+  ranges: { text: "range, 5 to 95 %", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
   here: { text: "at your conditions", color: "var(--accent)", kind: "here" },
-  measured: { text: "your data", mark: "measured" },
   doubts: { text: "with a remark", mark: "doubt" },
 };
 
 export function keyOfMarks(specs) {
   const shown = Object.keys(KEY).filter((kind) => specs.some((spec) => spec[kind].length));
   const zones = new Set(specs.flatMap(({ y }) => VARIABLES[y.name].shaded ?? []));
-  return [...shown.map((kind) => KEY[kind]), ...[...zones].map((text) => ({ text, fill: "var(--zone)" }))];
+  const shaded = zones.size ? [{ text: `shaded: ${[...zones].join(", or ")}`, fill: "var(--zone)" }] : [];
+  return [...shown.map((kind) => KEY[kind]), ...shaded];
 }
 
 // A spec of a chart; what is not given is empty.
@@ -92,7 +100,7 @@ export function specOf({ lines = [], ...given }) {
   return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts };
 }
 
-export const widthIn = (element) => Math.max(element.clientWidth, 220);
+const widthIn = (element) => Math.max(element.clientWidth, 220);
 const held = (value, low, high) => Math.min(Math.max(value, low), high);
 
 // An axis around values of a variable, logarithmic or not, as asked for or as usual: that of a fraction is if
@@ -213,7 +221,8 @@ export function chartIn(parent, { onRead, onLeave }) {
     onLeave();
   }
 
-  svg.on("pointermove", (event) => {
+  // a finger reads the point that it taps, which stays until another is tapped
+  svg.on("pointermove pointerdown", (event) => {
     const places = rows.flatMap(({ points }, row) => points.map(({ x, y }, point) => ({ row, point, x, y })));
     const tree = d3.quadtree(places, ({ x }) => scales.x(x), ({ y }) => scales.y(y));
     const found = tree.find(...d3.pointer(event, svg.node()), NEAR);
@@ -221,7 +230,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     place = found;
     return read(event);
   });
-  svg.on("pointerleave", leave).on("blur", leave);
+  svg.on("pointerleave", ({ pointerType }) => pointerType === "touch" || leave()).on("blur", leave);
   svg.on("keydown", (event) => {
     if (event.key === "Escape") leave();
     const move = MOVES[event.key];
@@ -275,7 +284,6 @@ function marksOf(spec, { x: toX, y: toY }) {
   const marks = [
     ...markersOf(spec.lines).filter(isShown).map(({ rank, x, y, ...look }) => markerOf(rank, inX(x), inY(y), look)),
     ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
-    ...spec.measured.filter(isShown).map(shape("measured")),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
   return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, stars.map(shape("star"))].flat().join("");
@@ -307,7 +315,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, limits, measured, x, y }, rows) {
+function described({ stars, printed, limits, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -317,7 +325,7 @@ function described({ stars, printed, limits, measured, x, y }, rows) {
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
   const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...limits], "points of your file": measured };
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...limits] };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }

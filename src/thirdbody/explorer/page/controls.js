@@ -1,10 +1,12 @@
 // Sliders, fields and choices of all conditions and inputs.
 
-import { axes, change, content, currentInputs, currentPoint, defaultInputs, state } from "./state.js";
-import { areHard, conditionFrom, inputNamed, setCondition, setInputs, toUnit } from "./state.js";
+import { axes, content, defaultInputs } from "./content.js";
+import { BODIES, GRADES, MATERIALS, materialInputs, oilViscosity, speedOf } from "./rig.js";
+import { NUMBERS, change, changedInputs, currentInputs, currentPoint, isDefault, state, toDefault } from "./state.js";
+import { areHard, chosenInterpretation, conditionFrom, inputNamed, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
 import { VARIABLES, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
-import { numberIn, readable, significant, typeset } from "./text.js";
+import { numberIn, plain, readable, significant, typeset } from "./text.js";
 
 const STEPS = 1000; // of a slider
 const BACK = '<button type="button" class="back" title="back to the default">↺</button>';
@@ -14,6 +16,7 @@ const SHOWN_IN = {
   m: [["mm", 1e-3], ["µm", 1e-6], ["nm", 1e-9]],
 };
 const SOFTENS = /^(elastic_modulus|hardness_surface)_/;
+const RADIUS = "ball_radius"; // stands beside the materials
 const PRINTED = ["published", "deduced", "assumed"];
 
 const updates = [];
@@ -24,9 +27,10 @@ export function makeControls(form) {
   const names = d3.group(Object.keys(content.inputs), kindOf);
   const controls = (kind, control) => (names.get(kind) ?? []).map(control);
   group(form, "Conditions", axes.map(conditionControl));
+  group(form, "Ball, flat, particles and oil", rigControls());
   group(form, "Interpretation of the paper", [presetControl(), ...controls("word", wordControl)]);
   group(form, "Inputs that the paper does not print", controls("unknown", numberControl));
-  group(form, "Materials, film and ball", controls("printed", numberControl), false);
+  group(form, "Printed inputs of the equations", controls("printed", numberControl), false);
   updates.push(showRefused);
   updateControls();
 }
@@ -40,6 +44,7 @@ function showRefused() {
 
 function kindOf(name) {
   const { allowed, bounds, source } = content.inputs[name];
+  if (name === RADIUS) return "rig";
   if (allowed) return "word";
   return PRINTED.includes(source) && !bounds ? "printed" : "unknown";
 }
@@ -116,12 +121,86 @@ function conditionControl({ name, range: [low, high] }) {
     scale: scaleFor(name).domain(ends),
     digits: 3,
     value: () => toUnit(name, currentPoint()[name]),
-    changed: () => name in state.conditions,
+    changed: () => name in state.conditions || (name === "viscosity" && state.oil_grade !== ""),
     read: (value) => conditionFrom(name, value),
     choose: (value) => setCondition(name, value),
   });
-  updates.push(() => (control.hidden = state.view === "figures" && name !== "load" && !isFree(name)));
+  updates.push(() => (control.hidden = name !== "load" && isUnused(name)));
   return control;
+}
+
+// Whether a condition changes nothing that is shown.
+const isUnused = (name) => state.view === "figures" && !isFree(name);
+
+// Materials, size and speed of the bodies in contact, and the oil.
+function rigControls() {
+  const oil = oilControl();
+  const temperature = rigNumber("temperature_C", {
+    ...{ words: "Oil temperature", symbol: "T", unit: "°C", note: "gives the viscosity above" },
+    scale: d3.scaleLinear([20, 150]),
+    read: (value) => (oilViscosity(state.oil_grade, value) ? value : undefined),
+  });
+  updates.push(() => {
+    oil.hidden = isUnused("viscosity");
+    temperature.hidden = isUnused("viscosity") || !state.oil_grade;
+  });
+  return [
+    ...BODIES.map(materialControl),
+    numberControl(RADIUS),
+    rigNumber("speed_m_per_s", {
+      ...{ words: "Entrainment speed", symbol: "u", unit: "m/s", note: "(u₁ + u₂)/2, with the oil density below" },
+      scale: d3.scaleLog([0.05, 50]),
+      value: () => speedOf(currentInputs(), state.oil_density_kg_per_m3),
+    }),
+    rigNumber("oil_density_kg_per_m3", {
+      ...{ words: "Oil density", symbol: "ρ", unit: "kg/m³", note: "mineral oils: 850 to 900" },
+      scale: d3.scaleLinear([700, 1100]),
+    }),
+    oil,
+    temperature,
+  ];
+}
+
+function rigNumber(name, given) {
+  return rangeControl({
+    id: `rig-${name}`,
+    hint: `${rangeText(NUMBERS[name].bounds)} ${given.unit}; ${given.note}`,
+    digits: 3,
+    value: () => state[name],
+    changed: () => !isDefault(name),
+    read: (value) => numberNamed(name, value),
+    choose: (value) => (value === undefined ? toDefault(name) : change({ [name]: value })),
+    ...given,
+  });
+}
+
+function materialControl(body) {
+  const control = choiceControl({
+    id: `rig-${body}`,
+    label: inputWords(body),
+    hint: `Material of the ${body}: moduli, hardness, G, V and U follow, as in thirdbody bearing; particles are as hard as the surfaces or harder`,
+    options: MATERIALS.map((name) => [name, name]),
+    value: () => state[body],
+    changed: () => !isDefault(body),
+    choose: (name) => (name === undefined ? toDefault(body) : change({ [body]: name })),
+  });
+  updates.push(() => {
+    for (const option of control.querySelectorAll("option")) option.disabled = !materialInputs({ ...state, [body]: option.value });
+  });
+  return control;
+}
+
+function oilControl() {
+  const isHot = (grade) => grade && !oilViscosity(grade, state.temperature_C);
+  return choiceControl({
+    id: "rig-oil_grade",
+    label: "Oil",
+    hint: "The oil's viscosity at its temperature, by ASTM D341; viscosity index 95",
+    options: [["", "of the viscosity above"], ...GRADES.map((grade) => [grade, `ISO VG ${grade}, index 95`])],
+    value: () => state.oil_grade,
+    changed: () => !isDefault("oil_grade"),
+    choose: (grade) => change({ oil_grade: grade ?? "", ...(isHot(grade) && { temperature_C: NUMBERS.temperature_C.usual }) }),
+  });
 }
 
 // What controls of all inputs have in common.
@@ -148,7 +227,7 @@ function numberControl(name) {
     value: () => currentInputs()[name] / factor,
     read(value) {
       const found = inputNamed(name, (value * factor).toPrecision(12));
-      return found !== undefined && areHard({ ...state.inputs, [name]: found }) ? found : undefined;
+      return found !== undefined && areHard({ ...currentInputs(), [name]: found }) ? found : undefined;
     },
   });
 }
@@ -182,19 +261,16 @@ function wordControl(name) {
 
 // All inputs of a calibrated interpretation at once.
 function presetControl() {
-  const { interpretations, interpretation } = content;
-  const isChosen = ([, inputs]) => Object.entries(inputs).every(([name, value]) => currentInputs()[name] === value);
-  const chosen = () => Object.entries(interpretations).find(isChosen)?.[0] ?? "";
   return choiceControl({
     id: "interpretation",
     label: "Calibrated inputs",
     hint: "All unprinted inputs as calibrated under one interpretation",
-    options: [["", "your own"], ...Object.keys(interpretations).map((name) => [name, spaced(name)])],
-    value: chosen,
-    changed: () => chosen() !== interpretation && Object.keys(state.inputs).length > 0,
+    options: [["", "your own"], ...content.interpretations.map(({ name, title }) => [name, plain(title)])],
+    value: () => chosenInterpretation()?.name ?? "",
+    changed: () => Object.keys(changedInputs()).length > 0,
     choose(name) {
       change({ inputs: {} });
-      setInputs(interpretations[name] ?? {});
+      setInputs(content.interpretations.find((each) => each.name === name)?.inputs ?? {});
     },
   });
 }

@@ -9,12 +9,12 @@ const RATIOS = d3.range(111).map((i) => 0.3 + (2.2 * i) / 110); // x_a/sigma at 
 
 // The states along a curve at loads F_t* from `low` to `high`, evenly spaced in logarithms.
 // The two states before give the separations between which the next is searched for first.
-export function curveOf(contact, low, high) {
+export function curveOf(contact, low, high, count = LOADS) {
   const states = [];
-  for (let i = 0; i < LOADS; i++) {
+  for (let i = 0; i < count; i++) {
     const [before, last] = [states[i - 2], states[i - 1]];
     const near = before && 3 * last.separation - 2 * before.separation;
-    states.push(contact.solve(low * (high / low) ** (i / (LOADS - 1)), last?.separation, near));
+    states.push(contact.solve(low * (high / low) ** (i / (count - 1)), last?.separation, near));
   }
   return states;
 }

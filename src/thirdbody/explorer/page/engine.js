@@ -1,11 +1,13 @@
 // The model at the inputs that are chosen, and its curves, each computed once.
 
+import { axes, content, defaultInputs } from "./content.js";
 import { modelOf, remembered } from "./model.js";
 import { PROMINENCE, curveOf, highestMaximum } from "./curves.js";
 import { scaleFor } from "./names.js";
-import { OVER_TWO_BODY, axes, content, currentInputs, defaultInputs } from "./state.js";
+import { OVER_TWO_BODY, changedInputs, currentInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
+const ENGINES = 70; // sets of inputs: those of the ensemble, and the last that were chosen
 const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
 
 export const engineOf = remembered((inputs) => {
@@ -37,11 +39,12 @@ export const engineOf = remembered((inputs) => {
   // the state at all five conditions, the load in newtons
   const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
   return { model, newtonsPerLoad, loads, contact, curve, points, pointsAlong, pointOf, state };
-}, 40); // sets of inputs: those of the ensemble, and the last that were chosen
+}, ENGINES);
 
 export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
-export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
+// One for each set of inputs of the ensemble, with all that the reader has changed.
+export const memberEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member, ...changedInputs() }));
 
 // The paper's range of a condition, and the chosen value if it is outside.
 export function shownRange(name, point) {
@@ -57,10 +60,31 @@ export function placesAlong(name, point, count) {
   return d3.range(count).map((place) => scale.invert(place));
 }
 
-// Run the steps of a generator in slices, between which the page answers, as long as they are wanted.
-export function inSlices(steps, isWanted) {
-  if (!isWanted()) return;
-  const start = performance.now();
-  while (performance.now() - start < SLICE) if (steps.next().done) return;
-  setTimeout(inSlices, 0, steps, isWanted);
+// Run the steps of a generator in slices, between which the page answers, as long as they are wanted; on paper at
+// once. Until they are done, the element that they fill is busy.
+const waiting = new Map();
+export function inSlices(element, steps, isWanted, pause = 0) {
+  element.setAttribute("aria-busy", "true");
+  waiting.set(element, { steps, isWanted });
+  const isMine = () => waiting.get(element)?.steps === steps;
+  function slice() {
+    if (!isMine()) return;
+    const start = performance.now();
+    while (isWanted() && performance.now() - start < SLICE) if (steps.next().done) return finish(element);
+    if (isWanted()) setTimeout(slice, 0);
+    else finish(element);
+  }
+  setTimeout(slice, pause);
 }
+
+function finish(element) {
+  waiting.delete(element);
+  element.removeAttribute("aria-busy");
+}
+
+addEventListener("beforeprint", () => {
+  for (const [element, { steps, isWanted }] of [...waiting]) {
+    while (isWanted() && !steps.next().done);
+    finish(element);
+  }
+});

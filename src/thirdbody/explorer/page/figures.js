@@ -1,17 +1,15 @@
 // The figures of the paper as specs of charts, with what the user chose in place of their conditions.
 
-import { conditionAxes, content, state } from "./state.js";
+import { conditionAxes, content } from "./content.js";
+import { changedInputs, chosenConditions, state } from "./state.js";
 import { currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
+import { outlineOf, withRange } from "./ranges.js";
 import { axisFor, keyOfMarks, levelStyle, specOf } from "./chart.js";
-import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionWord, valueText } from "./names.js";
 import { readable } from "./text.js";
 
 const SLIGHT = 0.001; // least prominence of a maximum that is marked
-
-// verdicts as they were last judged, by the ids of statements
-export const verdicts = new Map(content.claims.map((claim) => [claim.id, claim]));
 
 const isTwoBody = (condition) => condition.particle_diameter * condition.particle_density === 0;
 const ratioOf = (condition) => Number((condition.particle_diameter / condition.roughness).toPrecision(6));
@@ -38,7 +36,8 @@ function parameterOf(figure) {
 // that distinguishes them gets additional curves.
 function figureCurves(figure, parameter) {
   let curves = figure.curves.map((condition, place) => ({ condition, places: [place], mine: false }));
-  for (const [name, value] of Object.entries(state.conditions)) {
+  const conditions = chosenConditions();
+  for (const [name, value] of Object.entries(conditions)) {
     if (name === "load" || name === parameter.name) continue;
     const [level, ...others] = levelsOf(figure, name);
     if (others.length) continue; // the figure compares several
@@ -47,8 +46,8 @@ function figureCurves(figure, parameter) {
     const replaced = (condition) => (isKept(condition) ? condition : { ...condition, [name]: value });
     curves = curves.map((curve) => ({ ...curve, condition: replaced(curve.condition) }));
   }
-  if (parameter.name in state.conditions) {
-    const value = state.conditions[parameter.name];
+  if (parameter.name in conditions) {
+    const value = conditions[parameter.name];
     const bodies = curves.filter(({ condition }) => !isTwoBody(condition));
     const moved = bodies.map((curve) => ({ ...curve, condition: { ...curve.condition, [parameter.name]: value } }));
     for (const group of d3.group(moved, ({ condition }) => JSON.stringify(condition)).values()) {
@@ -75,8 +74,8 @@ export function isFree(name) {
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", dry };
-  if (dry) return isTwoBody(condition) && name === "viscosity" ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--soft)", dry };
-  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)" };
+  if (dry) return isTwoBody(condition) ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--soft)", dry };
+  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)", ...(hasOil && { dash: "7 3" }) };
   return levelStyle(levelOf(name, condition), levels);
 }
 
@@ -89,9 +88,9 @@ function labelOf({ name }, condition) {
 }
 
 // Whether the chosen statement refers to a curve, by its conditions in the paper.
-function emphasis(claim, { places, mine }, paper) {
-  if (!claim) return {};
-  const named = [...claim.curves, ...claim.references];
+function emphasis(statement, { places, mine }, paper) {
+  if (!statement) return {};
+  const named = [...statement.curves, ...statement.references];
   const chosen = !mine && named.some((each) => places.some((place) => isSame(each, paper[place])));
   return { chosen, faded: !chosen };
 }
@@ -104,13 +103,13 @@ export function figureView() {
   const curves = figureCurves(figure, parameter);
   const hasOil = figure.curves.some(({ viscosity }) => viscosity > 0);
   const comparesMedia = hasOil && curves.some(({ condition }) => condition.viscosity === 0);
-  const asked = content.claims.find(({ id }) => id === state.claim);
-  const claim = curves.some((curve) => emphasis(asked, curve, figure.curves).chosen) ? asked : undefined;
+  const asked = content.statements.find(({ id }) => id === state.statement);
+  const statement = curves.some((curve) => emphasis(asked, curve, figure.curves).chosen) ? asked : undefined;
   const drawn = curves.map((curve) => ({
     ...curve,
     ...engine.curve(curve.condition),
     ...styleOf(parameter, curve.condition, curve.mine, hasOil),
-    ...emphasis(claim, curve, figure.curves),
+    ...emphasis(statement, curve, figure.curves),
     label: labelOf(parameter, curve.condition),
   }));
   const notes = sharedWords(drawn);
@@ -121,23 +120,24 @@ export function figureView() {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
     const own = sharedWords(shown).filter((word) => !notes.includes(word)).map((word) => word.replaceAll(" ", "\u00a0"));
-    return panelSpec(panel, shown, engine, { claim, own, figure });
+    return panelSpec(panel, shown, engine, { statement, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
   const published = specs.some(({ ghosts }) => ghosts.length) ? "As published: " : "";
   return { specs, key, notes, heading: figure.title, caption: published + figure.caption };
 }
 
-function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper, least } }) {
+function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper, least } }) {
   const { x, y, letter, locus } = panel;
   const ofPaper = curves.filter(({ mine }) => !mine);
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
-  const changed = Object.keys(state.inputs).length > 0 || ofPaper.some(isMoved);
+  const changed = Object.keys(changedInputs()).length > 0 || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
   // at an end of a load percentage the paper names a regime: its bar alone tells all
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
-  const printed = marksOf(panel.printed, claim, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
-  const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
+  const printed = marksOf(panel.printed, statement, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
+  const ranged = x === "load" && content.quantities.includes(y) ? rangedCurves(curves) : [];
+  const ranges = ranged.map(({ condition, ...look }) => ({ ...look, points: outlineOf(condition, y) }));
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
     letter,
@@ -146,14 +146,21 @@ function panelSpec(panel, curves, engine, { claim, own, figure: { curves: paper,
     locus: locus ? stars : [],
     lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
-    ranges: changed ? [] : ranges.filter(({ points }) => points),
-    levels: marksOf(panel.levels, claim, curves),
+    ranges: ranges.filter(({ points }) => points),
+    ranged: ranged.map(({ condition }) => condition),
+    levels: marksOf(panel.levels, statement, curves),
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
-  const ranged = VARIABLES[y].log ? [] : spec.ranges.flatMap(({ points }) => points);
+  const outlines = VARIABLES[y].log ? [] : spec.ranges.flatMap(({ points }) => points);
   const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
-  return curvesSpec(spec, engine, [...ends, ...ranged]);
+  return curvesSpec(spec, engine, [...ends, ...outlines]);
+}
+
+// The curves of a panel whose ranges are drawn: the reader's own and some of those with a colour.
+function rangedCurves(curves) {
+  const coloured = d3.sort(curves.filter(({ marker }) => marker !== undefined), ({ marker }) => marker);
+  return [...withRange(coloured), ...curves.filter(({ mine }) => mine)];
 }
 
 // The title of a panel of y over x.
@@ -164,28 +171,27 @@ function titleOf(x, y) {
 
 // The spec of a chart of curves, whose axes also show some places [x, y].
 export function curvesSpec({ x, y, least, lines, ghosts = [], ...given }, engine, marked = []) {
-  const measured = measuredPoints(x, y, lines, engine);
-  const points = [...lines.flatMap((line) => line.points), ...ghosts.flat(), ...measured];
+  const points = [...lines.flatMap((line) => line.points), ...ghosts.flat()];
   return specOf({
     x: axisFor(x, state.x_scale, [...points.map((point) => point.x), ...marked.map((at) => at[0])]),
     y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...marked.map((at) => at[1])], least),
     newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
-    ...{ lines, ghosts, measured, ...given },
+    ...{ lines, ghosts, ...given },
   });
 }
 
 // Numbers that the paper prints, in the colours of their curves.
-function marksOf(marks, claim, curves) {
+function marksOf(marks, statement, curves) {
   return marks.map((mark) => {
-    const stated = content.claims.find(({ id }) => id === mark.id);
-    const chosen = claim?.id === mark.id;
+    const stated = content.statements.find(({ id }) => id === mark.id);
+    const chosen = statement?.id === mark.id;
     const curve = curves.find(({ condition }) => isSame(stated.curves[0], condition));
     return {
       ...mark,
       chosen,
-      faded: Boolean(claim) && !chosen,
+      faded: Boolean(statement) && !chosen,
       color: chosen ? "var(--mine)" : (curve?.color ?? "var(--ink)"),
-      text: `${stated.statement} (${verdicts.get(mark.id).verdict})`,
+      text: stated.statement,
     };
   });
 }
@@ -199,7 +205,7 @@ const pointsAt = (find, x, y, curves, engine) =>
 // Where turning points occur over x_a/sigma, on one of the surfaces that the figure compares.
 function windowSpec(figure, panel, engine, surface) {
   const sigmas = distinct(figure.curves.map(({ roughness }) => roughness));
-  const { viscosity = 0, particle_density = 1e11, roughness: chosen } = state.conditions;
+  const { viscosity = 0, particle_density = 1e11, roughness: chosen } = chosenConditions();
   const roughness = chosen !== undefined && sigmas.length === 1 ? chosen : sigmas[surface];
   const label = `σ = ${valueText("roughness", roughness)}`;
   const sizes = distinct(figure.curves.map(ratioOf));

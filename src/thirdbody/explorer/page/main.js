@@ -1,29 +1,27 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
-import { CHOICES, change, content, currentInputs, currentPoint, defaultInputs } from "./state.js";
+import { content, defaultInputs } from "./content.js";
+import { CHOICES, change, changedInputs, currentInputs, currentPoint } from "./state.js";
 import { fromFragment, onChange, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { MAP_KEY, mapTitle, mapView } from "./map.js";
-import { drawSection, sectionKey } from "./section.js";
 import { chartIn, sampleOf } from "./chart.js";
-import { FORMS, forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint, unusual } from "./point.js";
-import { SHOWN, judgeAll, judgedUnder, showStatements } from "./statements.js";
+import { SHOWN, showStatements } from "./statements.js";
 import { csvOf, save, svgOf } from "./download.js";
 import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
-import { engineOf } from "./engine.js";
+import { DEFINITION, rangeSteps } from "./ranges.js";
+import { engineOf, inSlices } from "./engine.js";
 import { escaped, plain, readable, typeset } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
 const CAPTIONS = {
   map: `Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none. The line of the turning
     points ends where no maximum of A_sa,t* stands out by 0.02 within these loads.`,
-  section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
-    assumes, at the separation that it finds. As in Figure 1, particles that reach into the elastic zone h_e of Eqs. 4
-    and 5 below surface 1 carry load, also those that touch one surface only; above each of these the zone is tinted.`,
 };
+const PAUSE = 150; // milliseconds without a move, after which ranges are computed
 let charts = [];
 let shown = []; // the specs of charts of curves
 
@@ -74,16 +72,13 @@ const VIEWS = {
   axes: axesView,
   map() {
     if (!charts.length) $("charts").replaceChildren("Solving all points of the map …");
-    mapView((spec) => {
-      if (state.view !== "map") return;
+    mapView($("charts"), (spec) => {
       drawCharts([spec]);
-      $("charts").dataset.done = toFragment();
       showChoices();
     });
     const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
     return { heading: mapTitle(), notes, key: MAP_KEY };
   },
-  section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: sectionKey() }),
 };
 
 // What newtons are: the paper leaves it open.
@@ -100,6 +95,8 @@ function draw() {
   }
   const { heading, notes, key, specs, caption = CAPTIONS[state.view] ?? "" } = VIEWS[state.view]();
   if (specs) drawCharts((shown = specs));
+  const ranged = specs?.flatMap((spec) => spec.ranged ?? []) ?? [];
+  if (ranged.length) inSlices($("charts"), rangeSteps(ranged, draw), () => state.view === "figures", PAUSE);
   showKey(key);
   const hasNewtons = state.view === "map" || (state.view === "axes" && specs[0].newtonsPerLoad); // captions of figures say it
   $("heading").innerHTML = typeset(heading);
@@ -116,18 +113,13 @@ function render() {
   showChoices();
   showPoint($("point"));
   showStatements();
-  judgeAll(() => {
-    showStatements();
-    $("claims").dataset.judged = toFragment();
-    if (state.view === "figures" && state.claim) draw();
-  });
+  document.body.dataset.shown = toFragment();
   clearTimeout(addressing);
   // browsers limit how often the address changes
   addressing = setTimeout(() => history.replaceState(null, "", `#${toFragment()}`), 100);
 }
 
 function ask() {
-  $("claims").dataset.judged = "not yet";
   asked ||= requestAnimationFrame(render);
 }
 
@@ -139,7 +131,7 @@ for (const select of document.querySelectorAll("select[name]")) {
 }
 
 document.addEventListener("change", ({ target: { name, value } }) => {
-  if (name in CHOICES) change(name === "figure" ? { figure: value, claim: "" } : { [name]: value });
+  if (name in CHOICES) change(name === "figure" ? { figure: value, statement: "" } : { [name]: value });
 });
 const shownName = () => (state.view === "figures" ? state.figure : state.view);
 $("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csvOf(shown)));
@@ -156,32 +148,22 @@ function showChoices() {
   $("save-svg").disabled = !$("charts").querySelector("svg");
 }
 
-$("file").addEventListener("change", async ({ target: { files: [file] } }) => {
-  if (!file) return;
-  $("measured").value = readMeasured(file.name, await file.text());
-  ask();
-});
-$("forget").addEventListener("click", () => {
-  forgetMeasured();
-  $("file").value = "";
-  $("measured").value = FORMS;
-  ask();
-});
 $("reset").addEventListener("click", () => fromFragment("")); // also where the address does not change
 addEventListener("hashchange", () => fromFragment(location.hash));
 addEventListener("resize", () => requestAnimationFrame(draw));
 
 // a page that was saved as it stood has them already
 for (const id of ["controls", "charts"]) $(id).replaceChildren();
-$("measured").value = FORMS;
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
+$("counts").textContent = `${content.held} of ${content.judged} distinct statements hold. ${content.counts}`;
+$("definition").textContent = content.ensemble.length ? DEFINITION : "";
 makeControls($("controls"));
 onChange(ask);
 fromFragment(location.hash);
 // To compute with the page in the console or in a test: inputs and conditions in SI, load F_t*.
 globalThis.thirdbody = {
   inputs: defaultInputs,
+  changed: changedInputs,
   solve: (inputs, condition, load) => engineOf(inputs).contact(condition).solve(load),
   turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint ?? null,
-  judge: judgedUnder,
 };

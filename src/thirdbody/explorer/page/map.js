@@ -22,16 +22,12 @@ const AREAS = [
   { fill: "var(--paper)", encloses: ({ mode }) => mode < 0 },
 ];
 const BORDERS = [{ kind: "regime", encloses: ({ regime }) => (regime < 0 ? NaN : regime === 0) }];
-let running = 0;
 
 export const mapTitle = () =>
   `Contact mode and lubrication regime over ${wordOf(state.map_x).toLowerCase()} and ${wordOf(state.map_y).toLowerCase()}`;
 
 // Calls `done` with the spec of the map when it is computed, unless another is asked for in between.
-export function mapView(done) {
-  const mine = ++running;
-  inSlices(mapSteps(done), () => mine === running);
-}
+export const mapView = (element, done) => inSlices(element, mapSteps(done), () => state.view === "map");
 
 function* mapSteps(done) {
   const [engine, point, x, y] = [currentEngine(), currentPoint(), state.map_x, state.map_y];

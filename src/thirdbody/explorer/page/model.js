@@ -6,7 +6,8 @@
 // areas over A_n. `inputs` has the names of config/inputs.yaml, `condition` has viscosity,
 // particle_diameter, roughness, particle_density.
 
-import { content, elasticFactor } from "./state.js";
+import { content } from "./content.js";
+import { elasticFactor } from "./state.js";
 
 const NODES = content.quadrature; // nodes and weights on the interval from 0 to 1
 const NEGLIGIBLE = 40; // exp(-40) of the largest weight is nothing in float64

@@ -1,6 +1,6 @@
 // What conditions and variables are called, their units as shown, and their usual scales.
 
-import { axes, content } from "./state.js";
+import { axes, content } from "./content.js";
 import { LIMITS } from "./model.js";
 import { readable } from "./text.js";
 

@@ -1,59 +1,66 @@
 // The state at the chosen conditions, and where the contact mode changes from there.
 
-import { axes, content, currentInputs, currentPoint, state } from "./state.js";
-import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
+import { axes, content } from "./content.js";
+import { currentInputs, currentPoint, changedInputs } from "./state.js";
+import { currentEngine, inSlices, memberEngines, placesAlong } from "./engine.js";
+import { rangeOf } from "./ranges.js";
 import { modeChanges } from "./curves.js";
 import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
 import { FULL_FILM, modeText, notable, numberText, statusText, valueText, withUnit, wordOf } from "./names.js";
 import { escaped, plain, readable, typeset } from "./text.js";
 
 const DIGITS = 3; // of numbers without an ensemble
-const ENDS = [0.05, 0.95]; // quantiles at the ends of a range
 const MOST_DIGITS = 4; // of numbers with one
 const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
+const PAUSE = 120; // milliseconds without a move, after which ranges and changes are computed
 let shownFor = "";
-let filling = [];
-addEventListener("beforeprint", () => [...filling]); // what still waits
 
 export function showPoint(parent) {
   const engine = currentEngine();
   const point = currentPoint();
-  const key = JSON.stringify([point, state.inputs]);
+  const key = JSON.stringify([point, changedInputs()]);
   if (key === shownFor) return;
   shownFor = key;
   const found = engine.state(point);
-  // the ensemble belongs to the calibrated inputs
-  const isCalibrated = Object.keys(state.inputs).length === 0;
-  const members = isCalibrated ? ensembleEngines().map((each) => each.state(point)) : [];
-  const rows = VALUES.map((name) => {
-    const values = members.map((member) => notable(name, member[name]));
-    const [low, high] = ENDS.map((fraction) => d3.quantile(values, fraction));
-    const words = `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;
-    if (!(high > low)) return [words, numberText(name, found[name], DIGITS)];
-    const [value, ...range] = supported(name, [found[name], low, high]);
-    return [words, withUnit(name, value), withUnit(name, ...new Set(range))];
-  });
   const words = [
-    ["", "", isCalibrated ? "5 to 95 % of the ensemble" : ""],
     ["Contact mode", found.regime === FULL_FILM ? "" : modeText(found)],
     ["Lubrication", found.status === "outside_film_formula" ? "" : REGIME_TEXT[found.regime]],
     ["Status", statusText(found.status)],
-  ].filter(([name, text]) => name === "" || text);
+  ].filter(([, text]) => text);
+  const values = VALUES.map((name) => [labelOf(name), numberText(name, found[name], DIGITS), ""]);
   const waiting = axes.map(({ name }) => [wordOf(name), "…"]);
   parent.innerHTML =
-    table(`At ${conditionWords(point).join(", ")}`, [...words, ...rows]) +
+    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], content.ensemble.length ? "range" : "") +
     table("Contact mode as one condition changes", waiting) +
     `<p>${typeset(sizesText(engine, point))}</p>`;
-  const cells = parent.querySelectorAll(".frame:nth-child(2) td");
-  // these may need other surfaces, which take a moment
+  const [answer, changes] = parent.querySelectorAll("tbody");
+  // members and modes may need other surfaces, which take a moment
   function* fill() {
+    const members = [];
+    for (const each of memberEngines()) {
+      members.push(each.state(point));
+      yield;
+    }
+    VALUES.forEach((name, i) => {
+      const cells = answer.rows[words.length + i].querySelectorAll("td");
+      textsWithRange(name, found, members).forEach((text, place) => (cells[place].innerHTML = typeset(text)));
+    });
     for (const [i, { name }] of axes.entries()) {
-      cells[i].textContent = changesText(name, point, engine);
+      changes.rows[i].querySelector("td").textContent = changesText(name, point, engine);
       yield;
     }
   }
-  filling = fill();
-  setTimeout(inSlices, 120, filling, () => shownFor === key);
+  inSlices(parent, fill(), () => shownFor === key, PAUSE);
+}
+
+const labelOf = (name) => `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;
+
+// The value of a variable, and its range if the members differ.
+function textsWithRange(name, found, members) {
+  const [low, high] = rangeOf(members.map((member) => notable(name, member[name])));
+  if (!(high > low)) return [numberText(name, found[name], DIGITS)];
+  const [value, ...range] = supported(name, [found[name], low, high]);
+  return [withUnit(name, value), withUnit(name, ...new Set(range))];
 }
 
 // A value and the ends of its range as text, to the second digit of their difference.
@@ -104,8 +111,9 @@ function changesText(name, point, engine) {
   return [changes[0].from, ...parts].join(", ");
 }
 
-function table(title, rows) {
+function table(title, rows, heading = "") {
   const cells = (texts) => texts.map((text) => `<td>${typeset(text)}</td>`).join("");
   const lines = rows.map(([name, ...texts]) => `<tr><th scope="row">${typeset(name)}</th>${cells(texts)}</tr>`);
-  return `<div class="frame" tabindex="0" role="group" aria-label="${escaped(plain(title))}"><table><caption>${typeset(title)}</caption>${lines.join("")}</table></div>`;
+  const head = heading && `<thead><tr><td></td><td></td><th scope="col">${heading}</th></tr></thead>`;
+  return `<div class="frame" tabindex="0" role="group" aria-label="${escaped(plain(title))}"><table><caption>${typeset(title)}</caption>${head}<tbody>${lines.join("")}</tbody></table></div>`;
 }

@@ -1,12 +1,10 @@
 // What the page shows, and its text in the fragment of the address: whatever differs from the default.
 
+import { axes, content, defaultInputs } from "./content.js";
+import { GRADES, MATERIALS, materialInputs, oilViscosity, rigInputs } from "./rig.js";
 import { numberIn, significant } from "./text.js";
 
-export const content = JSON.parse(document.getElementById("content").textContent);
-export const axes = content.axes; // load, then the four conditions of a curve
-export const conditionAxes = axes.slice(1);
 export const OVER_TWO_BODY = "total_contact_area_over_two_body";
-export const defaultInputs = Object.fromEntries(Object.entries(content.inputs).map(([name, { value }]) => [name, value]));
 
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
 const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
@@ -15,7 +13,7 @@ const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
 export const CHOICES = {
-  view: ["figures", "axes", "map", "section"],
+  view: ["figures", "axes", "map"],
   figure: figures,
   x: [...names, ...content.quantities],
   y: [...content.quantities, OVER_TWO_BODY],
@@ -24,11 +22,22 @@ export const CHOICES = {
   map_y: names,
   x_scale: ["auto", "log", "linear"],
   y_scale: ["auto", "log", "linear"],
-  claim: ["", ...content.claims.map(({ id }) => id)],
-  show: ["here", "all", "fails", "changed"],
+  statement: ["", ...content.statements.map(({ id }) => id)],
+  show: ["here", "all", "fails"],
+  ball: MATERIALS,
+  flat: MATERIALS,
+  particle: MATERIALS,
+  oil_grade: ["", ...GRADES],
+};
+// Numbers that can be chosen, with bounds and default; the speed is by default that of the inputs
+export const NUMBERS = {
+  speed_m_per_s: { bounds: content.rig.speed_m_per_s },
+  oil_density_kg_per_m3: { bounds: content.rig.oil_density_kg_per_m3, usual: content.rig.usual_density },
+  temperature_C: { bounds: content.rig.temperature_C, usual: 40 },
 };
 const DEFAULTS = {
   ...Object.fromEntries(Object.entries(CHOICES).map(([name, [first]]) => [name, first])),
+  ...Object.fromEntries(Object.entries(NUMBERS).map(([name, { usual }]) => [name, usual])),
   ...{ y: "particle_contact_area_ratio", by: "particle_diameter", map_y: "particle_diameter" },
   figure: figures.find((name) => name === "fig11") ?? figures[0],
 };
@@ -42,16 +51,40 @@ export function change(what) {
   Object.assign(state, what);
   listeners.forEach((listener) => listener());
 }
+export const isDefault = (name) => state[name] === DEFAULTS[name];
+export const toDefault = (...names) => change(Object.fromEntries(names.map((name) => [name, DEFAULTS[name]])));
 
 // Values that are chosen and differ from the default.
 function chosen(values) {
   const entries = Object.entries(values);
   return Object.fromEntries(entries.filter(([name, value]) => value !== undefined && value !== defaultInputs[name]));
 }
-export const setCondition = (name, value) => change({ conditions: chosen({ ...state.conditions, [name]: value }) });
+export function setCondition(name, value) {
+  const oil = name === "viscosity" ? { oil_grade: DEFAULTS.oil_grade } : {};
+  change({ conditions: chosen({ ...state.conditions, [name]: value }), ...oil });
+}
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
-export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
-export const currentPoint = () => ({ ...startOf(state.figure), ...state.conditions });
+
+// All that the reader has changed, which is known: each set of inputs has it.
+export const changedInputs = () => chosen({ ...rigInputs(state, state.inputs), ...state.inputs });
+export const currentInputs = () => ({ ...defaultInputs, ...changedInputs() });
+
+// The conditions that are chosen; the viscosity may be that of an oil.
+export function chosenConditions() {
+  const { oil_grade: grade, temperature_C: temperature, conditions } = state;
+  return grade ? { ...conditions, viscosity: 1e-6 * oilViscosity(grade, temperature) } : conditions;
+}
+export const currentPoint = () => ({ ...startOf(state.figure), ...chosenConditions() });
+
+// The calibrated interpretation that has the inputs that are chosen.
+export const chosenInterpretation = () =>
+  content.interpretations.find(({ inputs }) => {
+    const entries = Object.entries({ ...defaultInputs, ...inputs });
+    return entries.every(([name, value]) => currentInputs()[name] === value);
+  });
+
+// Whether the inputs are calibrated ones.
+export const isCalibrated = () => Object.keys(changedInputs()).length === 0 || chosenInterpretation() !== undefined;
 
 // The conditions of a figure, of several the nearest to the usual one.
 function startOf(figure) {
@@ -69,7 +102,8 @@ export const toUnit = (name, value) => value / axisNamed(name).scale;
 
 export function toFragment() {
   const given = new URLSearchParams();
-  for (const name of Object.keys(CHOICES)) if (state[name] !== DEFAULTS[name]) given.set(name, state[name]);
+  for (const name of Object.keys(CHOICES)) if (!isDefault(name)) given.set(name, state[name]);
+  for (const name of Object.keys(NUMBERS)) if (!isDefault(name)) given.set(name, significant(state[name], 12));
   for (const [name, value] of Object.entries(state.conditions)) {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
   }
@@ -84,17 +118,27 @@ export function fromFragment(text) {
   for (const [name, word] of new URLSearchParams(plusKept)) {
     const axis = axes.find(({ key }) => key === name);
     if (Object.hasOwn(CHOICES, name) && CHOICES[name].includes(word)) found[name] = word;
+    if (Object.hasOwn(NUMBERS, name)) found[name] = numberNamed(name, numberIn(word)) ?? DEFAULTS[name];
     if (axis) found.conditions[axis.name] = conditionFrom(axis.name, numberIn(word));
     if (Object.hasOwn(content.inputs, name)) found.inputs[name] = inputNamed(name, word);
   }
+  if (!materialInputs(found)) found.particle = DEFAULTS.particle;
+  if (found.oil_grade && !oilViscosity(found.oil_grade, found.temperature_C)) found.temperature_C = DEFAULTS.temperature_C;
   const inputs = chosen(found.inputs);
-  change({ ...found, conditions: chosen(found.conditions), inputs: areHard(inputs) ? inputs : {} });
+  const whole = { ...defaultInputs, ...rigInputs(found, inputs), ...inputs };
+  change({ ...found, conditions: chosen(found.conditions), inputs: areHard(whole) ? inputs : {} });
 }
 
 // A condition in SI, the load in newtons, from a value in its unit; undefined if it is not allowed.
 export function conditionFrom(name, value) {
   const isPositive = name === "load" || name === "roughness" ? value > 0 : value >= 0;
   return isPositive && value < Infinity ? Number((value * axisNamed(name).scale).toPrecision(12)) : undefined;
+}
+
+// A number in its unit; undefined if it is not allowed.
+export function numberNamed(name, value) {
+  const [least, most] = NUMBERS[name].bounds;
+  return value >= least && value <= most ? value : undefined;
 }
 
 // The value of an input that a word stands for; undefined if it is not allowed.
@@ -113,4 +157,4 @@ export function elasticFactor(inputs) {
 }
 
 // Whether elastic particles carry no more than plastic ones, so that one separation balances a load.
-export const areHard = (inputs) => elasticFactor({ ...defaultInputs, ...inputs }) <= 1;
+export const areHard = (inputs) => elasticFactor(inputs) <= 1;

@@ -1,0 +1,418 @@
+"""What a user gives, in SI: the five conditions, and numbers with a unit in their name.
+
+This is the only place that refuses a condition: what would be computed to a wrong number in silence.  A
+condition is a number or an array of numpy, a list of numbers, a column of pandas, an array of xarray or a
+quantity of pint; anything else is refused by its type, as it may carry a unit, a mask or a date.
+"""
+
+import re
+import sys
+import warnings
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.core.parameters import Parameters
+from thirdbody.variables import AXES, BY_ALIAS, Axis, decimal
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
+NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
+LARGEST_DIAMETER = 1e100  # whose square float64 holds
+PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
+# least and most usual value of numbers by name, and their unit
+Usual = Mapping[str, tuple[float, float, str]]
+_CHECKED = ContextVar("whether conditions have been checked", default=False)
+
+
+class OutOfRangeWarning(UserWarning):
+    """Numbers are outside their usual range, probably because they are in another unit.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> import thirdbody as tb
+    >>> with warnings.catch_warnings(record=True) as caught:
+    ...     inputs = tb.bearing(pressure_viscosity_per_GPa=0.02)
+    >>> print(caught[0].message)
+    pressure_viscosity_per_GPa is 0.02 GPa-1; usual: 1 to 100 GPa-1
+    """
+
+
+class Conditions(NamedTuple):
+    """Conditions in SI, by the names of ``AXES``.
+
+    Attributes
+    ----------
+    arrays : dict of arrays
+        Float64 copies of the values, which the caller cannot change later.
+    keys : dict of str
+        The name of each condition in tables: the one it was given by, for a quantity the alias.
+    labelled : dict of xarray.DataArray
+        Those that were given with named dimensions.
+    index : pandas.Index or None
+        That of the columns of pandas.
+    """
+
+    arrays: dict[str, NDArray]
+    keys: dict[str, str]
+    labelled: dict[str, "xr.DataArray"]
+    index: "pd.Index | None"
+
+
+def read_conditions(
+    arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
+) -> Conditions:
+    """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``.
+
+    Raises
+    ------
+    TypeError
+        For an unknown name, and a value of another kind than ``KINDS``.
+    ValueError
+        For a condition that is missing or given twice, a quantity of another dimension, a number that is
+        not finite or negative, a load or roughness of 0, and columns with different indexes.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        Once, for all numbers outside their usual range.
+    """
+    values = {}
+    for key, value in arguments.items():
+        axis = axis_of(key)
+        if axis.name in values or axis.name == without:
+            reason = "is searched along" if axis.name == without else "is given twice"
+            raise ValueError(f"{key}: {axis.name} {reason}; allowed: each condition once")
+        values[axis.name] = key, value
+    missing = [axis for name, axis in AXES.items() if name not in values and name != without]
+    if missing:
+        names = f"{missing[0].name} or {missing[0].alias}"
+        raise ValueError(f"{missing[0].name} is missing; allowed: {names}")
+    arrays, keys, labelled, unusual = {}, {}, {}, []
+    for name, axis in AXES.items():
+        if name in values:
+            key, value = values[name]
+            typed = _Typed.of(key, value)
+            arrays[name] = typed.checked_si(parameters.newtons_per_load)
+            unusual += typed.unusual(parameters.newtons_per_load)
+            keys[name] = axis.alias if typed.is_quantity else key
+            if _is_a(value, "xarray", "DataArray", "Variable"):
+                labelled[name] = _with_values(value, arrays[name])
+    _warn(unusual)
+    return Conditions(arrays=arrays, keys=keys, labelled=labelled, index=common_index(arguments))
+
+
+def axis_of(key: str) -> Axis:
+    """The axis of a name or an alias; ``TypeError`` if there is none."""
+    if key in AXES:
+        return AXES[key]
+    if key not in BY_ALIAS:
+        raise TypeError(f"unknown condition {key!r}; allowed: {', '.join((*AXES, *BY_ALIAS))}")
+    return BY_ALIAS[key]
+
+
+def to_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
+    """``values`` in the unit of a name or an alias in SI, a load as F_t* [1]."""
+    axis = axis_of(key)
+    numbers = axis.to_si(values) if key == axis.alias else np.asarray(values, float)
+    return np.multiply(numbers, 1.0 / newtons_per_load) if key == "load_N" else numbers
+
+
+def from_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
+    """``values`` in SI, a load as F_t* [1], in the unit of a name or an alias."""
+    axis = axis_of(key)
+    numbers = np.divide(values, 1.0 / newtons_per_load) if key == "load_N" else values
+    return axis.from_si(numbers) if key == axis.alias else np.asarray(numbers, float)
+
+
+def unit_text(key: str) -> str:
+    """The unit of a name or an alias."""
+    axis = axis_of(key)
+    return axis.alias_unit if key == axis.alias else axis.unit
+
+
+def ends_in_si(name: str, ends: Any, key: str, parameters: Parameters) -> NDArray:
+    """The two ends of a range, the argument ``name``, numbers in the unit of ``key`` or quantities, in SI.
+
+    Raises ``ValueError`` unless they are positive and increase; warns as ``read_conditions``.
+    """
+    newtons = parameters.newtons_per_load
+    typed = [_Typed.of(key, end) for end in ends]
+    si = np.array([end.checked_si(newtons) for end in typed])
+    if si.shape != (2,) or not 0.0 < si[0] < si[1]:
+        raise ValueError(f"{name} is {ends!r}; allowed: two numbers, positive and increasing")
+    _warn([text.replace(key, name, 1) for end in typed for text in end.unusual(newtons)][:1])
+    return si
+
+
+class _Typed(NamedTuple):
+    """Numbers of a condition in the unit in which they were given.
+
+    ``scale`` is this unit in SI, of a load in newtons if it ``is_force``.
+    """
+
+    key: str
+    axis: Axis
+    numbers: NDArray
+    text: str
+    scale: float
+    is_force: bool
+    is_quantity: bool
+
+    @classmethod
+    def of(cls, key: str, value: Any) -> "_Typed":
+        """The numbers and the unit of a value under a name or an alias."""
+        axis = axis_of(key)
+        numbers, unit = _numbers_and_unit(key, value)
+        if unit is None:
+            is_alias = key == axis.alias
+            text, scale = unit_text(key), axis.scale if is_alias else 1.0
+            is_force = is_alias and axis.name == "load"
+        else:
+            is_force = axis.name == "load" and unit.is_compatible_with("N")
+            expected = "N" if is_force else axis.dimension
+            if not unit.is_compatible_with(expected):
+                allowed = (
+                    f"{expected} or N"
+                    if axis.name == "load"
+                    else f"a unit such as {axis.alias_unit}"
+                )
+                raise ValueError(f"{key} is in {unit:~}; allowed: {allowed}")
+            text, scale = f"{unit:~}" or "1", float((1.0 * unit).to(expected).magnitude)
+        return cls(key, axis, numbers, text, scale, is_force, unit is not None)
+
+    def checked_si(self, newtons_per_load: float) -> NDArray:
+        """The numbers in SI; ``ValueError`` for those that no interface has."""
+        si = self.numbers if self.scale == 1.0 else decimal(self.numbers, self.scale)
+        si = np.array(si * (1.0 / newtons_per_load) if self.is_force else si)
+        never_zero = self.axis.name in NEVER_ZERO
+        allowed = ((si > 0.0) if never_zero else (si >= 0.0)) & np.isfinite(si)
+        if self.axis.name == "particle_diameter":
+            allowed &= si <= LARGEST_DIAMETER
+        if not allowed.all():
+            sign = "positive" if never_zero else "zero or positive"
+            message = f"{self.key} is {self.numbers[~allowed][0]:g}"
+            raise ValueError(f"{message}; allowed: {sign} finite numbers")
+        return si
+
+    def unusual(self, newtons_per_load: float) -> list[str]:
+        """Words on the first number outside the usual range, in its own unit; none if there is none."""
+        force = newtons_per_load if self.is_force else 1.0
+        least, most = (end * force / self.scale for end in self.axis.usual)
+        return unusual_text(self.key, self.numbers, least, most, self.text)
+
+
+def _with_values(labelled: Any, values: NDArray) -> "xr.DataArray":
+    """An array of xarray, without its attributes, with other ``values``."""
+    import xarray as xr
+
+    return xr.DataArray(values, getattr(labelled, "coords", None), labelled.dims)
+
+
+def common_index(arguments: Mapping[str, Any]) -> "pd.Index | None":
+    """The index of the columns of pandas, None if there are none; ``ValueError`` unless it is the same."""
+    columns = {key: value for key, value in arguments.items() if _is_a(value, "pandas", "Series")}
+    if not columns:
+        return None
+    first, *others = columns
+    for other in others:
+        if not columns[other].index.equals(columns[first].index):
+            message = f"{first} and {other} have different indexes"
+            raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
+    return columns[first].index
+
+
+# ---- kinds of values
+
+
+def numbers_in(name: str, value: Any, unit: str) -> NDArray:
+    """A value of one of the ``KINDS`` as float64 numbers, of a quantity in ``unit`` (UDUNITS spelling); pint raises
+    an error for a quantity of another dimension."""
+    numbers, unit_of_value = _numbers_and_unit(name, value)
+    if unit_of_value is None:
+        return numbers
+    is_quantity = _is_a(value, "pint", "Quantity")
+    quantity = value if is_quantity else registry().Quantity(numbers, unit_of_value)
+    return np.asarray(quantity.to(str(registry().Unit(unit))).magnitude, float)
+
+
+def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
+    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None; ``TypeError`` for others."""
+    if _is_a(value, "pint", "Quantity"):
+        return _numbers(name, value.magnitude), value.units
+    if _is_a(value, "xarray", "DataArray", "Variable"):
+        packed = [attribute for attribute in PACKED if attribute in value.attrs]
+        if packed:
+            message = f"{name} has the attribute {packed[0]}, with numbers as a file stores them"
+            raise ValueError(f"{message}; allowed: decoded ones (xarray.decode_cf)")
+        numbers, unit = _numbers_and_unit(name, value.data)
+        text = value.attrs.get("units")
+        return numbers, registry().Unit(text) if unit is None and text is not None else unit
+    if _is_a(value, "pandas", "Series"):
+        dtype = value.dtype
+        package = type(dtype).__module__.partition(".")[0]  # other packages have types with units
+        if package not in ("numpy", "pandas") or dtype.kind not in "iuf":
+            raise TypeError(f"{name} is a column of {dtype}; allowed: {KINDS}")
+        return value.to_numpy(float, na_value=np.nan), None
+    return _numbers(name, value), None
+
+
+def _numbers(name, value):
+    """Numbers, an array of numpy or a list of numbers as float64; ``TypeError`` for anything else."""
+    if isinstance(value, list | tuple):
+        if all(map(_is_number, _flat(value))):
+            return np.array(value, float)
+        kinds = sorted({_kind(item) for item in _flat(value) if not _is_number(item)})
+        raise TypeError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
+    if _is_number(value) or (type(value) is np.ndarray and value.dtype.kind in "iuf"):
+        return np.array(value, float)
+    raise TypeError(f"{name} is of type {_kind(value)}; allowed: {KINDS}")
+
+
+def _flat(values):
+    for value in values:
+        if isinstance(value, list | tuple):
+            yield from _flat(value)
+        else:
+            yield value
+
+
+def _is_number(value):
+    if isinstance(value, np.generic):
+        return value.dtype.kind in "iuf"  # no date, no bool
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _kind(value):
+    kind = f"{type(value).__module__}.{type(value).__qualname__}".removeprefix("builtins.")
+    return f"{kind} of {value.dtype}" if type(value) is np.ndarray else kind
+
+
+def _is_a(value, package, *kinds):
+    """Whether a value is of a class of a package, which is not imported for that."""
+    module = sys.modules.get(package)
+    return module is not None and isinstance(value, tuple(getattr(module, kind) for kind in kinds))
+
+
+@cache
+def registry() -> Any:
+    """The unit registry of pint, which also reads powers as in UDUNITS: ``m2 s-1``."""
+    import pint
+
+    power = re.compile(r"(?<=[A-Za-z])(?<![0-9][eE])(?=-?\d)")
+    return pint.UnitRegistry(preprocessors=[lambda text: power.sub("**", text)])
+
+
+# ---- other arguments
+
+
+def broadcast_by_name(conditions: Conditions) -> tuple[dict[str, NDArray], "xr.DataArray"]:
+    """Broadcast conditions, of which one or more have named dimensions, by the names of these.
+
+    Returns views of one shape, and an array with the dimensions and coordinates of that shape.  Raises
+    ``ValueError`` for an array without named dimensions, and xarray an error for different coordinates.
+    """
+    import xarray as xr
+
+    labelled = {}
+    for name, values in conditions.arrays.items():
+        if name not in conditions.labelled and values.ndim > 0:
+            message = f"{conditions.keys[name]} is an array without named dimensions"
+            raise ValueError(f"{message}; allowed: a number or an xarray.DataArray")
+        labelled[name] = conditions.labelled.get(name, xr.DataArray(values))
+    pattern = xr.apply_ufunc(
+        lambda *columns: np.broadcast_arrays(*columns)[0], *labelled.values(), join="exact"
+    )
+    views = {name: array.broadcast_like(pattern).values for name, array in labelled.items()}
+    return views, pattern
+
+
+def checked_variables(
+    variables: str | Collection[str] | None, allowed: Collection[str]
+) -> Collection[str]:
+    """The names of variables, by default all; ``ValueError`` for one that is not ``allowed``."""
+    if variables is None:
+        return allowed
+    names = [variables] if isinstance(variables, str) else [*variables]
+    unknown = [name for name in names if name not in allowed]
+    if unknown or not names:
+        raise ValueError(f"variables has {unknown}; allowed: one or more of {', '.join(allowed)}")
+    return names
+
+
+def check_rtol(rtol: float) -> None:
+    """Raise ``ValueError`` unless ``rtol`` is attainable with float64 and the tables."""
+    if not 1e-11 <= rtol <= 1e-2:
+        raise ValueError(f"rtol is {rtol!r}; allowed: 1e-11 to 1e-2")
+
+
+def check_count(count: int) -> None:
+    """Raise ``ValueError`` for a number of samples between which nothing can be found."""
+    if count < 2:
+        raise ValueError(f"count is {count!r}; allowed: 2 or more")
+
+
+def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1") -> float:
+    """A number or quantity as a float in ``unit``; ``ValueError`` unless it is one finite number, positive or
+    else not negative."""
+    numbers = numbers_in(name, value, unit)
+    if numbers.ndim or not 0.0 <= numbers < np.inf or (positive and numbers == 0.0):
+        sign = "a positive number" if positive else "zero or a positive number"
+        raise ValueError(f"{name} is {value!r}; allowed: {sign}")
+    return float(numbers)
+
+
+def checked_numbers(arguments: Mapping[str, Any], usual: Usual) -> dict[str, float]:
+    """Numbers or quantities as floats in the units of ``usual``; ``ValueError`` unless all are positive.
+
+    Warns of unusual ones.
+    """
+    numbers = {
+        name: checked_number(name, value, unit=usual[name][2]) for name, value in arguments.items()
+    }
+    warn_outside(numbers, usual)
+    return numbers
+
+
+# ---- unusual numbers
+
+
+def unusual_text(name: str, numbers: ArrayLike, least: float, most: float, unit: str) -> list[str]:
+    """Words on the first number outside its usual range; none if there is none.  0 means none."""
+    numbers = np.ravel(numbers)
+    outside = numbers[((numbers < least) & (numbers != 0.0)) | (numbers > most)]
+    if not outside.size:
+        return []
+    suffix = "" if unit == "1" else f" {unit}"
+    ends = " to ".join(f"{float(f'{end:.2g}'):g}" for end in (least, most))
+    return [f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}"]
+
+
+def warn_outside(numbers: Mapping[str, ArrayLike], usual: Usual) -> None:
+    """Issue one ``OutOfRangeWarning`` for all numbers outside their usual range."""
+    _warn([text for name in numbers for text in unusual_text(name, numbers[name], *usual[name])])
+
+
+def _warn(unusual):
+    """Issue one warning, at the caller of the function that reads its arguments."""
+    if unusual and not _CHECKED.get():
+        warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=5)
+
+
+@contextmanager
+def without_warnings() -> Iterator[None]:
+    """A context without warnings of conditions that have been checked; of other threads it changes nothing."""
+    token = _CHECKED.set(True)
+    try:
+        yield
+    finally:
+        _CHECKED.reset(token)

@@ -1,0 +1,119 @@
+"""Separations on both sides of the root of the force balance F_t = F_s(d) + F_f(d) (Eq. 1).
+
+A film whose thickness depends on F_f shares the load with the solids (Eqs. 7 and 8).  A film whose
+thickness F_t sets keeps it, and the solids carry the rest, or all of it if they need a larger
+separation.  Without a film the solids carry the load alone.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.core.balance import Points
+from thirdbody.core.particles import separation_carrying
+
+FILM_MARGIN = 1e-3  # a film thinner by this fraction certainly carries more than the load
+# added to ln F_t*, so that the first separation lies below the root at nearly all points
+SUMMIT_EXCESS, PARTICLE_EXCESS = 0.2, 0.002
+
+
+class Brackets(NamedTuple):
+    """Bracket [m] of the root of the force balance at each point.
+
+    The root is between ``low`` and ``high``, near ``guess``; ``low`` is nan if there is none.
+    Where a film whose thickness F_t sets (Eq. 8 as printed) is ``held``, every separation in the
+    bracket is a solution.
+    """
+
+    guess: NDArray
+    low: NDArray
+    high: NDArray
+    held: NDArray
+
+
+class FilmAlone(NamedTuple):
+    """Separation [m] at which the film carries all of F_t, and the ends that rounding leaves; 0 when dry."""
+
+    separation: NDArray
+    low: NDArray
+    high: NDArray
+
+
+def bracket(points: Points) -> Brackets:
+    """Bracket the separation d >= 0 at which solids and film carry the load.
+
+    If the film depends on F_f, it carries the load alone at d = R_x H_c(F_t), so the root is there
+    or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one.
+    """
+    film = _film_alone(points)
+    guess = np.maximum(first_separation(points), film.separation)
+    if not points.shares_load:
+        return _beyond_film_or_held(points, film, guess)
+    return Brackets(
+        guess=guess,
+        low=film.separation * (1.0 - FILM_MARGIN),
+        high=_upper_bounds(points, guess),
+        held=np.zeros(guess.shape, bool),
+    )
+
+
+def _film_alone(points):
+    """Where the film carries all of F_t."""
+    if points.film is None:
+        nothing = np.zeros(points.log_total.shape)
+        return FilmAlone(separation=nothing, low=nothing, high=nothing)
+    separation, rounding = points.film_separation()
+    return FilmAlone(
+        separation=separation,
+        low=separation * (1.0 - rounding),
+        high=separation * (1.0 + rounding),
+    )
+
+
+def first_separation(points: Points) -> NDArray:
+    """Approximate separation d [m] at which the solids alone carry the load.
+
+    It is the larger of the separations for summits alone and for particles alone, at which the
+    solids carry one to three times the load; less where it is 0.
+    """
+    surfaces, particles = points.contact.summits, points.contact.particles
+    t = surfaces.first_separation(points.log_total + SUMMIT_EXCESS)
+    guess = surfaces.offset + surfaces.deviation * t
+    if particles is not None:
+        log_area = points.log_total + PARTICLE_EXCESS - np.log(points.parameters.particle_pressure)
+        guess = np.maximum(guess, separation_carrying(log_area, particles))
+    return np.maximum(guess, 0.0)
+
+
+def _upper_bounds(points, guess):
+    """Upper bounds [m], at which summits, particles and film each carry far less than the load."""
+    far = np.maximum(guess, points.contact.summits.offset)
+    if points.contact.particles is not None:
+        far = np.maximum(far, points.contact.particles.reach)
+    return 2.0 * far + 10.0 * points.contact.summits.deviation
+
+
+def _beyond_film_or_held(points, film, guess):
+    """Brackets where the film keeps its separation, which is 0 when dry, unless the solids need a
+    larger one.  The forces at the guess show this at most points, those at the film at all."""
+    high = _upper_bounds(points, guess)
+    guess = np.maximum(guess, film.high)
+    forces = points.forces(guess)
+    beyond = forces.excess.value > forces.errors.noise
+    low = np.where(beyond, guess, film.high)
+    newton = guess - forces.excess.value / forces.excess.slope
+    guess = np.where(beyond & (newton < high), newton, guess)
+    held = np.zeros(guess.shape, bool)
+    unclear = np.flatnonzero(~beyond)
+    if unclear.size:
+        forces = points.take(unclear).forces(film.high[unclear])
+        held[unclear] = (forces.excess.value < 0.0) & (points.film is not None)
+        beyond[unclear] = forces.excess.value >= -forces.errors.noise
+        beyond &= ~held
+    return Brackets(
+        guess=guess,
+        low=np.where(held, film.low, np.where(beyond, low, np.nan)),
+        high=np.where(held, film.high, np.where(beyond, high, np.nan)),
+        held=held,
+    )

@@ -1,0 +1,200 @@
+"""Central film thickness of rough line and point contacts (Eqs. 7 and 8), and its validity.
+
+Eq. 7, with sigma* = sigma/R_x, is the film thickness of smooth bodies times a roughness factor:
+
+    H_c = 3.672 W^(-0.045 kappa^0.18) U^(0.663 kappa^0.025) G^(0.502 kappa^0.064)
+              (1 - 0.573 e^(-0.74 kappa))
+          (1 + 0.025 sigma*^1.248 V^0.119 W^-0.133 U^-0.884 G^-0.977 kappa^0.081)
+
+The logarithm of each of the two terms is a sum of logarithms, linear in ln W.
+
+Source: Masjedi & Khonsari (2015).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+import scipy  # scipy.special is loaded on first use: many jobs do not need it
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.core.interpolation import HermiteTable
+from thirdbody.core.logarithms import EPSILON
+from thirdbody.core.parameters import Parameters
+
+THICKEST = 0.01  # largest H_c that still describes a film between two bodies
+# of a thickness, in EPSILON: a constant, and one per size of the logarithms
+ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
+INVERSE_STEPS = 6  # reduce an initial error of up to a factor of 2 in thickness to rounding
+# table of the inverse of Eq. 7: range in ln H_c, number of pieces, and error in ln W
+INVERSE_RANGE, INVERSE_PIECES, INVERSE_ERROR = (-6.0, 14.0), 2400, 1e-13
+
+
+def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
+    """ln W [1], W = F/(E_ss R_x^2) (Eq. 8), of a load ln F* [1], F* = F/(A_n E_ss)."""
+    return log_load + math.log(parameters.apparent_area / parameters.ball_radius**2)
+
+
+def has_film(viscosity: ArrayLike) -> NDArray:
+    """Whether a kinematic ``viscosity`` [m2/s] means a film: 0 is dry."""
+    return viscosity > 0.0
+
+
+def film_load(
+    separation: NDArray, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters
+) -> tuple[NDArray, NDArray]:
+    """F* [1] in W of films as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
+
+    Parameters
+    ----------
+    separation, viscosity : array
+        d [m] and nu [m2/s], of shapes that broadcast.
+    roughness : array or float
+        sigma [m], per film or common to all.
+    parameters : Parameters
+        Inputs of the model.
+
+    Returns
+    -------
+    load, slope : array
+        Both 0 where there is no film.
+    """
+    wet = has_film(viscosity)
+    film = Film.of(np.where(wet, viscosity, 1.0), roughness, parameters)
+    log_parameter, slope = film.log_W_and_slope(separation / parameters.ball_radius)
+    load = np.exp(log_parameter - log_load_parameter(0.0, parameters))
+    return np.where(wet, load, 0.0), np.where(wet, slope / separation, 0.0)
+
+
+@dataclass(frozen=True)
+class Film:
+    """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
+
+    The first term is the smooth film, the second the effect of roughness.  ``smooth`` and ``rough``
+    are s and r, of the shape of the points.  Rounding grows with ``smooth_size``, the sum of the
+    absolute logarithms in s, and ``rough_size``, the sum of those that r adds.  ``exponents`` are a
+    and b.  ``turning_ratio`` is the second term over the first where H_c is least over the speed U.
+    ``greatest_log_W`` is ln W at which the mean film pressure reaches the softer hardness, as Eq. 7
+    assumes elastic bodies.  All are dimensionless.
+    """
+
+    smooth: NDArray
+    rough: NDArray
+    smooth_size: NDArray
+    rough_size: NDArray
+    exponents: tuple[float, float]
+    turning_ratio: float
+    greatest_log_W: float
+
+    @classmethod
+    def of(cls, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters) -> Film:
+        """The film for nu [m2/s], positive, and sigma [m], a scalar or of the same shape.
+
+        Examples
+        --------
+        >>> import numpy as np, thirdbody
+        >>> film = Film.of(np.array([120e-6]), 300e-9, thirdbody.load_parameters())
+        >>> thickness, slope = film.thickness(np.log(1e-6))
+        >>> f"{thickness[0]:.3e}"
+        '1.783e-04'
+        >>> film.log_W_and_slope(thickness)[0]
+        array([-13.81551056])
+        """
+        kappa = parameters.ellipticity
+        ln_G = math.log(parameters.material_parameter)
+        ln_V = math.log(parameters.hardness_parameter)
+        ln_speed, ln_viscosity = math.log(parameters.speed_per_viscosity), np.log(viscosity)
+        ln_U, ln_sigma = ln_speed + ln_viscosity, np.log(roughness / parameters.ball_radius)
+        of_W, of_U, of_G = -0.045 * kappa**0.18, 0.663 * kappa**0.025, 0.502 * kappa**0.064
+        # Eq. 7 without the powers of W
+        smooth = math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa)))
+        smooth = smooth + of_U * ln_U + of_G * ln_G
+        rough = math.log(0.025 * kappa**0.081) + 1.248 * ln_sigma + 0.119 * ln_V
+        rough = rough - 0.884 * ln_U - 0.977 * ln_G
+        size_U = abs(ln_speed) + np.abs(ln_viscosity)
+        rough_size = 0.884 * size_U + 1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V)
+        softer = parameters.softer_hardness / parameters.elastic_modulus_surfaces  # F_f*
+        return cls(
+            smooth=smooth,
+            rough=smooth + rough,
+            smooth_size=of_U * size_U + of_G * abs(ln_G),
+            rough_size=rough_size + 0.977 * abs(ln_G),
+            exponents=(of_W, of_W - 0.133),
+            turning_ratio=of_U / (0.884 - of_U),
+            greatest_log_W=log_load_parameter(math.log(softer), parameters),
+        )
+
+    def take(self, chosen) -> Film:
+        """The film at the points selected by an index or mask ``chosen``."""
+        return replace(
+            self,
+            smooth=self.smooth[chosen],
+            rough=self.rough[chosen],
+            smooth_size=self.smooth_size[chosen],
+            rough_size=self.rough_size[chosen],
+        )
+
+    def thickness(self, log_W: ArrayLike) -> tuple[NDArray, NDArray]:
+        """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an array over the points."""
+        a, b = self.exponents
+        smooth = np.exp(self.smooth + a * log_W)
+        rough = np.exp(self.rough + b * log_W)
+        return smooth + rough, a * smooth + b * rough  # Eq. 7
+
+    def rounding(self, log_W: ArrayLike, slope: ArrayLike) -> NDArray:
+        """Relative rounding error [1] of H_c, an exponential of logarithms, at ln W [1], where
+        ``slope`` is d ln H_c/d ln W [1]."""
+        a, b = self.exponents
+        rough_share = (slope - a) / (b - a)  # of the second term
+        size = self.smooth_size + rough_share * self.rough_size + np.abs(slope * log_W)
+        return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
+
+    def log_W_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
+        """ln W [1] at which the film has a positive ``thickness`` H_c [1], the inverse of Eq. 7,
+        and d ln W/d ln H_c [1].
+
+        Relative to the point of equal terms in Eq. 7, all films of one ellipticity lie on one
+        curve, which is tabulated.
+        """
+        a, b = self.exponents
+        log_parameter = (self.smooth - self.rough) / (b - a)  # where both terms are equal
+        log_thickness = self.smooth + a * log_parameter
+        table = _inverse_table(*self.exponents)
+        x = np.log(thickness) - log_thickness
+        inside = table.covers(x)
+        if inside.all():
+            value, slope = table(x)
+        else:
+            value, slope = np.where(inside, table(np.where(inside, x, 0.0)), 0.0)
+            value[~inside], slope[~inside] = _inverse(x[~inside], *self.exponents)[:2]
+        return value + log_parameter, slope
+
+    def is_meaningful(self, log_W: ArrayLike) -> NDArray:
+        """Whether H_c increases with viscosity at ln W [1], and surfaces can carry the film.
+
+        By Eq. 7 the film grows without bound as U goes to zero; it is not valid where dH_c/dU < 0.
+        At kappa = 1 this is where the roughness term exceeds 3.
+        """
+        a, b = self.exponents
+        turning = (np.log(self.turning_ratio) + self.smooth - self.rough) / (b - a)
+        return (log_W > turning) & (log_W <= self.greatest_log_W)
+
+
+def _inverse(x, a, b):
+    """y of e^x = e^(a y) + e^(b y), and its first two derivatives, by Newton's method on the
+    logarithm.  It starts where one term alone equals e^x, so that it cannot overshoot."""
+    y = np.maximum(x / a, x / b)
+    for _ in range(INVERSE_STEPS):
+        y = y - (np.logaddexp(a * y, b * y) - x) / (b + (a - b) * scipy.special.expit((a - b) * y))
+    rough_share = scipy.special.expit((b - a) * y)  # of the second term
+    slope = 1.0 / (a + (b - a) * rough_share)
+    return y, slope, -rough_share * (1.0 - rough_share) * (b - a) ** 2 * slope**3
+
+
+@lru_cache(maxsize=64)
+def _inverse_table(a, b):
+    """``_inverse``, tabulated for the exponents of one ellipticity."""
+    return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_PIECES)

@@ -1,0 +1,343 @@
+"""The inputs of the model: a frozen dataclass of all numbers and interpretations."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
+from numbers import Real
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+# range of sigma [m] in which surfaces are finite for all inputs within their bounds
+LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
+HIGHEST_PLANE = 1000.0  # y_s/sigma_s; farther below it, summits lose digits
+MATERIALS = (  # of which the elastic factor consists
+    *("elastic_modulus_surfaces", "elastic_modulus_particle"),
+    *("hardness_surface_1", "hardness_surface_2"),
+)
+# ASSUME: what the paper leaves open. X_min is 0, the film fills the separation of the mean planes
+WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
+MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
+
+
+class Bounds(NamedTuple):
+    """A closed interval of numbers, in SI."""
+
+    least: float
+    most: float
+
+    def hold(self, value: object) -> bool:
+        """Whether ``value`` is a number in the interval."""
+        is_number = isinstance(value, Real) and not isinstance(value, bool)
+        return is_number and self.least <= value <= self.most
+
+    def __str__(self) -> str:
+        return f"a number from {self.least:g} to {self.most:g}"
+
+
+# within which the model is known to be computed correctly: much wider than real materials and surfaces
+BOUNDS = {
+    "elastic_modulus_surfaces": Bounds(1e8, 1e13),
+    "elastic_modulus_particle": Bounds(1e8, 1e13),
+    "hardness_surface_1": Bounds(1e6, 1e14),
+    "hardness_surface_2": Bounds(1e6, 1e14),
+    "yield_pressure_ratio": Bounds(0.1, 1.0),
+    "plastic_interference_ratio": Bounds(1.0, 1e5),
+    "ball_radius": Bounds(1e-6, 1.0),
+    "material_parameter": Bounds(1.0, 1e5),
+    "hardness_parameter": Bounds(1e-4, 1.0),
+    "speed_per_viscosity": Bounds(1e-10, 1.0),
+    "ellipticity": Bounds(0.1, 10.0),
+    "apparent_area": Bounds(1e-12, 1e-2),
+    "reference_roughness": Bounds(1e-12, 1e-2),
+    "summit_parameter": Bounds(0.0193, 100.0),
+    "summit_parameter_exponent": Bounds(-2.0, 2.0),
+    "summit_radius": Bounds(1e-7, 1e-2),
+    "summit_radius_exponent": Bounds(-2.0, 2.0),
+    "summit_deviation_ratio": Bounds(0.05, 5.0),
+    "summit_offset_ratio": Bounds(0.0, 5.0),
+    "mean_ratio": Bounds(0.0, 2.0),
+    # narrower sizes make a step in the load that float64 cannot resolve to 1e-9
+    "spread_ratio": Bounds(1e-6, 10.0),
+    "truncation": Bounds(0.5, 10.0),
+    "participation": Bounds(1e-6, 1.0),
+    "elastic_depth_ratio": Bounds(0.0, 5.0),
+}
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Summits of the equivalent rough surface at one roughness, or at each of several.
+
+    Attributes
+    ----------
+    roughness : float or array
+        sigma [m].
+    summit_density, summit_radius : float or array
+        eta_s [m-2] and R [m].
+    summit_deviation, summit_offset : float or array
+        sigma_s and y_s [m]: standard deviation and mean height of the summits.
+    """
+
+    roughness: float | NDArray
+    summit_density: float | NDArray
+    summit_radius: float | NDArray
+    summit_deviation: float | NDArray
+    summit_offset: float | NDArray
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """All inputs of the model, in SI units.
+
+    ``config/inputs.yaml`` has the symbol, unit and source of each field,
+    ``BOUNDS`` the allowed numbers; ``thirdbody.load_parameters`` returns the
+    calibrated values.  Fields that are words select interpretations of the paper.  ``members`` are those of the ensemble,
+    from which ranges are computed: ``changed`` gives other inputs to them too.
+
+    Raises
+    ------
+    ValueError
+        For a number out of bounds, a value that is not a number, and an unknown word: one line with
+        the field, its value and what is allowed.
+
+    Examples
+    --------
+    >>> import thirdbody
+    >>> from dataclasses import replace
+    >>> parameters = thirdbody.load_parameters()
+    >>> parameters.ball_radius
+    0.00635
+    >>> replace(parameters, hardness_surface_1=-1e9)
+    Traceback (most recent call last):
+    ...
+    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+14 (SI)
+    >>> replace(parameters, film_load="solid")
+    Traceback (most recent call last):
+    ...
+    ValueError: film_load is 'solid'; allowed: fluid, total
+    """
+
+    # materials
+    elastic_modulus_surfaces: float  # of the contact between the two surfaces
+    elastic_modulus_particle: float  # of the contact between a particle and a surface
+    hardness_surface_1: float
+    hardness_surface_2: float
+    # a summit that yields
+    yield_pressure_ratio: float  # mean pressure over the hardness, at first yield
+    plastic_interference_ratio: float  # interference when fully plastic over that at first yield
+    # ball and film (Eqs. 7 and 8)
+    ball_radius: float
+    material_parameter: float
+    hardness_parameter: float
+    speed_per_viscosity: float  # the speed parameter over the kinematic viscosity
+    ellipticity: float
+    apparent_area: float  # to which loads and areas are relative
+    # summits; power laws of the roughness about its reference value
+    reference_roughness: float
+    summit_parameter: float  # density times radius of the summits times roughness
+    summit_parameter_exponent: float
+    summit_radius: float
+    summit_radius_exponent: float
+    summit_deviation_ratio: float  # standard deviation of the summits over the roughness
+    summit_offset_ratio: float  # height of the summits' plane over the roughness
+    # particles (Eqs. 4 to 6); diameters are ratios to x_a
+    mean_ratio: float  # mean of the sizes: 0 as in Eq. 6, 1 as the text describes x_a
+    spread_ratio: float  # standard deviation of the sizes
+    truncation: float  # largest size above the mean, in standard deviations
+    participation: float  # fraction of the particles that carry load
+    elastic_depth_ratio: float  # depth of the elastic zone
+    particle_plane: str  # from which particles meet the separation
+    # force balance
+    film_load: str  # the load in W of Eq. 8
+    # other sets of inputs that explain the paper about equally well; ``dataclasses.replace`` drops them
+    members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
+
+    def __post_init__(self):
+        for name, words in WORDS.items():
+            word = getattr(self, name)
+            if word not in words:
+                raise ValueError(f"{name} is {word!r}; allowed: {', '.join(words)}")
+        for name, bounds in BOUNDS.items():
+            number = getattr(self, name)
+            if not bounds.hold(number):
+                raise ValueError(f"{name} is {number!r}; allowed: {bounds} (SI)")
+
+    @property
+    def film_shares_load(self) -> bool:
+        """Whether the load in W of Eq. 8 is F_f, which the film carries beside the solids; or F_t, as printed: then
+        its thickness is known in advance, and the solids carry all the load where they need a larger separation."""
+        return self.film_load == "fluid"
+
+    def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
+        """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that thickness has the load
+        ``film_load`` F* [1] in W."""
+        combine = np.add if self.film_shares_load else np.maximum
+        return combine(solid_load, film_load)
+
+    def particle_plane_height(self, summit_offset: ArrayLike) -> ArrayLike:
+        """Height above the mean plane [m] of the plane from which particles meet the separation: that of the summits,
+        at ``summit_offset`` y_s [m], as the paper has one d in both integrals, or the mean plane, d = R_x H_c."""
+        return summit_offset if self.particle_plane == "summit" else 0.0 * summit_offset
+
+    @cached_property
+    def elastic_factor(self) -> float:
+        """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1] of Eqs. 4 and 5: what an elastic particle
+        carries, over what a plastic one does."""
+        particle = self.hardness_surface_1 / self.elastic_modulus_particle
+        surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
+        return 2.25 * math.pi**2 * (particle**2 + surface**2)
+
+    def check_particles(self) -> None:
+        """Raise ``ValueError`` unless plastic particles carry at least as much as elastic ones.
+
+        Otherwise F_s could increase with d, and the forces balance at several separations.
+        """
+        if self.elastic_factor > MOST_ELASTIC_FACTOR:
+            materials = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
+            raise ValueError(
+                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {materials}; "
+                f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
+            )
+
+    def sizes(self, diameter: ArrayLike) -> tuple[ArrayLike, ArrayLike]:
+        """Mean m and standard deviation S [m] of the normal size distribution, for x_a [m]."""
+        return self.mean_ratio * diameter, self.spread_ratio * diameter
+
+    @cached_property
+    def particle_pressure(self) -> float:
+        """F_sa*/(A_sa/A_n) [1]: particles press with the hardness of surface 1 (Eqs. 4 and 5)."""
+        return self.hardness_surface_1 / self.elastic_modulus_surfaces
+
+    @cached_property
+    def softer_hardness(self) -> float:
+        """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer one yields.
+
+        ASSUME: the summit model of the paper (Zhao, Maietta & Chang 2000) has one hardness, Table 1
+        two; below Eq. 8 the paper uses "the Vickers hardness of softer material" for the pair.
+        """
+        return min(self.hardness_surface_1, self.hardness_surface_2)
+
+    @cached_property
+    def newtons_per_load(self) -> float:
+        """F_t/F_t* = A_n E_ss [N]."""
+        return self.apparent_area * self.elastic_modulus_surfaces
+
+    def surface(self, roughness: float | NDArray) -> Surface:
+        """Summits of one surface or several.
+
+        eta_s R sigma, R and y_s/sigma are assumed to follow power laws of the roughness, sigma_s to
+        be proportional to it.
+
+        Parameters
+        ----------
+        roughness : float or array
+            sigma [m].
+
+        Returns
+        -------
+        Surface
+            Its fields have the shape of ``roughness``.
+
+        Raises
+        ------
+        ValueError
+            For a roughness that is not between 1e-30 and 1e30 m, where its power laws may overflow,
+            and where the plane of the summits is more than 1000 sigma_s above the mean plane.
+
+        Examples
+        --------
+        >>> import thirdbody
+        >>> from dataclasses import replace
+        >>> inputs = replace(thirdbody.load_parameters(), summit_offset_ratio=0.5)
+        >>> inputs.surface(300e-9).summit_offset
+        1.5e-07
+        """
+        inside = (roughness >= LEAST_ROUGHNESS) & (roughness <= MOST_ROUGHNESS)
+        if np.count_nonzero(inside) < np.size(inside):
+            bad = np.ravel(roughness)[np.argmin(inside)]
+            allowed = f"{LEAST_ROUGHNESS:g} to {MOST_ROUGHNESS:g} m"
+            raise ValueError(f"roughness is {bad:g}; allowed: {allowed}")
+        scale = roughness / self.reference_roughness  # ASSUME: power laws; the paper prints none
+        summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
+        radius = self.summit_radius * scale**self.summit_radius_exponent
+        density = summit_parameter / (radius * roughness)
+        # as McCool: y_s is proportional to 1/(eta_s R)
+        offset = self.summit_offset_ratio * scale**-self.summit_parameter_exponent
+        highest = HIGHEST_PLANE * self.summit_deviation_ratio
+        if np.max(offset) > highest:
+            bad = np.ravel(roughness)[np.argmax(offset)]
+            power = f"summit_parameter_exponent {self.summit_parameter_exponent:g}"
+            message = (
+                f"roughness is {bad:g} m, at which {power} puts summits {np.max(offset):.3g} sigma"
+            )
+            raise ValueError(
+                f"{message} above the mean plane; allowed: at most {highest:.3g} sigma"
+            )
+        return Surface(
+            roughness=roughness,
+            summit_density=density,
+            summit_radius=radius,
+            summit_deviation=self.summit_deviation_ratio * roughness,
+            summit_offset=offset * roughness,
+        )
+
+    def as_dict(self) -> dict:
+        """All inputs as a dict, without the members."""
+        return {input_.name: getattr(self, input_.name) for input_ in fields(self) if input_.init}
+
+    def changed(self, **inputs: float | str) -> "Parameters":
+        """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too."""
+        members = [replace(member, **inputs) for member in self.members]
+        return replace(self, **inputs).with_members(members)
+
+    def with_members(self, members: Iterable["Parameters"]) -> "Parameters":
+        """The same inputs with other ``members``."""
+        inputs = replace(self)
+        object.__setattr__(inputs, "members", tuple(members))
+        return inputs
+
+
+# McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R)
+SUMMIT_PLANE = 0.045944
+SUMMIT_VARIANCE = 3.717e-4
+
+
+def mccool_summits(summit_parameter: float) -> dict[str, float]:
+    """Deviation and height of the summits of an isotropic surface with Gaussian heights.
+
+    The paper prints neither.  McCool (1986) derives both from the product of density, radius and
+    roughness: the summits lie above the mean plane and scatter less than the surface.
+
+    Parameters
+    ----------
+    summit_parameter : float
+        eta_s R sigma [1] of the surface.
+
+    Returns
+    -------
+    dict
+        ``summit_deviation_ratio`` sigma_s/sigma and ``summit_offset_ratio`` y_s/sigma [1] of that
+        surface, inputs of ``Parameters``.
+
+    Raises
+    ------
+    ValueError
+        For 0.01928 or less, which leaves the summits no variance.
+
+    Examples
+    --------
+    >>> import thirdbody
+    >>> inputs = thirdbody.load_parameters(summit_parameter=0.05)
+    >>> round(inputs.changed(**mccool_summits(0.05)).summit_offset_ratio, 5)
+    0.91888
+    """
+    least = math.sqrt(SUMMIT_VARIANCE)
+    if not summit_parameter > least:
+        raise ValueError(f"summit_parameter is {summit_parameter:g}; allowed: above {least:.5f}")
+    return {
+        "summit_deviation_ratio": math.sqrt(1.0 - (least / summit_parameter) ** 2),
+        "summit_offset_ratio": SUMMIT_PLANE / summit_parameter,
+    }

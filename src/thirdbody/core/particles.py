@@ -1,0 +1,235 @@
+"""Third-body particles: load, area and coverage in closed form (Eqs. 4-6).
+
+Sizes are normally distributed, with mean m and standard deviation S, from X_min = 0 to
+X_max = m + truncation * S.  Their second moment above a size a is
+
+    c_1 (M(alpha) - M(truncation)),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
+    c_1 = m^2 + S^2,   c_2 = 2 m S/c_1,   c_3 = S^2/c_1,
+
+with phi and Q the density and upper tail of the standard normal distribution.  The *moment* is that
+over c_1: constant below X_min and zero above X_max.  With the elastic factor e, the area A_sa is
+proportional to e (moment(d - h_e) - moment(d)) + moment(d).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+
+import numpy as np
+import scipy  # scipy.special is loaded on first use: many jobs do not need it
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.core.asperity import gauss_legendre
+from thirdbody.core.interpolation import Guesses
+from thirdbody.core.logarithms import EPSILON, TINY, WithSlope
+from thirdbody.core.parameters import Parameters
+
+LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overflow
+FULL = -700.0  # ln of a bare fraction that counts as zero
+INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
+LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
+NEXT_TO_LARGEST = 0.25  # width in alpha; less where phi decays by more than e over it
+NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that width
+SHAPE_SAMPLES, GUESSES = np.geomspace(1e-5, 1.0, 199), 1001
+
+
+@dataclass(frozen=True)
+class ParticleLayer:
+    """Particles on a surface: one mean diameter and density for each point.
+
+    ``mean`` and ``spread`` are m and S [m] of the size distribution; m includes y_s if particles
+    meet the separation of the summit planes, so that it compares with d.  ``depth`` is h_e/S [1].
+    ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], times the hardness of a surface and the
+    ``moment`` is the fraction of the interface covered by particles (Eqs. 4 and 5).  ``log_bare``
+    is ln of the fraction that all particles leave bare, the bracket of Eq. 4.
+    """
+
+    mean: NDArray
+    spread: NDArray
+    depth: NDArray
+    factor: NDArray
+    log_bare: NDArray
+    moment: Moment
+    parameters: Parameters
+
+    @classmethod
+    def of(
+        cls, diameter: NDArray, roughness: ArrayLike, density: NDArray, parameters: Parameters
+    ) -> ParticleLayer:
+        """The layer for x_a [m] and eta_a [m-2], positive and of one shape, and sigma [m], a scalar or of
+        the same shape; ``ValueError`` as of ``Parameters.check_particles``.
+
+        Examples
+        --------
+        >>> import numpy as np, thirdbody
+        >>> diameter, density = np.array([500e-9]), np.array([1e11])
+        >>> inputs = thirdbody.load_parameters()
+        >>> layer = ParticleLayer.of(diameter, 300e-9, density, inputs)
+        >>> area, coverage = layer.contact(np.array([500e-9, 900e-9]))
+        >>> bool(area.value[0] > area.value[1])
+        True
+        >>> beyond, _ = layer.contact(layer.reach)
+        >>> bool(beyond.value < 1e-12 * area.value[1])
+        True
+        """
+        parameters.check_particles()
+        diameter = np.minimum(diameter, LARGEST_DIAMETER)
+        mean, spread = parameters.sizes(diameter)
+        moment = _moment(*parameters.sizes(1.0), parameters.truncation)
+        hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
+        factor = np.pi * parameters.participation / hardness * density * (mean**2 + spread**2)
+        every = factor * moment.of_all  # coverage by all sizes, over the hardness
+        summit_offset = parameters.surface(roughness).summit_offset
+        return cls(
+            mean=mean + parameters.particle_plane_height(summit_offset),
+            spread=spread,
+            depth=parameters.elastic_depth_ratio * diameter / spread,
+            factor=factor,
+            log_bare=np.log(_bare_fraction(parameters.hardness_surface_1 * every)),
+            moment=moment,
+            parameters=parameters,
+        )
+
+    def take(self, chosen) -> ParticleLayer:
+        """The layer at the points selected by an index or mask ``chosen``."""
+        return replace(
+            self,
+            mean=self.mean[chosen],
+            spread=self.spread[chosen],
+            depth=self.depth[chosen],
+            factor=self.factor[chosen],
+            log_bare=self.log_bare[chosen],
+        )
+
+    @property
+    def reach(self) -> NDArray:
+        """Separation [m] beyond which no particle touches: X_max + h_e, plus y_s if particles meet the
+        separation of the summit planes."""
+        return self.mean + (self.parameters.truncation + self.depth) * self.spread
+
+    @property
+    def covers_all(self) -> NDArray:
+        """Whether particles cover the whole interface in Eq. 4."""
+        return self.log_bare < FULL
+
+    def contact(self, separation: NDArray) -> tuple[WithSlope, WithSlope]:
+        """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
+
+        Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d [1].
+        """
+        alpha, elastic = (separation - self.mean) / self.spread, self.parameters.elastic_factor
+
+        def weighted(above, touching):
+            return (1.0 - elastic) * above + elastic * touching  # the bracket of Eq. 5
+
+        moments, slopes = self.moment(np.array([alpha, alpha - self.depth]))  # above d and d - h_e
+        area_factor = self.factor * self.parameters.hardness_surface_2
+        area = WithSlope(
+            value=area_factor * weighted(*moments),
+            slope=area_factor / self.spread * weighted(*slopes),
+        )
+        covering_factor = self.factor * self.parameters.hardness_surface_1
+        coverage = WithSlope(
+            value=covering_factor * moments[0],
+            slope=covering_factor / self.spread * slopes[0],
+        )
+        return area, coverage
+
+    def rounding(self, separation: NDArray, area: WithSlope) -> NDArray:
+        """Relative rounding error [1] of the ``area`` that ``contact`` returns at ``separation`` d
+        [m]; 0 where no particle touches."""
+        terms = (8.0 + self.moment.largest**2) * self.moment.cancellation * area.value
+        lengths = separation + self.mean + self.depth * self.spread
+        rounding_of_d = 2.0 * np.abs(area.slope) * lengths
+        touch = area.value > 0.0
+        # TINY for the digits lost below it; as divisors, LEAST and 0 would be slow
+        return EPSILON * ((terms + rounding_of_d + TINY) / np.where(touch, area.value, np.inf))
+
+
+class Moment:
+    """M(alpha) minus its value at X_max, for a ``mean`` and a ``spread`` of sizes in any unit.
+
+    ``smallest`` and ``largest`` are alpha of X_min and of X_max.
+    """
+
+    def __init__(self, mean: float, spread: float, largest: float):
+        square = mean**2 + spread**2
+        self.constant, self.linear = 2.0 * mean * spread / square, spread**2 / square  # c_2 and c_3
+        self.smallest, self.largest = -mean / spread, largest
+        self.near_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
+        self.of_largest = float(self._untruncated(np.array([largest]))[0][0])
+        nearest = max(self.near_largest, self.smallest)
+        # largest magnification of the rounding of M in the moment
+        of_nearest, of_all = self(np.array([nearest, -np.inf]))[0].tolist()
+        self.cancellation, self.of_all = 1.0 + 2.0 * self.of_largest / of_nearest, of_all
+
+    def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
+        """The moment and its slope d/dalpha [1] at an array ``alpha``.
+
+        Near the largest size the slope is integrated, because a difference would lose digits.
+        """
+        clipped = np.minimum(np.maximum(alpha, self.smallest), self.largest)
+        value, slope = self._untruncated(clipped)
+        moment = np.maximum(value - self.of_largest, 0.0)
+        within = (alpha > self.smallest) & (alpha < self.largest)
+        near = np.flatnonzero(within & (alpha > self.near_largest))
+        if near.size:
+            length = self.largest - alpha.reshape(-1)[near]
+            slopes, *_ = self._slope(self.largest - length * NODES[:, None])
+            moment.reshape(-1)[near] = -length * (WEIGHTS[:, None] * slopes).sum(0)
+        return moment, slope * within
+
+    @cached_property
+    def inverse(self) -> Guesses:
+        """alpha [1] over ln of the moment [1]."""
+        lowest = max(self.smallest, LOWEST)
+        alpha = self.largest - SHAPE_SAMPLES * (self.largest - lowest)
+        return Guesses(np.log(self(alpha)[0]), alpha, GUESSES)
+
+    def _untruncated(self, alpha):
+        """M(alpha) and dM/dalpha."""
+        slope, polynomial, density = self._slope(alpha)
+        return scipy.special.ndtr(-alpha) + polynomial * density, slope
+
+    def _slope(self, alpha):
+        """dM/dalpha, c_2 + c_3 alpha and phi(alpha)."""
+        density = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
+        polynomial = self.constant + self.linear * alpha
+        return -density * (1.0 - self.linear + polynomial * alpha), polynomial, density
+
+
+_moment = lru_cache(maxsize=64)(Moment)
+
+
+def log_bare_fraction(coverage: WithSlope) -> WithSlope:
+    """ln of the bare fraction [1] beside a ``coverage`` [1]; below ``FULL``, with a slope of 0, where
+    particles cover everything."""
+    bare = _bare_fraction(coverage.value)
+    slope = np.where(bare == TINY, 0.0, -coverage.slope) / bare
+    return WithSlope(value=np.log(bare), slope=slope)
+
+
+def _bare_fraction(coverage):
+    """1 - coverage, or ``TINY`` where particles cover everything."""
+    bare = 1.0 - coverage
+    return np.where(bare <= EPSILON, TINY, bare)
+
+
+def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
+    """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover any area in float64."""
+    return diameter * diameter * density > TINY
+
+
+def separation_carrying(log_area: ArrayLike, layer: ParticleLayer) -> NDArray:
+    """Approximate separation d [m] at which particles alone have the area ``log_area``, ln(A_sa/A_n) [1].
+
+    It is the larger of the separations at which the sizes above d, or above d - h_e, alone have this
+    area; minus infinity if all particles together have less.
+    """
+    elastic = layer.parameters.elastic_factor
+    log_moment = log_area - np.log(layer.factor * layer.parameters.hardness_surface_2)
+    of_all = np.log(layer.moment.of_all)
+    logs = (log_moment - np.log(weight) for weight in (1.0 - elastic, elastic))
+    alpha, shifted = (np.where(x <= of_all, layer.moment.inverse(x), -np.inf) for x in logs)
+    return layer.mean + layer.spread * np.maximum(alpha, shifted + layer.depth)

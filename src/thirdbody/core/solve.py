@@ -1,0 +1,146 @@
+"""Points solved together: the way of a number from the conditions to the variables.
+
+1. ``solve_points`` sorts points by kind and solves those of one kind together.
+2. ``brackets.bracket`` finds separations d on both sides of the root of Eq. 1.
+3. ``root.enclose`` narrows them by Newton's method, and checks the signs at both.
+4. ``balance.Points.forces`` evaluates Eq. 1 at a separation.
+5. ``state.describe`` derives the variables and the bound of their errors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from enum import IntFlag
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.core.balance import Points
+from thirdbody.core.brackets import bracket
+from thirdbody.core.film import has_film
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import has_particles
+from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.root import enclose
+from thirdbody.core.state import VARIABLES, describe, type_of
+from thirdbody.core.summits import pieces_for
+
+CONDITIONS = "load", "viscosity", "particle_diameter", "roughness", "particle_density"
+DEFAULT_RTOL = 1e-9
+ROUNDING_LIMIT = 1e-12  # tolerance of points limited only by rounding
+TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
+CHUNK = 65536  # points solved together
+QUADRATURE_CHUNK = 2048  # by quadrature, where each point has about a hundred nodes
+FEW_ITERATIONS, MOST_ITERATIONS = 5, 200  # the few points that need more are solved together
+NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
+
+
+def solve_points(
+    conditions: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float = DEFAULT_RTOL,
+    variables: Collection[str] = VARIABLES,
+    callback: Callable[[int], None] | None = None,
+) -> dict[str, NDArray]:
+    """Solve the force balance (Eq. 1) at many points.
+
+    If enough points have the same roughness, its summits are tabulated.  The other points, and those
+    that magnify the table error beyond ``rtol``, are solved by quadrature.
+
+    Parameters
+    ----------
+    conditions : mapping of arrays
+        The five ``CONDITIONS`` by name: F_t* [1], nu [m2/s], x_a [m], sigma [m] and eta_a [m-2], float64
+        arrays that broadcast against each other.  None is checked.
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float
+        Requested relative error of every variable [1].
+    variables : collection of str
+        Those of ``state.VARIABLES`` to return.
+    callback : callable, optional
+        Called with the number of points that have been solved since its last call.
+
+    Returns
+    -------
+    dict of arrays
+        The variables by name, of the broadcast shape; nan, or -1 for regime and mode, where a point has no values.
+    """
+    shape = np.broadcast(*(conditions[name] for name in CONDITIONS)).shape
+    columns = {name: np.broadcast_to(conditions[name], shape).ravel() for name in CONDITIONS}
+    roughness = columns["roughness"]
+    result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
+    with np.errstate(all="ignore"):  # points that cannot be computed get a status
+        by_table = _worth_a_table(roughness, rtol)
+        left = np.ones(roughness.shape, bool)
+        for attempt in _attempts(rtol):
+            chosen = left & by_table if attempt.uses_tables else left
+            for indices, balance in _balances(columns, chosen, parameters, attempt):
+                solved = describe(balance, rtol)
+                for name, values in result.items():
+                    values[indices] = solved[name]
+                failed = solved["solution_status"] == NOT_CONVERGED
+                left[indices] = failed & attempt.uses_tables
+                if callback is not None:
+                    callback(np.count_nonzero(~left[indices]))
+    return {name: values.reshape(shape) for name, values in result.items()}
+
+
+class Attempt(NamedTuple):
+    """How points are solved: from tables of summits with an error ``table_rtol``, or by quadrature if
+    it is None; so many at a time, to a ``tolerance`` of the variables, in at most so many iterations."""
+
+    table_rtol: float | None
+    chunk: int
+    tolerance: float
+    iterations: int
+
+    @property
+    def uses_tables(self) -> bool:
+        """Whether the summits are read from tables."""
+        return self.table_rtol is not None
+
+
+def _attempts(rtol):
+    """Attempts at each point, until one succeeds; the first two only where tables are worthwhile."""
+    tables = Attempt(table_rtol=rtol, chunk=CHUNK, tolerance=rtol, iterations=FEW_ITERATIONS)
+    quadrature = Attempt(
+        table_rtol=None,
+        chunk=QUADRATURE_CHUNK,
+        tolerance=ROUNDING_LIMIT,
+        iterations=MOST_ITERATIONS,
+    )
+    return tables, tables._replace(iterations=MOST_ITERATIONS), quadrature
+
+
+def _worth_a_table(roughness, rtol):
+    """Which points share their roughness with enough others to tabulate its summits."""
+    which = np.searchsorted(np.unique(roughness), roughness)
+    return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
+
+
+def _balances(columns, chosen, parameters, attempt):
+    """Solve the ``chosen`` points: yields indices of points among all, and their balance."""
+    for batch in _batches(columns, chosen, attempt.chunk):
+        conditions = {name: column[batch] for name, column in columns.items()}
+        points = Points.of(conditions, parameters, attempt.table_rtol)
+        for balance in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
+            yield batch[balance.indices], balance
+
+
+class Kind(IntFlag):
+    """What points have that are solved together."""
+
+    PARTICLES = 1
+    FILM = 2
+
+
+def _batches(columns, chosen, most):
+    """Yield indices of ``chosen`` points of one kind, by roughness, at ``most`` so many at a time."""
+    three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
+    kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
+    for kind in np.flatnonzero(np.bincount(kinds[chosen])):
+        indices = np.flatnonzero(chosen & (kinds == kind))
+        indices = indices[np.argsort(columns["roughness"][indices], kind="stable")]
+        yield from (indices[start : start + most] for start in range(0, indices.size, most))

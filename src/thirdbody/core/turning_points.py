@@ -1,0 +1,220 @@
+"""Turning points of the contact area (TPCA).
+
+As the load on a contact with particles increases, the particle fraction of the real contact area,
+A_sa,t*, first increases because more particles touch, and decreases once many summits between them
+touch. "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section 3.3).  A
+curve has a turning point if A_sa,t* has a maximum within the range of loads that exceeds the least
+value at smaller loads, and the least value at larger loads, by ``PROMINENCE``.
+
+For given particles and surface, A_sa,t* depends on the separation d alone.  The maximum is
+therefore at the same separation d*, dry or lubricated, and the force balance (Eq. 1) gives its load
+without a search over loads: F_t = F_s(d*) + F_f(d*).
+"""
+
+from dataclasses import dataclass, fields
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import expit
+
+from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.contact import Contact
+from thirdbody.core.film import film_load
+from thirdbody.core.logarithms import TINY
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import has_particles
+from thirdbody.core.solve import DEFAULT_RTOL
+
+# ASSUME: prominence of a turning point on both sides [1], a line width on an axis from 0 to 1
+PROMINENCE = 0.02
+# tolerance of d over that of the load: relative changes of F_t* are up to t^2 times those of d
+SEPARATION_MARGIN = 1e-3
+SAMPLES = 60  # separations between which the maxima under all films are sought
+
+
+@dataclass(frozen=True, eq=False)
+class TurningPoints:
+    """The most prominent interior maximum of A_sa,t* of each curve: its turning point if ``exists``.
+
+    Arrays of shape (curves,), nan without one: the load F_TPCA* [1] and a bound on its error, A_sa,t*
+    and L_s [1], the separation d* [m], and the ``prominence`` [1]: the excess of A_sa,t* over the least
+    value at smaller or at larger loads, whichever is less.
+    """
+
+    load: NDArray
+    load_error: NDArray
+    peak_ratio: NDArray
+    solid_load_fraction: NDArray
+    separation: NDArray
+    prominence: NDArray
+
+    @property
+    def exists(self) -> NDArray[np.bool_]:
+        """Whether a curve has a turning point, shape (curves,)."""
+        return self.prominence >= PROMINENCE
+
+
+def turning_points(
+    separation: NDArray,
+    viscosity: NDArray,
+    particle_diameter: NDArray,
+    roughness: NDArray,
+    particle_density: NDArray,
+    parameters: Parameters,
+    rtol: float = DEFAULT_RTOL,
+) -> TurningPoints:
+    """Find the most prominent interior maximum of A_sa,t*(F_t*) on each curve.
+
+    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, nan without
+    solution; they only bracket the maxima.  The conditions have the shape (curves,) [m2/s, m, m, m-2].
+    """
+    ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
+    solids = particle_diameter, roughness, particle_density
+    maxima = _turning_points(separation, ends, viscosity[np.newaxis], *solids, parameters, rtol)
+    inside = maxima.prominence[0] > 0.0
+    return TurningPoints(
+        **{name: np.where(inside, values[0], np.nan) for name, values in vars(maxima).items()}
+    )
+
+
+def film_turning_points(
+    separation: NDArray,
+    viscosity: NDArray,
+    particle_diameter: NDArray,
+    roughness: NDArray,
+    particle_density: NDArray,
+    parameters: Parameters,
+    rtol: float = DEFAULT_RTOL,
+) -> TurningPoints:
+    """Find the turning points of the same solids under every film: arrays of shape (films, solids).
+
+    The maxima, at the same separations for all films, are found once.  ``separation``, shape (loads,
+    films, solids), gives the ends of the curves; ``viscosity`` [m2/s] has the shape (films,), the others
+    (solids,).  ``prominence`` is as in ``ratio_maxima``; other fields are nan without a turning point.
+    """
+    first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
+    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), SAMPLES)
+    viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
+    solids = particle_diameter, roughness, particle_density
+    maxima = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
+    columns = {
+        name: np.where(maxima.exists, values, np.nan) for name, values in vars(maxima).items()
+    }
+    return TurningPoints(**columns | {"prominence": maxima.prominence})
+
+
+def _turning_points(
+    separation, ends, viscosity, diameter, roughness, density, parameters, rtol
+) -> TurningPoints:
+    """The most prominent maximum of each solid under each film, for ``separation`` [separations, solids],
+    ``ends`` and ``viscosity`` [films, solids]: arrays of shape (films, solids)."""
+    most_prominent = TurningPoints(
+        **{field.name: np.full(viscosity.shape, np.nan) for field in fields(TurningPoints)}
+    )
+    three_body = np.flatnonzero(has_particles(diameter, density))
+    if three_body.size == 0:
+        return most_prominent
+    columns = (column[three_body] for column in (diameter, roughness, density))
+    solids = Contact.of(*columns, parameters, rtol)
+    ends = tuple(end[:, three_body] for end in ends)
+    solid, peak, width, prominence = ratio_maxima(
+        solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
+    )
+    film, maximum = np.nonzero(np.isfinite(prominence))
+    # the index of the most prominent maximum of each curve
+    curve, height = film * three_body.size + solid[maximum], prominence[film, maximum]
+    order = np.lexsort((-height, curve))
+    best = order[np.unique(curve[order], return_index=True)[1]]
+    film, maximum = film[best], maximum[best]
+    curve = three_body[solid[maximum]]
+    contacts, separation = solids.take(solid[maximum]), peak[maximum]
+    load, fraction, steepest = load_at(
+        contacts, viscosity[film, curve], roughness[curve], separation
+    )
+    error = load * (steepest * width[maximum] + rtol)
+    ratio, height = particle_ratio(contacts, separation), prominence[film, maximum]
+    at_maxima = TurningPoints(
+        load=load,
+        load_error=error,
+        peak_ratio=ratio,
+        solid_load_fraction=fraction,
+        separation=separation,
+        prominence=height,
+    )
+    for name, values in vars(at_maxima).items():
+        getattr(most_prominent, name)[film, curve] = values
+    return most_prominent
+
+
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
+def ratio_maxima(
+    solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
+) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+    """Find the maxima of A_sa,t* over the separation, to ``rtol`` d.
+
+    ``separation`` d [m], shape (separations, curves), decreases from row to row, nan without solution;
+    ``ends``, shape (..., curves), are d [m] at the first and last load.  Returns the curve of each maximum,
+    its d* [m], a bound on the error of d*, and its prominence [1], shape (..., maxima); outside the curve
+    this is minus the excess over the end, so that it passes through 0 at the end.
+    """
+    falling = odds_slope(solids, separation) > 0.0
+    solved = np.isfinite(separation)
+    bracket = solved[:-1] & solved[1:] & (falling[:-1] != falling[1:])
+    step, curve = np.nonzero(bracket)
+    near, far = separation[step + 1, curve], separation[step, curve]
+    slope = partial(odds_slope, solids.take(curve))
+    extremum, width = bracketed_roots(slope, near, far, rtol * near)
+    ratio = particle_ratio(solids.take(curve), extremum)
+    high = falling[step + 1, curve]
+    prominence = _prominence(
+        (curve[high], extremum[high], ratio[high]),
+        (curve[~high], extremum[~high], ratio[~high]),
+        np.array(ends),
+        solids,
+    )
+    return curve[high], extremum[high], width[high], prominence
+
+
+def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
+    """Prominence of maxima (curve, d [m], A_sa,t*), given the minima and the ends [m]."""
+    curve, extremum, ratio = maxima
+    first, last = ends[..., curve]
+    before, after = ratio - particle_ratio(solids.take(curve), np.stack([first, last]))
+    before = np.where(extremum < first, before, -np.abs(before))
+    after = np.where(extremum > last, after, -np.abs(after))
+    inside = (last < extremum) & (extremum < first)
+    for other, valley, least in zip(*minima, strict=True):  # rarely any
+        between = inside & (curve == other) & (last < valley) & (valley < first)
+        for side, beside in ((before, valley > extremum), (after, valley < extremum)):
+            side[between & beside] = np.maximum(side, ratio - least)[between & beside]
+    return np.minimum(before, after)
+
+
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
+def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
+    """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
+    state = solids.at(separation, with_areas=True)
+    return expit(np.log(state.particle_area.value) - state.log_summit_area.value)
+
+
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
+def load_at(
+    solids: Contact, viscosity: NDArray, roughness: NDArray, separation: NDArray
+) -> tuple[NDArray, NDArray, NDArray]:
+    """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1], and the largest |d ln F/dd| [m-1] of solids and
+    film: arrays of one shape."""
+    inputs, log_solid = solids.parameters, solids.at(separation).log_load
+    solid = np.exp(log_solid.value)
+    film, film_slope = film_load(separation, viscosity, roughness, inputs)
+    load = inputs.total_load(solid, film)
+    return load, solid / load, np.maximum(np.abs(log_solid.slope), np.abs(film_slope))
+
+
+def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
+    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd; negative where no particle
+    touches."""
+    state = solids.at(separation, with_areas=True)
+    area = state.particle_area
+    slope = area.slope - area.value * state.log_summit_area.slope
+    return np.where(area.value > 0.0, slope, -TINY)

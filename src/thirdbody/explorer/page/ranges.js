@@ -1,0 +1,58 @@
+// Ranges: 5 to 95 % over the sets of inputs of the ensemble, all with what the reader has changed.
+
+import { content } from "./content.js";
+import { changedInputs } from "./state.js";
+import { currentEngine, memberEngines } from "./engine.js";
+import { curveOf } from "./curves.js";
+
+const ENDS = [0.05, 0.95]; // quantiles at the ends of a range
+const LOADS = 60; // on its outline
+const CURVES = 3; // with a range in a panel, as in the figures of the workflow
+const KEPT = 40; // curves
+
+export const DEFINITION =
+  `Ranges are 5 to 95 % over ${content.ensemble.length} sets of inputs that explain the paper about equally well; ` +
+  "what you change is changed in all of them.";
+
+// Both ends of the range of values, without those that are not solved.
+export const rangeOf = (values) => ENDS.map((end) => d3.quantile(values, end));
+
+// Those of the curves of a panel whose range is drawn: first, middle and last.
+export function withRange(curves) {
+  const places = d3.range(CURVES).map((rank) => Math.round((rank * (curves.length - 1)) / (CURVES - 1)));
+  return [...new Set(places)].map((place) => curves[place]).filter(Boolean);
+}
+
+// The states of all members along curves, at loads F_t*; by what was changed and the condition
+const solved = new Map();
+const keyOf = (condition) => JSON.stringify([changedInputs(), condition]);
+
+// The outline of the range of y along a curve, as points [x, y]; undefined until the members are solved.
+export function outlineOf(condition, y) {
+  const members = solved.get(keyOf(condition));
+  if (!members) return undefined;
+  const ends = d3.transpose(members).map((states) => {
+    const [low, high] = rangeOf(states.map((state) => state[y]));
+    return { load: states[0].load, low, high };
+  });
+  const known = ends.filter(({ low }) => low !== undefined);
+  return [...known.map(({ load, low }) => [load, low]), ...d3.reverse(known).map(({ load, high }) => [load, high])];
+}
+
+// Solve the members along the curves at some conditions, in steps, and call `done`.
+export function* rangeSteps(conditions, done) {
+  const { loads } = currentEngine();
+  const missing = new Map(conditions.map((condition) => [keyOf(condition), condition]));
+  for (const key of solved.keys()) missing.delete(key);
+  if (!missing.size || !content.ensemble.length) return;
+  if (solved.size > KEPT) solved.clear();
+  for (const [key, condition] of missing) {
+    const members = [];
+    for (const { contact } of memberEngines()) {
+      members.push(curveOf(contact(condition), ...loads, LOADS));
+      yield;
+    }
+    solved.set(key, members);
+  }
+  done();
+}

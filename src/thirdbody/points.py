@@ -1,0 +1,310 @@
+"""``solve``: the contact state of any number of points, and ``Solution``, what it returns."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.conditions import broadcast_by_name, check_rtol, checked_variables, read_conditions
+from thirdbody.configuration.inputs import or_calibrated
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import FLAG_MEANINGS, codes_to_name
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
+from thirdbody.core.state import VARIABLES
+from thirdbody.progress import Progress
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+
+def solve(
+    *,
+    load: ArrayLike | None = None,
+    load_N: ArrayLike | None = None,
+    viscosity: ArrayLike | None = None,
+    viscosity_cSt: ArrayLike | None = None,
+    particle_diameter: ArrayLike | None = None,
+    particle_diameter_nm: ArrayLike | None = None,
+    roughness: ArrayLike | None = None,
+    roughness_nm: ArrayLike | None = None,
+    particle_density: ArrayLike | None = None,
+    particle_density_per_m2: ArrayLike | None = None,
+    parameters: Parameters | None = None,
+    rtol: float = DEFAULT_RTOL,
+    variables: str | Collection[str] | None = None,
+    progress: bool = True,
+) -> Solution:
+    """Contact state of the interface at each point (Eqs. 1-10).
+
+    Each of the five conditions is given once, under one of its two names, and they broadcast against each
+    other.  A condition is a number or an array of numpy, a list of numbers, a column of pandas, an array of
+    xarray or a quantity of pint.  Numbers are in the unit of the name; quantities, and arrays of xarray with
+    the attribute ``units``, are converted.
+
+    Parameters
+    ----------
+    load : array_like
+        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive.
+    load_N : array_like
+        Load F_t [N], positive.
+    viscosity : array_like
+        Kinematic viscosity nu of the lubricant [m2/s]; 0 for dry contact.
+    viscosity_cSt : array_like
+        The same [cSt].
+    particle_diameter : array_like
+        Mean diameter of the paper, x_a [m]; 0 for two-body contact.  With a ``mean_ratio`` of 0 in
+        ``parameters`` nearly all particles are smaller.
+    particle_diameter_nm : array_like
+        The same [nm].
+    roughness : array_like
+        Equivalent root mean square roughness sigma [m], of two surfaces from ``thirdbody.equivalent_roughness``.
+    roughness_nm : array_like
+        The same [nm].
+    particle_density, particle_density_per_m2 : array_like
+        Number eta_a of particles per area [m-2]; 0 for two-body contact.
+    parameters : Parameters, optional
+        Materials, geometry and interpretations of the model, by default the calibrated ones.
+    rtol : float
+        Requested relative error of every variable [1], from 1e-11 to 1e-2.  A larger one saves little time
+        here, much in ``grid``.
+    variables : str or collection of str, optional
+        Names of the variables of ``Solution`` to keep; the others are None.
+    progress : bool
+        Whether a long call reports its progress on standard error.
+
+    Returns
+    -------
+    Solution
+        Arrays of the broadcast shape.  Arrays of xarray broadcast by the names of their dimensions, and give
+        such arrays.  Columns of pandas, which must have equal indexes, give tables with that index.
+
+    Raises
+    ------
+    TypeError
+        For a condition of another kind.
+    ValueError
+        For a condition that is missing or given twice, a negative, infinite or missing number, a load or
+        roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
+        outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft
+        that the ``elastic_factor`` of ``parameters`` is above 1.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        Once, for numbers that are probably in another unit: F_t* outside 1e-13 to 0.02, nu 3e-7 to
+        0.01 m2/s, x_a and sigma 1 nm to 1 mm, eta_a 1e6 to 1e16 m-2.
+
+    Examples
+    --------
+    Two rough surfaces with particles of 0.5 um, dry and in an oil of 120 mm2/s:
+
+    >>> import thirdbody as tb
+    >>> layer = dict(particle_diameter=0.5e-6, roughness_nm=300, particle_density=1e11)
+    >>> points = tb.solve(load=1e-5, viscosity_cSt=[0, 120], **layer)
+    >>> points.solid_load_fraction.round(4)
+    array([1.    , 0.8232])
+    >>> points.separation.round(10)  # [m]
+    array([1.1302e-06, 1.2537e-06])
+
+    Loads and viscosities with named dimensions give a table:
+
+    >>> import xarray as xr
+    >>> loads = xr.DataArray([1e-6, 1e-5], dims="load")
+    >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
+    >>> points = tb.solve(load=loads, viscosity=oils, **layer)
+    >>> points.solid_load_fraction.sel(oil="thick").round(4).values
+    array([0.9995, 0.8232])
+    """
+    conditions = {
+        "load": load,
+        "load_N": load_N,
+        "viscosity": viscosity,
+        "viscosity_cSt": viscosity_cSt,
+        "particle_diameter": particle_diameter,
+        "particle_diameter_nm": particle_diameter_nm,
+        "roughness": roughness,
+        "roughness_nm": roughness_nm,
+        "particle_density": particle_density,
+        "particle_density_per_m2": particle_density_per_m2,
+    }
+    return _solve(conditions, or_calibrated(parameters), rtol, variables, progress)
+
+
+def _solve(conditions, parameters, rtol, variables, progress) -> Solution:
+    """The arguments of ``solve``, validated and solved."""
+    check_rtol(rtol)
+    names = checked_variables(variables, VARIABLES)
+    arguments = {key: value for key, value in conditions.items() if value is not None}
+    read = read_conditions(arguments, parameters)
+    arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
+    points = np.broadcast(*arrays.values()).size
+    with Progress(points, "points", progress) as bar:
+        values = solve_points(arrays, parameters, rtol, names, bar.add)
+    if pattern is not None:
+        values = {name: pattern.copy(data=array).rename(name) for name, array in values.items()}
+    return Solution(
+        **values,
+        conditions=read.arrays | read.labelled,
+        keys=read.keys,
+        newtons_per_load=parameters.newtons_per_load,
+        index=read.index,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Solved points: what ``solve`` returns.
+
+    Every variable is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
+    one of them is), or None if it was not requested.  Points without solution hold nan, or -1 for
+    regime and mode.  The printed form lists the variables, with regimes, modes and statuses by name;
+    ``to_dataset`` and ``to_dataframe`` return all of them with labels.  A full film has no name of a mode.
+
+    Attributes
+    ----------
+    total_contact_area : array
+        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eq. 3).
+    particle_contact_area_ratio, surface_contact_area_ratio : array
+        A_sa,t* and A_ss,t* [1] (Eq. 10).
+    solid_load_fraction, fluid_load_fraction : array
+        L_s and L_f [1] (Eq. 9).
+    separation : array
+        Mean separation d [m].
+    film_thickness : array
+        H_c = d/R_x [1] (Eq. 7); in dry contact the separation alone.
+    lubrication_regime, contact_mode, solution_status : array of int8
+        Codes: indices into the names in ``thirdbody.core.regimes``.
+    error_bound : array
+        Bound on the relative error of every quantity [1], if the quantity is above 2.2e-308: the change of
+        loads and areas between two separations at which the forces are too large and too small, plus
+        rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
+    conditions : mapping
+        The five conditions by name, SI: arrays that broadcast to the shape.
+    keys : mapping
+        The name of each condition in tables: the one it was given by, for a quantity the one with an
+        engineering unit.
+    newtons_per_load : float
+        F_t/F_t* [N].
+    index : pandas.Index, optional
+        That of columns of pandas that were given.
+    """
+
+    total_contact_area: NDArray | None = None
+    particle_contact_area_ratio: NDArray | None = None
+    surface_contact_area_ratio: NDArray | None = None
+    solid_load_fraction: NDArray | None = None
+    fluid_load_fraction: NDArray | None = None
+    separation: NDArray | None = None
+    film_thickness: NDArray | None = None
+    lubrication_regime: NDArray | None = None
+    contact_mode: NDArray | None = None
+    solution_status: NDArray | None = None
+    error_bound: NDArray | None = None
+    conditions: Mapping[str, Any] = field(default_factory=dict)
+    keys: Mapping[str, str] = field(default_factory=dict)
+    newtons_per_load: float = 1.0
+    index: pd.Index | None = None
+
+    @property
+    def variables(self) -> dict[str, Any]:
+        """The requested variables, by name."""
+        values = {name: getattr(self, name) for name in VARIABLES}
+        return {name: array for name, array in values.items() if array is not None}
+
+    def to_dataset(self) -> xr.Dataset:
+        """The points as a dataset: each variable and condition with its name, unit and symbol.
+
+        Returns
+        -------
+        xarray.Dataset
+            The requested variables; flags are integers with ``flag_values`` and ``flag_meanings``.
+            The conditions and ``normal_load`` [N] are coordinates.  A dimension is named after the
+            condition if only one varies along it, otherwise ``point``; arrays of xarray keep their
+            dimensions and coordinates.  The index of columns of a table is a coordinate of its name, or
+            ``row``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import thirdbody as tb
+        >>> curves = tb.solve(
+        ...     load=np.geomspace(1e-6, 1e-4, 5)[:, np.newaxis],
+        ...     viscosity=[0.0, 90e-6],
+        ...     particle_diameter=3e-7,
+        ...     roughness=3e-7,
+        ...     particle_density=1e11,
+        ...     parameters=tb.load_parameters(),
+        ... )
+        >>> dataset = curves.to_dataset()
+        >>> dict(dataset.sizes)
+        {'load': 5, 'viscosity': 2}
+        >>> dataset["separation"].attrs["units"]
+        'm'
+        """
+        from thirdbody.data.labels import labelled_dataset
+
+        return labelled_dataset(self)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The points as a table: one row per point, its conditions first.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Headings have units: conditions are in those in which they were given, variables in SI.
+            Flags are categories by name, nan where a point has none.  The index is that of the
+            columns of a table, if conditions are such.
+
+        Examples
+        --------
+        >>> import thirdbody as tb
+        >>> points = tb.solve(
+        ...     load=[1e-6, 1e-4],
+        ...     viscosity=90e-6,
+        ...     particle_diameter=3e-7,
+        ...     roughness=3e-7,
+        ...     particle_density=1e11,
+        ...     parameters=tb.load_parameters(),
+        ... )
+        >>> table = points.to_dataframe()
+        >>> table[["load [1]", "lubrication_regime"]].to_dict("list")
+        {'load [1]': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
+        """
+        from thirdbody.data.labels import labelled_frame
+
+        return labelled_frame(self)
+
+    def __repr__(self) -> str:
+        arrays = {name: np.asarray(array) for name, array in self.variables.items()}
+        arrays |= codes_to_name(arrays)
+        shape = next(iter(arrays.values())).shape if arrays else ()
+        lines = [f"{name:<28}{_in_words(name, array)}" for name, array in arrays.items()]
+        return "\n".join([f"Solution of shape {shape}", *lines])
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        return self.to_dataframe().to_html(index=self.index is not None, max_rows=60)
+
+
+def _in_words(name, values) -> str:
+    """A number, or the range of numbers; for a flag the names with their counts."""
+    if name in FLAG_MEANINGS:
+        words = *FLAG_MEANINGS[name], "none"  # NO_FLAG indexes the last
+        if values.size == 1:
+            return words[values.item()]
+        counts = zip(*np.unique(values, return_counts=True), strict=True)
+        return ", ".join(f"{words[code]} ({count})" for code, count in counts)
+    numbers = values[~np.isnan(values)]
+    if numbers.size == 0:
+        return "none"
+    unit = ""
+    if name == "separation":
+        numbers, unit = 1e9 * numbers, " nm"
+    ends = f"{numbers.min():.6g}", f"{numbers.max():.6g}"
+    return (ends[0] if values.size == 1 else " to ".join(ends)) + unit

@@ -1,0 +1,369 @@
+"""The table of variables: what conditions and results are called, with symbols, units and equations.
+
+Datasets, tables, figures, answers, the command and the page read their names here.  Symbols are those of
+the paper; units are SI as UDUNITS writes them.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.core.regimes import FLAG_MEANINGS
+
+
+@dataclass(frozen=True, kw_only=True)
+class Variable:
+    """One variable.
+
+    Attributes
+    ----------
+    name : str
+        Name in ``Solution`` and in datasets.
+    symbol : str
+        Symbol in ASCII.
+    unit : str
+        SI unit.
+    label : str
+        What it is, in words: the ``long_name`` in datasets.
+    equation : str
+        Equation or section that defines it.
+    comment : str
+        How to take its values.
+    title : str
+        What it is in headings of figures and on the page.
+    sign : str
+        Symbol as printed on the page and in legends.
+    axis : str
+        Label of its axis in figures, with mathematics of matplotlib.
+    shown_unit : str
+        Unit in which figures and the page show it.
+    scale : float
+        This unit in SI.
+    is_logarithmic : bool
+        Whether its axis in figures is logarithmic.
+    zones : str
+        Flag of the zones into which limits divide a fraction.
+    """
+
+    name: str
+    symbol: str = "none"
+    unit: str = "1"
+    label: str = ""
+    equation: str = "none"
+    comment: str = ""
+    title: str = ""
+    sign: str = ""
+    axis: str = ""
+    shown_unit: str = ""
+    scale: float = 1.0
+    is_logarithmic: bool = False
+    zones: str = ""
+
+    @property
+    def meanings(self) -> tuple[str, ...]:
+        """Names for the values 0, 1, ... of a flag; empty for a number."""
+        return FLAG_MEANINGS.get(self.name, ())
+
+    def to_si(self, values: ArrayLike) -> NDArray:
+        """``values`` [``shown_unit``] in SI: the floats nearest to the decimal result, 300 nm is 3e-07 m."""
+        return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
+
+    def from_si(self, values: ArrayLike) -> NDArray:
+        """``values`` [SI] in ``shown_unit``; the last digit may differ."""
+        return np.divide(values, self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Axis(Variable):
+    """One of the five conditions: an axis of datasets.
+
+    Attributes
+    ----------
+    alias : str
+        Its name as an argument in engineering units.
+    alias_unit : str
+        The unit of the alias, which is ``scale`` in SI; for the load N, which depends on the inputs.
+    column : str
+        Its column in tables of the workflow.
+    dimension : str
+        A unit of the dimension that a quantity must have, for pint.
+    searched : pair of float
+        Ends of searches [``alias_unit``]: those of the paper (Table 2) and a decade beyond.
+    usual : pair of float
+        Range of usual values [SI], far wider than in the paper, so that a number in another unit is outside.
+    """
+
+    alias: str
+    alias_unit: str
+    column: str
+    dimension: str
+    searched: tuple[float, float]
+    usual: tuple[float, float]
+
+    def values(self, numbers: Iterable[float]) -> NDArray[np.float64]:
+        """``numbers`` [``alias_unit``] in SI, shape (n,): increasing and unique."""
+        return np.unique(decimal(np.array([*numbers], float), self.scale))
+
+
+def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:
+    """``scale`` times ``values``, rounded to ``digits`` significant digits."""
+    return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)
+
+
+def _by_name(*variables):
+    return {variable.name: variable for variable in variables}
+
+
+AXES = _by_name(
+    Axis(
+        name="load",
+        symbol="F_t*",
+        label="dimensionless mean normal load",
+        title="Dimensionless normal load",
+        sign="Fₜ*",
+        axis="$F_t^*$",
+        is_logarithmic=True,
+        alias="load_N",
+        alias_unit="N",
+        column="load",
+        dimension="dimensionless",
+        searched=(0.01, 1000.0),
+        usual=(1e-13, 2e-2),
+    ),
+    Axis(
+        name="viscosity",
+        symbol="nu",
+        unit="m2 s-1",
+        label="kinematic viscosity of the lubricant, 0 when dry",
+        title="Viscosity",
+        sign="ν",
+        axis="Viscosity ν (cSt)",
+        shown_unit="cSt",
+        scale=1e-6,
+        alias="viscosity_cSt",
+        alias_unit="cSt",
+        column="viscosity_m2_per_s",
+        dimension="m ** 2 / s",
+        searched=(1.0, 1000.0),
+        usual=(3e-7, 1e-2),
+    ),
+    Axis(
+        name="particle_diameter",
+        symbol="x_a",
+        unit="m",
+        label="mean diameter of the third particles, 0 without them",
+        title="Particle diameter",
+        sign="xₐ",
+        axis="Particle diameter xₐ (nm)",
+        shown_unit="nm",
+        scale=1e-9,
+        alias="particle_diameter_nm",
+        alias_unit="nm",
+        column="particle_diameter_m",
+        dimension="m",
+        searched=(10.0, 10_000.0),
+        usual=(1e-9, 1e-3),
+    ),
+    Axis(
+        name="roughness",
+        symbol="sigma",
+        unit="m",
+        label="equivalent root mean square surface roughness",
+        title="Roughness",
+        sign="σ",
+        axis="Roughness σ (nm)",
+        shown_unit="nm",
+        scale=1e-9,
+        alias="roughness_nm",
+        alias_unit="nm",
+        column="roughness_m",
+        dimension="m",
+        searched=(20.0, 2000.0),
+        usual=(1e-9, 1e-3),
+    ),
+    Axis(
+        name="particle_density",
+        symbol="eta_a",
+        unit="m-2",
+        label="number of particles per unit area",
+        title="Particle density",
+        sign="ηₐ",
+        axis="Particle density ηₐ (m⁻²)",
+        shown_unit="m-2",
+        alias="particle_density_per_m2",
+        alias_unit="m-2",
+        column="particle_density_per_m2",
+        dimension="m ** -2",
+        searched=(1e8, 1e14),
+        usual=(1e6, 1e16),
+    ),
+)
+DIMENSIONS = tuple(AXES)  # of every dataset, in this order
+CONDITION_AXES = tuple(AXES.values())[1:]  # all but the load
+BY_ALIAS = {axis.alias: axis for axis in AXES.values()}
+
+QUANTITIES = _by_name(
+    Variable(
+        name="total_contact_area",
+        symbol="A_t*",
+        label="total real contact area over apparent area",
+        equation="5",
+        title="Real contact area",
+        axis="$A_t^*$",
+        is_logarithmic=True,
+    ),
+    Variable(
+        name="particle_contact_area_ratio",
+        symbol="A_sa,t*",
+        label="contact area of particles over total real contact area",
+        equation="10",
+        title="Contact area ratio of particles",
+        axis="$A_{sa,t}^*$",
+        zones="contact_mode",
+    ),
+    Variable(
+        name="surface_contact_area_ratio",
+        symbol="A_ss,t*",
+        label="contact area of summits over total real contact area",
+        equation="10",
+        title="Contact area ratio of surfaces",
+        axis="$A_{ss,t}^*$",
+    ),
+    Variable(
+        name="solid_load_fraction",
+        symbol="L_s",
+        label="fraction of the load carried by the solids",
+        equation="9",
+        title="Load percentage of solid",
+        axis="$L_s$ (%)",
+        shown_unit="%",
+        scale=0.01,
+        zones="lubrication_regime",
+    ),
+    Variable(
+        name="fluid_load_fraction",
+        symbol="L_f",
+        label="fraction of the load carried by the fluid",
+        equation="9",
+        title="Load percentage of fluid",
+        axis="$L_f$ (%)",
+        shown_unit="%",
+        scale=0.01,
+    ),
+    Variable(
+        name="separation",
+        symbol="d",
+        unit="m",
+        label="mean separation of the two surfaces",
+        equation="4",
+        title="Separation",
+        axis="$d$ (nm)",
+        shown_unit="nm",
+        scale=1e-9,
+    ),
+    Variable(
+        name="film_thickness",
+        symbol="H_c",
+        label="central film thickness over ball radius",
+        equation="7",
+        title="Film thickness",
+        axis="$H_c$ ($10^{-4}$)",
+        shown_unit="10⁻⁴",
+        scale=1e-4,
+    ),
+)
+
+STATUS = "solution_status"  # the flag that qualifies all other variables
+STATUS_MEANINGS = {
+    "converged": "the equations hold to the error asked for",
+    "outside_film_formula": "the film carries more than a thousandth of the load where Eq. 7 has no meaning: "
+    "it would grow with falling viscosity, is thicker than a hundredth of the ball's radius, or presses harder "
+    "on the interface than the softer surface is",
+    "coverage_exceeded": "particles would cover the whole interface in Eq. 4",
+    "not_converged": "float64 does not promise the error asked for, and error_bound says what the values are good for",
+    "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
+    "load_exceeded": "the load is more than what is carried at any separation of zero or more",
+}
+FLAGS = _by_name(
+    Variable(
+        name="lubrication_regime",
+        symbol="L_s",
+        label="lubrication regime",
+        equation="section 3.1",
+    ),
+    Variable(
+        name="contact_mode",
+        symbol="A_sa,t*",
+        label="contact mode",
+        equation="section 3.2",
+    ),
+    Variable(
+        name=STATUS,
+        label="status of the solution",
+        equation="1-8",
+        comment="; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
+    ),
+)
+NORMAL_LOAD = Variable(
+    name="normal_load",
+    symbol="F_t",
+    unit="N",
+    label="normal load",
+    equation="1",
+    title="Normal load",
+    axis="Normal load $F_t$ (N)",
+    shown_unit="N",
+    is_logarithmic=True,
+)
+ERROR_BOUND = Variable(
+    name="error_bound",
+    label="bound on the relative error of every variable",
+    comment="of numbers above 2.2e-308, below which float64 loses digits",
+)
+NUMBERS = QUANTITIES | {ERROR_BOUND.name: ERROR_BOUND}
+VARIABLES = NUMBERS | FLAGS  # of datasets
+
+# what figures and the page derive from these
+DERIVED = _by_name(
+    Variable(
+        name="total_contact_area_over_two_body",
+        symbol="A_t* over dry two-body",
+        title="Area over that of dry two-body contact",
+        axis="$A_t^*$ over dry two-body",
+    ),
+    Variable(
+        name="largest_particle_diameter",
+        symbol="x_a",
+        unit="m",
+        title="Largest particle out of the p-s mode",
+        axis="$x_a$ (nm)",
+        shown_unit="nm",
+        scale=1e-9,
+        is_logarithmic=True,
+    ),
+    Variable(
+        name="least_viscosity",
+        symbol="nu",
+        unit="m2 s-1",
+        title="Least viscosity out of boundary lubrication",
+        axis="$ν$ (cSt)",
+        shown_unit="cSt",
+        scale=1e-6,
+        is_logarithmic=True,
+    ),
+    Variable(
+        name="diameter_ratio",
+        symbol="x_a/sigma",
+        title="Ratio of particle diameter to roughness",
+        axis=r"$x_a/\sigma$",
+    ),
+    Variable(
+        name="turning_point_ratio",
+        symbol="A_sa,t*",
+        title="Where turning points occur",
+        axis="$A_{sa,t}^*$ at the turning point",
+        zones="contact_mode",
+    ),
+)
