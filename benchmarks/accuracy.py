@@ -1,6 +1,6 @@
-"""True errors and times of the library and of the baselines, for each ``rtol`` and class of points.
+"""True errors and times of the library and of a plain solver, for each ``rtol`` and class of points.
 
-Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``) and both ``baselines``.
+Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``) and ``nested_roots`` of ``baselines``.
 """
 
 import math
@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 import thirdbody as tb
-from benchmarks.baselines import ElementwiseRoots, NestedRoots
+from benchmarks.baselines import NestedRoots
 from benchmarks.classes import (
     CLASSES,
     HEAVIEST,
@@ -35,11 +35,7 @@ def error_rows(
     groups = grouped(rows)
     table = []
     for rtol in rtols:
-        for method, solve in (
-            ("library", _library),
-            ("library_grid", _library_grid),
-            ("elementwise_roots", _elementwise),
-        ):
+        for method, solve in (("library", _library), ("library_grid", _library_grid)):
             table += _error_rows_of(method, rtol, groups, partial(solve, rtol=rtol))
 
     def nested(group):
@@ -74,11 +70,6 @@ def _claimed(solution, rtol):
     good = solution.error_bound <= rtol
     kept = {name: np.where(good, getattr(solution, name), np.nan) for name in VARIABLES}
     return SimpleNamespace(**kept)
-
-
-def _elementwise(group, rtol):
-    roughness = float(group.conditions["roughness"][0])
-    return ElementwiseRoots(group.parameters, roughness, rtol).solve(**group.conditions)
 
 
 def _quiet():
@@ -124,21 +115,18 @@ def _time_rows_of(kind, parameters, budget, plain):
     sizes = budget["points"]
     library = sizes["heaviest"] if kind == HEAVIEST else sizes["others"]
     axes = grid_axes(kind, budget["grid"], parameters)
-    many, some, few = (
-        random_conditions(kind, count, parameters)
-        for count in (library, sizes["elementwise_roots"], sizes["nested_roots"])
+    many, few = (
+        random_conditions(kind, count, parameters) for count in (library, sizes["nested_roots"])
     )
     runs = {}
     for rtol in budget["rtol"]:
         asked = {"parameters": parameters, "rtol": rtol}
         runs["library", rtol] = partial(tb.solve, **many, **asked)
         runs["library_grid", rtol] = partial(tb.grid, **axes, **asked, progress=False)
-        runs["elementwise_roots", rtol] = partial(_each_surface, some, **asked)
     runs["nested_roots", None] = partial(NestedRoots(plain, parameters).solve, **few)
     points = {
         "library": library,
         "library_grid": math.prod(axis.size for axis in axes.values()),
-        "elementwise_roots": sizes["elementwise_roots"],
         "nested_roots": sizes["nested_roots"],
     }
     with _quiet():
@@ -147,11 +135,3 @@ def _time_rows_of(kind, parameters, budget, plain):
         count = points[method]
         cost = {"points": count, "microseconds_per_point": MICROSECONDS * time / count}
         yield {"method": method, "rtol": rtol, **kind._asdict(), **cost}
-
-
-def _each_surface(given, parameters, rtol):
-    """Solve the points of all surfaces, one surface after the other, by ``find_root``."""
-    for sigma in np.unique(given["roughness"]):
-        chosen = given["roughness"] == sigma
-        part = {name: values[chosen] for name, values in given.items()}
-        ElementwiseRoots(parameters, float(sigma), rtol).solve(**part)

@@ -292,15 +292,14 @@ def accuracy_block() -> str:
         }
         for method, rtol, use in CHOICES
     ]
-    plain, arrays = cost["nested_roots", None], cost["elementwise_roots", 1e-9]
+    plain = cost["nested_roots", None]
     one, surfaces, stream, start = (row["microseconds_per_point"] for row in uses)
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-        + f"\n\nIn the same run `quad` and `brentq` take {plain / 1e3:.2g} ms a point and `find_root` on "
-        f"arrays {arrays:.2g} µs at 1e-9. A call with one point takes {one / 1e3:.2g} ms, a point on a "
-        f"surface of its own {surfaces:.2g} µs, a point of a grid that is streamed to a file "
-        f"{stream:.2g} µs. A new process imports the library and has its first answer after "
-        f"{start / 1e6:.2g} s."
+        + f"\n\nIn the same run `quad` and `brentq` take {plain / 1e3:.2g} ms a point. A call with "
+        f"one point takes {one / 1e3:.2g} ms, a point on a surface of its own {surfaces:.2g} µs, a "
+        f"point of a grid that is streamed to a file {stream:.2g} µs. A new process imports the "
+        f"library and has its first answer after {start / 1e6:.2g} s."
     )
 
 

@@ -12,7 +12,7 @@ from thirdbody.data.tables import TABLES, read_csv
 NAMES = "errors", "extremes", "oracle", "times", "uses", "targets"
 PRODUCTS = {f"accuracy/{name}.csv" for name in NAMES}
 BUDGET = yaml.safe_load((ROOT / "config" / "accuracy_minimal.yaml").read_text(encoding="utf-8"))
-BY_RTOL = "library", "library_grid", "elementwise_roots"
+BY_RTOL = "library", "library_grid"
 METHODS = {(method, rtol) for method in BY_RTOL for rtol in BUDGET["rtol"]}
 METHODS |= {("nested_roots", None)}
 

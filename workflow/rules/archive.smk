@@ -13,8 +13,6 @@ rule release:
     input:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
         provenance="<results>/release/provenance.json",
-    message:
-        "The release is complete"
 
 
 rule stage_release:
@@ -27,15 +25,11 @@ rule stage_release:
     log:
         "<logs>/stage_release.log",
     localrule: True
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("stage_release.py"),
         settings={"config": settings["config"], "parameters": settings["parameters"]},
         software=software_versions("pyproject.toml"),
         is_paper=settings["is_paper"],
-        sources=sources_of("stage_release.py"),
-    message:
-        "Filling the folder of the release"
     script:
         "../scripts/stage_release.py"
 
@@ -49,12 +43,8 @@ rule pack_release:
     log:
         "<logs>/pack_release.log",
     localrule: True
-    conda:
-        "../envs/thirdbody.yaml"
     params:
+        *sources_of("pack_release.py"),
         date=RELEASE.date,
-        sources=sources_of("pack_release.py"),
-    message:
-        "Packing the release and recording its provenance"
     script:
         "../scripts/pack_release.py"

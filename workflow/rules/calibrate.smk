@@ -26,9 +26,12 @@ rule summarise_inputs:
     input:
         evaluations=lambda wildcards: searches_of(wildcards.interpretation),
         samples=branch(
-            is_cross_validated, then=expand(f"{FOUND}/seed{{seed}}_samples.csv", seed=SEEDS)
+            is_cross_validated,
+            then=expand(f"{OF_INTERPRETATION}/seed{{seed}}_samples.csv", seed=SEEDS),
         ),
-        folds=branch(is_cross_validated, then=expand(f"{FOUND}/fold{{fold}}.csv", fold=FOLDS)),
+        folds=branch(
+            is_cross_validated, then=expand(f"{OF_INTERPRETATION}/fold{{fold}}.csv", fold=FOLDS)
+        ),
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",
     log:

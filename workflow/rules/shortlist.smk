@@ -5,9 +5,9 @@ CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
 SEARCHED_WIDELY = [
-    name for name, each in CALIBRATION["interpretations"].items() if "nearby" not in each
+    name for name, entry in CALIBRATION["interpretations"].items() if "nearby" not in entry
 ]
-FOUND = "<results>/calibration/{{interpretation}}"
+OF_INTERPRETATION = "<results>/calibration/{{interpretation}}"
 
 
 def settings_of(wildcards):

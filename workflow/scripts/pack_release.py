@@ -10,8 +10,8 @@ from datetime import UTC, datetime
 from importlib.metadata import distributions
 from pathlib import Path
 
-from thirdbody.data.files import atomic_write, digest
-from thirdbody.job_log import logged
+from thirdbody.data.files import digest
+from thirdbody.job_log import job
 from thirdbody.release.staging import pack
 
 
@@ -37,9 +37,7 @@ def provenance(archive, name):
     }
 
 
-with logged(snakemake.log[0]):
-    archive = Path(snakemake.output.archive)
-    with atomic_write(archive, snakemake.output.provenance) as (archive_part, record_part):
-        pack(Path(snakemake.input.sealed).parent, archive_part, snakemake.params.date)
-        record = json.dumps(provenance(archive_part, archive.name), indent=1)
-        record_part.write_text(record + "\n", encoding="utf-8")
+with job(snakemake) as output:
+    pack(Path(snakemake.input.sealed).parent, output.archive, snakemake.params.date)
+    record = json.dumps(provenance(output.archive, Path(snakemake.output.archive).name), indent=1)
+    output.provenance.write_text(record + "\n", encoding="utf-8")

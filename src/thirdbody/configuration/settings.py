@@ -16,9 +16,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.messages import format_value
 
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
-MOST_POINTS = (
-    3_000_000  # of a scene; while they are solved they take about as many bytes as a job may
-)
+MOST_POINTS = 3_000_000  # of a scene: while they are solved they fill the memory of a job
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
 
@@ -66,13 +64,13 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     values = values_schema(entries)
     validate(config, read_schema("config"), "configuration", input_values=values)
 
-    def found(path):
+    def located(path):
         """A file ``config/...``: in the current folder, otherwise beside the configuration."""
         return path if Path(path).exists() else str(folder.parent / path)
 
     given = config["inputs"]
-    laid_over = found(given) if isinstance(given, str) else given
-    chosen = choose_inputs(entries, found(config["calibrated"]), laid_over)
+    laid_over = located(given) if isinstance(given, str) else given
+    chosen = choose_inputs(entries, located(config["calibrated"]), laid_over)
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     scenes = {name: shared | scene for name, scene in config["scenes"].items()}
     for name, scene in scenes.items():
@@ -89,8 +87,8 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
         "calibration": read_yaml(folder / "calibration.yaml"),
         "sensitivity": read_yaml(folder / "sensitivity.yaml"),
         "uncalibrated": plain_values(entries),
-        "accuracy": read_yaml(found(config["accuracy"])),
-        "atlas": read_yaml(found(config["atlas"])),
+        "accuracy": read_yaml(located(config["accuracy"])),
+        "atlas": read_yaml(located(config["atlas"])),
         "software": [f"{name} {version(name)}" for name in SOFTWARE],
     }
 
