@@ -293,7 +293,7 @@ def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
     lines = [
         {
             "taken back": row["departure"],
-            "inputs": row["inputs"],
+            "inputs": row["inputs"] or "",
             "statements that hold": f"{row['holds']:g} of {row['judged']:g}",
             "headline": "" if row["headline"] is None else f"{row['headline']:g}",
             "median deviation": _percent(row["median_deviation"]),
