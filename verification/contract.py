@@ -66,6 +66,7 @@ CHANGES_NUMBERS = {
     *("scale_factor", "add_offset", "_Unsigned", "_Encoding", "dtype"),
     *("missing_value", "_FillValue", "valid_min", "valid_max", "valid_range"),
 }
+TIGHTEST, LOOSEST = 1e-11, 1e-2  # rtol that the workflow allows
 MOST_POINTS = 5_000_000  # of one dataset: what is read at once is limited before it is read
 # attribute `model_parameters`: the name of each input in configuration/parameters.json
 INPUTS = {
@@ -231,6 +232,8 @@ def configuration_findings(data, name, config, inputs):
     rtol = scene.get("rtol", config.get("rtol"))
     if data.rtol != rtol:
         yield f"rtol is {data.rtol:g}, in the configuration {rtol:g}"
+    if not TIGHTEST <= rtol <= LOOSEST:
+        yield f"rtol is {rtol:g}, which the workflow does not allow"
     axes = expected_axes(
         scene, config, inputs["apparent_area"] * inputs["elastic_modulus_surfaces"]
     )

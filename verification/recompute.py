@@ -39,13 +39,14 @@ class Dataset(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What a check found: ``findings`` say what is wrong; counts and the worst deviation [1].  Only a
-    file that ``has_form`` may be read further."""
+    """What a check found: ``findings`` say what is wrong; counts, the worst deviation [1] and
+    the ``rtol`` [1] that was asked for.  Only a file that ``has_form`` may be read further."""
 
     findings: list
     evaluated: int = 0
     solved: int = 0
     worst: float = 0.0
+    rtol: float = 0.0
     has_form: bool = True
 
 
@@ -110,13 +111,16 @@ def solve(point, model):
     return Own(solution, MARGIN * uncertainty, noise)
 
 
-def area_ratios(state):
-    """Names and values of the two shares of the contact area, where float64 holds both in full."""
-    particles, summits = state.particle_ratio, state.summit_ratio
-    smallest = state.total_area * min(share for share in (particles, summits, 1.0) if share > 0.0)
-    if smallest >= sys.float_info.min:
-        yield "particle_contact_area_ratio", particles
-        yield "surface_contact_area_ratio", summits
+def area_ratios(state, point):
+    """Names and values of those shares of the contact area whose areas float64 holds in full."""
+    least = sys.float_info.min
+    for name, share in (
+        ("particle_contact_area_ratio", state.particle_ratio),
+        ("surface_contact_area_ratio", state.summit_ratio),
+    ):
+        area = state.total_area * (share if share > 0.0 else 1.0)
+        if point.two_body or area >= least:
+            yield name, share
 
 
 def evaluated(row, point, data, tolerance):
@@ -131,7 +135,7 @@ def evaluated(row, point, data, tolerance):
     yield "sum of the contact area ratios", deviation(share, 1.0), ROUNDING
     yield "balance of the loads", deviation(solid, borne), tolerance
     yield "coverage beyond the whole interface", max(there.coverage - 1.0, 0.0), 0.0
-    for name, expected in (("total_contact_area", there.total_area), *area_ratios(there)):
+    for name, expected in (("total_contact_area", there.total_area), *area_ratios(there, point)):
         yield name, deviation(row[name], expected), tolerance
     if point.dry:
         yield "dry fluid_load_fraction", deviation(fluid, 0.0), 0.0
@@ -179,12 +183,12 @@ def another_status(status, own, rtol):
     return UNRESOLVED if own.noise > MARGIN * rtol else None
 
 
-def solved(row, own, data, tolerance):
+def solved(row, own, point, data, tolerance):
     """Names, deviations and tolerances against the ``own`` solution."""
     solution = own.solution
     for name, expected in (
         ("total_contact_area", solution.state.total_area),
-        *area_ratios(solution.state),
+        *area_ratios(solution.state, point),
         ("solid_load_fraction", solution.solid_fraction),
         ("fluid_load_fraction", solution.fluid_fraction),
         ("separation", solution.separation),
@@ -213,7 +217,7 @@ def check(path, config, inputs, count, rng):
         found, by = point_findings(data, index, index in sample)
         findings += found
         worst = max(worst, by)
-    return Outcome(findings, len(points), len(sample), worst)
+    return Outcome(findings, len(points), len(sample), worst, data.rtol)
 
 
 def point_findings(data, index, is_sampled):
@@ -232,7 +236,7 @@ def point_findings(data, index, is_sampled):
         numbers = (*QUANTITIES, BOUND)
         return [f"{n} {where} has a value" for n in numbers if not math.isnan(row[n])], 0.0
     if is_sampled or status == UNRESOLVED:
-        measured += solved(row, own, data, data.rtol + SOLUTION + uncertainty)
+        measured += solved(row, own, point, data, data.rtol + SOLUTION + uncertainty)
     if status != UNRESOLVED:
         worst = max((by for _, by, _ in measured), default=0.0)
     # the separation and the value that follows from it are each within rtol

@@ -43,6 +43,7 @@ INPUTS = "data/configuration/parameters.json"
 CONTENT_SUMS = "data/datasets/content-sha256.json"
 SHOWN_FAULTS = 5
 SHOWN_DEVIATION = 1e-16  # no smaller one is worth a digit
+LONGEST_LINE = 10_000_000  # characters of a table that are read at once
 LARGEST_TEXT = 100_000_000  # bytes of a manifest or description, which are read at once
 
 
@@ -164,10 +165,8 @@ def is_product(name):
 def check_table(path, fields, name, faults):
     """The columns of a CSV file are those described, and numbers are numbers."""
     numbers = [index for index, field in enumerate(fields) if field["type"] == "number"]
-    if path.stat().st_size > LARGEST_TEXT:
-        raise ValueError(f"{name} is larger than {LARGEST_TEXT} bytes")
     with open(path, encoding="utf-8", newline="") as file:
-        rows = csv.reader(file)
+        rows = csv.reader(iter(lambda: file.readline(LONGEST_LINE), ""))
         header = next(rows)
         if header != [field["name"] for field in fields]:
             faults.add(name, "has other columns than datapackage.json describes")
@@ -221,11 +220,12 @@ def check_datasets(folder, found, count, seed, faults):
             outcomes.append(outcome)
             if outcome.findings:
                 faults.add(place, f"{outcome.findings[0]} ({len(outcome.findings)} such findings)")
+    rtol = max((outcome.rtol for outcome in outcomes), default=0.0)
     worst = max([SHOWN_DEVIATION, *(outcome.worst for outcome in outcomes)])
     return (
         f"{len(outcomes)} datasets, {sum(o.evaluated for o in outcomes)} points that fulfil the "
         f"equations, {sum(o.solved for o in outcomes)} of them solved again within {worst:.0e} "
-        f"(tolerance {recompute.SOLUTION:.0e} and the rtol, seed {seed})"
+        f"(tolerance {recompute.SOLUTION:.0e} and the rtol of {rtol:.0e}, seed {seed})"
     )
 
 

@@ -513,6 +513,18 @@ def test_dataset_that_claims_more_points_than_memory_is_not_read(copy, verify, r
     assert any("points, more than" in finding for finding in outcome.findings)
 
 
+def test_configured_rtol_that_the_workflow_does_not_allow_is_found(copy, verify, release):
+    """It would be the tolerance."""
+    edit_json(SCENE, lambda config: config.update(rtol=0.5))(copy)
+    for path in (copy / "data/datasets").glob("*.nc"):
+        with netCDF4.Dataset(path, "a") as dataset:
+            dataset.rtol = 0.5
+    mend(copy, release)
+    faults = found(verify, copy)
+    assert len(faults) == 3
+    assert all("does not allow" in fault for fault in faults.values())
+
+
 def write(name, content="raise SystemExit('whole')\n"):
     return lambda folder: (folder / name).write_text(content, encoding="utf-8")
 

@@ -269,6 +269,7 @@ function presetControl() {
     value: () => chosenInterpretation()?.name ?? "",
     changed: () => Object.keys(changedInputs()).length > 0,
     choose(name) {
+      toDefault(...BODIES, "speed_m_per_s");
       change({ inputs: {} });
       setInputs(content.interpretations.find((each) => each.name === name)?.inputs ?? {});
     },

@@ -70,7 +70,11 @@ export function inSlices(element, steps, isWanted, pause = 0) {
   function slice() {
     if (!isMine()) return;
     const start = performance.now();
-    while (isWanted() && performance.now() - start < SLICE) if (steps.next().done) return finish(element);
+    while (isWanted() && performance.now() - start < SLICE) {
+      if (!steps.next().done) continue;
+      if (isMine()) finish(element); // the last step may have asked for others
+      return;
+    }
     if (isWanted()) setTimeout(slice, 0);
     else finish(element);
   }

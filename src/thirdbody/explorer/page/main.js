@@ -120,6 +120,7 @@ function render() {
 }
 
 function ask() {
+  delete document.body.dataset.shown;
   asked ||= requestAnimationFrame(render);
 }
 

@@ -108,7 +108,7 @@ export function toFragment() {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
   }
   for (const [name, value] of Object.entries(state.inputs)) given.set(name, String(value));
-  return given.toString();
+  return given.toString().replaceAll("+", "%20"); // a plus would be read as one
 }
 
 // Show what a fragment says; what is not allowed in it is left out.
