@@ -41,9 +41,9 @@ REFUSED = {
     "bearing --speed-m-per-s 2": "--speed-m-per-s is 2 and the oil's density None; allowed: both",
     f"compare {STATE.removeprefix('state ')}": "--other-... is missing; allowed: one or more",
     "curve --along time --from 1 --to 2": "--along is 'time'; allowed: load, viscosity",
-    "curve --along laod --from 1 --to 2": "particle_density; did you mean load?",
+    "curve --along laod --from 1 --to 2": "roughness, particle_density",
     "curve --along load --from 1 --to 2": "--viscosity-cSt is missing; allowed: a number",
-    f"{CURVE} --count 1": "count is 1; allowed: whole numbers from 2 to 1000000",
+    f"{CURVE} --count 1": "count is 1; allowed: 2 or more",
     f"{CURVE} --plot a.txt": "a.txt ends with 'txt'; allowed: svg, pdf, png",
 }
 

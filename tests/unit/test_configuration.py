@@ -322,7 +322,7 @@ def test_a_scene_too_large_to_be_solved_is_refused(shipped, from_root):
         "scenes.mine: the curves and loads have 2.4e+08 combinations; allowed: at most" in message
     )
     del scene["curves"][0]["particle_diameter_nm"]
-    scene["curves"][0]["particle_diameter_per_roughness"] = many
+    scene["curves"][0]["particle_diameter_per_roughness"] = [each / 50 for each in many]
     assert "2.4e+08" in refusal(workflow_settings, changed(shipped, "scenes.mine", scene), CONFIG)
 
 

@@ -9,8 +9,8 @@ from types import SimpleNamespace
 import pytest
 
 from thirdbody.configuration import config_directory
+from thirdbody.explorer import page as building
 from thirdbody.explorer.page import figure_content, page_text, plain_text
-from thirdbody.readable import page as building
 from thirdbody.study.claims import load_claims
 
 HERE = Path(building.__file__).parent

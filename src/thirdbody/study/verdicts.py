@@ -260,9 +260,7 @@ def score_sentence(report: Report) -> str:
     fitted = count_once(report.claims, report.verdicts)
     predicted = count_once(report.claims, report.predicted)
     texts = ENVIRONMENT.get_template("claims.macros.j2").module
-    compared = (
-        int(report.comparison["left_out_loss"].notna().sum()) if len(report.comparison) else 0
-    )
+    compared = len(report.settings["interpretations"])
     return texts.score(
         fitted=fitted, predicted=predicted, compared=compared, prominence=PROMINENCE
     ).replace("\n", " ")
