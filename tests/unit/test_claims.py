@@ -7,7 +7,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-import yaml
 
 from thirdbody.core.turning_points import PROMINENCE, TurningPoints
 from thirdbody.study import claims
@@ -560,45 +559,3 @@ def test_what_no_inputs_can_meet_follows_from_the_papers_own_numbers(paper):
     most = load * (5.0 * solid + 1.0 - solid)
     assert f"at most {1e5 * most:.2f}e-5" in claim.limit
     assert most < claim.published == 3.0e-5
-
-
-CONDITIONS = dict(zip(CONDITION_KEYS, (0, [0, 500], 300, 1.0e11), strict=True))
-GOOD = {
-    "id": "some-claim",
-    "place": "Figure 3A",
-    "statement": "The solid bears all load.",
-    "quote": "$L_s$ is 100% under all dimensionless normal loads",
-    **{"kind": "value", "quantity": "solid_load_fraction", "extreme": "minimum", "published": 1.0},
-    "conditions": CONDITIONS,
-    "tolerance": {"absolute": 0.02, "reason": "a line's width"},
-}
-
-
-@pytest.mark.parametrize(
-    ("change", "key"),
-    [
-        ({"kind": "guess"}, "kind"),
-        ({"colour": "red"}, "colour"),
-        ({"quote": None}, "quote"),
-        ({"published": "1e0"}, "published"),
-        ({"quantity": "friction"}, "quantity"),
-        ({"extreme": None}, "extreme"),
-        ({"direction": "increasing"}, "direction"),
-        ({"reference": {"speed": 1}}, "speed"),
-        ({"conditions": {"roughness_nm": 300}}, "viscosity_cSt"),
-        ({"conditions": CONDITIONS | {"load_mim": 1e-6}}, "load_mim"),
-        ({"conditions": CONDITIONS | {"roughness_nm": [1, 2, 3]}}, "conditions"),
-        ({"tolerance": {"absolute": 0.1}}, "reason"),
-        ({"limit": 2.75e-5}, "limit"),
-        ({"kind": "regime_sequence", "published": ["wet"], "quantity": None}, "extreme"),
-        ({"contradicts": ["nobody"]}, "nobody"),
-        ({"aside": "of nothing"}, "contradicts"),
-    ],
-)
-def test_bad_claim_is_refused_in_one_line(tmp_path, change, key):
-    entry = {name: value for name, value in (GOOD | change).items() if value is not None}
-    (tmp_path / "claims.yaml").write_text(yaml.safe_dump([entry]), encoding="utf-8")
-    with pytest.raises(ValueError) as error:
-        claims.load_claims(tmp_path / "claims.yaml")
-    message = str(error.value)
-    assert "claims.yaml: some-claim" in message and key in message and "\n" not in message

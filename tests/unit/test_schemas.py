@@ -75,6 +75,25 @@ def test_inputs_that_are_searched_have_bounds():
     assert {name for names in searched for name in names} <= calibration["unknowns"].keys()
 
 
+def test_what_the_calibration_names_is_there():
+    calibration = read_yaml(CONFIG / "calibration.yaml")
+    assert set(calibration["headline"]) <= {claim["id"] for claim in CLAIMS}
+    assert calibration["kept"] <= len(calibration["interpretations"])
+    for name in calibration["interpretations"]:
+        way = [name]  # to the search from scattered sets, from which all others come in the end
+        while nearby := calibration["interpretations"][way[-1]].get("nearby"):
+            assert nearby not in way
+            way.append(nearby)
+
+
+def test_each_departure_is_from_the_default():
+    calibration, config = (read_yaml(CONFIG / f"{name}.yaml") for name in ("calibration", "config"))
+    inputs = read_yaml(ROOT / config["calibrated"])["inputs"]
+    for departure in calibration["departures"]:
+        for name, value in departure["inputs"].items():
+            assert inputs[name] != value, departure["name"]
+
+
 @pytest.mark.parametrize("atlas", ATLASES)
 def test_charts_lie_on_the_axes_of_the_atlas(atlas):
     axes = {key: axis_values(axis) for key, axis in atlas["axes"].items()}

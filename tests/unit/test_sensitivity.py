@@ -34,12 +34,9 @@ def subject():
     return Subject.of(SETTINGS)
 
 
-def test_there_are_sets_enough_for_the_response_surface_of_all_inputs(defaults):
+def test_what_is_varied_beside_the_unknowns_is_not_among_them():
     unknowns = read_yaml(CONFIG / "calibration.yaml")["unknowns"]
-    assert not unknowns.keys() & set(SETTINGS["also"])
-    count = len(varied_inputs(defaults, [*unknowns, *SETTINGS["also"]]))
-    terms = (count + 1) * (count + 2) / 2
-    assert 1.2 * terms <= SETTINGS["sobol"]["solved"]
+    assert SETTINGS["also"] and not unknowns.keys() & set(SETTINGS["also"])
 
 
 def power_laws(changes):

@@ -55,17 +55,17 @@ def by_id(found):
     return {each.id: verdict for each, verdict in zip(CLAIMS, found, strict=True)}
 
 
-def report(main, members=(), predicted=None, headline=(), comparison=None):
+def report(main, members=(), predicted=None, headline=(), compared=("some",)):
     main = by_id(main)
     return verdicts.Report(
         claims=CLAIMS,
-        settings={"headline": headline},
+        settings={"headline": headline, "interpretations": dict.fromkeys(compared)},
         default=DEFAULT,
         verdicts=main,
         members=tuple(map(by_id, members)),
         interpretations={},
         predicted=predicted or {},
-        comparison=pd.DataFrame() if comparison is None else comparison,
+        comparison=pd.DataFrame(),
     )
 
 
@@ -137,15 +137,13 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
 
 
 def test_the_score_says_among_how_many_the_default_was_chosen():
-    losses = pd.DataFrame({"left_out_loss": [30.0, 31.0, 42.0, np.nan]})
-    predicted = {"taken": HELD, "one": HELD}
-    results = report((HELD, HELD, HELD, MISSED), predicted=predicted, comparison=losses)
-    said = verdicts.score_sentence(results)
+    main, predicted = (HELD, HELD, HELD, MISSED), {"taken": HELD, "one": HELD}
+    said = verdicts.score_sentence(report(main, predicted=predicted, compared="abc"))
     assert said.startswith("**1 of 2 checkable") and "; 2 of 2 hold when" in said
     assert "chosen among 3 " in said
-    alone = verdicts.score_sentence(replace(results, comparison=losses[:1]))
+    alone = verdicts.score_sentence(report(main, predicted=predicted))
     assert "chosen among" not in alone and "; 2 of 2 hold when" in alone
-    unknown = verdicts.score_sentence(report((HELD, HELD, HELD, MISSED)))
+    unknown = verdicts.score_sentence(report(main))
     assert unknown.startswith("**1 of 2 checkable") and "hold when" not in unknown
 
 
