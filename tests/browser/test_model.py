@@ -11,6 +11,7 @@ from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import WORDS
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import QUANTITIES
@@ -32,7 +33,9 @@ return arguments[0].map(([inputs, condition, load]) => {
 def random_inputs(random, changes, defaults):
     """Inputs within the bounds of the search for them, but with these ``changes``."""
     unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
-    bounds = {name: unknown["bounds"] for name, unknown in unknowns.items()}
+    searched = {name: unknown["bounds"] for name, unknown in unknowns.items()}
+    # with a search that goes beyond what the library takes
+    bounds = {name: (max(low, BOUNDS[name].least), high) for name, (low, high) in searched.items()}
     drawn = {
         name: float(np.exp(random.uniform(*np.log(ends))))
         if ends[0] > 0.0
