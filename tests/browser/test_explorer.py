@@ -556,7 +556,7 @@ def test_a_broken_link_opens_what_it_can(explorer, fragment):
     right = explorer.curve("dry")
     explorer.driver.get("about:blank")
     explorer.driver.get(f"{explorer.page.as_uri()}#{fragment}")
-    explorer.wait("return document.querySelector('#charts .line')")
+    explorer.settle()
     assert explorer.curve("dry") == right
     assert explorer.console() == []
 
@@ -628,17 +628,21 @@ def test_a_move_of_a_slider_redraws_the_curves(explorer):
     assert explorer.curve("ν = 90 cSt") != before
 
 
+def numbers_of(inputs):
+    return {name: each for name, each in inputs.as_dict().items() if not isinstance(each, str)}
+
+
 def test_materials_and_speed_give_the_inputs_of_the_library(explorer, defaults):
     script = "return [thirdbody.changed(), document.getElementById('rig-speed_m_per_s').value]"
     inputs, speed = explorer.open("ball=silicon nitride&particle=alumina").run(script)
     expected = bearing(defaults, ball="silicon nitride", particle="alumina")
-    assert replace(defaults, **inputs).as_dict() == pytest.approx(expected.as_dict(), rel=1e-12)
+    assert numbers_of(replace(defaults, **inputs)) == pytest.approx(numbers_of(expected), rel=1e-12)
     assert float(speed) == pytest.approx(implied_speed(expected), rel=1e-3)
     fragment = "flat=alumina&speed_m_per_s=2&oil_density_kg_per_m3=900&ball_radius=0.01"
     inputs, speed = explorer.open(fragment).run(script)
     oil = dict(speed_m_per_s=2.0, oil_density_kg_per_m3=900.0)
     expected = bearing(defaults, flat="alumina", ball_radius_mm=10.0, **oil)
-    assert replace(defaults, **inputs).as_dict() == pytest.approx(expected.as_dict(), rel=1e-12)
+    assert numbers_of(replace(defaults, **inputs)) == pytest.approx(numbers_of(expected), rel=1e-12)
     assert float(speed) == 2.0
     assert "not judged" in explorer.one("#tally").text
 

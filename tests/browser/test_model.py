@@ -8,7 +8,7 @@ import pytest
 
 from thirdbody.configuration import config_directory
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.core.parameters import WORDS
+from thirdbody.core.parameters import BOUNDS, WORDS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.core.state import QUANTITIES
@@ -32,7 +32,9 @@ return arguments[0].map(([inputs, condition, load]) => {
 def random_inputs(random, changes, defaults):
     """Inputs within the bounds of the search for them, but with these ``changes``."""
     unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
-    bounds = {name: unknown["bounds"] for name, unknown in unknowns.items()}
+    searched = {name: unknown["bounds"] for name, unknown in unknowns.items()}
+    # with a search that goes beyond what the library takes
+    bounds = {name: (max(low, BOUNDS[name].least), high) for name, (low, high) in searched.items()}
     drawn = {
         name: float(np.exp(random.uniform(*np.log(ends))))
         if ends[0] > 0.0

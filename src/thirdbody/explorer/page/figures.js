@@ -152,9 +152,18 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
-  const outlines = VARIABLES[y].log ? [] : spec.ranges.flatMap(({ points }) => points);
+  const outlines = outlinesIn(`${state.figure} ${letter}`, VARIABLES[y].log ? [] : ranges);
   const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
   return curvesSpec(spec, engine, [...ends, ...outlines]);
+}
+
+// The points that an axis shows of the ranges of a panel: until these are computed those of before, so that the
+// axis stays.
+const lastOutlines = new Map();
+function outlinesIn(panel, ranges) {
+  const isKnown = ranges.every(({ points }) => points);
+  if (isKnown) lastOutlines.set(panel, ranges.flatMap(({ points }) => points));
+  return lastOutlines.get(panel) ?? [];
 }
 
 // The curves of a panel whose ranges are drawn: the reader's own and some of those with a colour.
