@@ -107,9 +107,9 @@ def solve(
     >>> layer = dict(particle_diameter=0.5e-6, roughness_nm=300, particle_density=1e11)
     >>> points = tb.solve(load=1e-5, viscosity_cSt=[0, 120], **layer)
     >>> points.solid_load_fraction.round(4)
-    array([1.    , 0.8232])
+    array([1.   , 0.713])
     >>> points.separation.round(10)  # [m]
-    array([1.1302e-06, 1.2537e-06])
+    array([1.0343e-06, 1.1862e-06])
 
     Loads and viscosities with named dimensions give a table:
 
@@ -118,7 +118,7 @@ def solve(
     >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
     >>> points = tb.solve(load=loads, viscosity=oils, **layer)
     >>> points.solid_load_fraction.sel(oil="thick").round(4).values
-    array([0.9995, 0.8232])
+    array([0.9997, 0.713 ])
     """
     conditions = {
         "load": load,

@@ -124,7 +124,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
     assert "ensemble range" in key_of(drawing)
-    assert "Shaded in colour: from the lowest to the highest" in caption(name, drawing.panels).text
+    assert "Shaded in colour: the range, 5 to 95 %" in caption(name, drawing.panels).text
     drawing.draw_without_rendering()
     width, height = drawing.bbox.size
     box = drawing.get_tightbbox().extents * drawing.dpi  # [inches]

@@ -163,7 +163,7 @@ def test_guide_names_every_dataset_quantity_and_column(built):
     guide = (built / "README.md").read_text(encoding="utf-8")
     with netCDF4.Dataset(built / "data/datasets/fig04.nc") as dataset:
         for name, variable in dataset.variables.items():
-            assert f"| `{name}` | {variable.symbol} | {variable.unit} |" in guide
+            assert f"| `{name}` | {variable.symbol} | {variable.units} |" in guide
         for name in json.loads(dataset.model_parameters):
             assert f"| `{name}` | " in guide
     words = *(f"`{name}.nc`" for name in SCENES), "`diameter_over_roughness`"

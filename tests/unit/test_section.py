@@ -63,11 +63,15 @@ def test_particles_that_reach_into_the_elastic_zone_carry_load(given, some):
     parameters = tb.load_parameters()
     section = section_through(solved_state(given, parameters), parameters, 8.4e-5, 1)
     layer = ParticleLayer.of(
-        np.array([section["particle_diameter"]]), 3e-7, np.array([1e11]), parameters
+        np.array([section["particle_diameter"]]),
+        section["roughness"],
+        np.array([1e11]),
+        parameters,
     )
     largest = size_quantiles(1.0, 0.0, section["particle_diameter"], parameters)
     reaches = section["particle_size"] + layer.reach[0] - largest > section["separation"]
-    np.testing.assert_array_equal(section["particle_carries_load"], reaches)
+    # so does one that is drawn between both surfaces
+    assert (section["particle_carries_load"] >= reaches).all()
     assert reaches.any() == some and not reaches.all()
 
 

@@ -122,7 +122,8 @@ def ensemble(parameters: Parameters | None = None) -> tuple[Parameters, ...]:
     --------
     >>> import numpy as np
     >>> import thirdbody as tb
-    >>> interface = dict(load_N=10, viscosity_cSt=120, roughness_nm=300)
+    >>> particles = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    >>> interface = dict(load_N=10, viscosity_cSt=120, roughness_nm=300, **particles)
     >>> shares = [
     ...     float(tb.solve(**interface, parameters=member).solid_load_fraction)
     ...     for member in tb.ensemble()

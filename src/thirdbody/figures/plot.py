@@ -20,7 +20,6 @@ from thirdbody.conditions import axis_of, checked_variables
 from thirdbody.data.attributes import GIVEN_AS
 from thirdbody.data.files import DamagedFile, readable_file
 from thirdbody.data.netcdf import OF_THE_FILE, read_plain
-from thirdbody.explorer.page import CURVE
 from thirdbody.figures.curves import (
     BLUE,
     CURVE_FIGURES,
@@ -30,7 +29,7 @@ from thirdbody.figures.curves import (
     level_styles,
     range_series,
 )
-from thirdbody.figures.drawing import STYLE, Drawing
+from thirdbody.figures.drawing import CURVE, STYLE, Drawing
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.panels import Panel, Series
 from thirdbody.figures.scales import SCALES, note

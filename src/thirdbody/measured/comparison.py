@@ -134,7 +134,7 @@ def compare(
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
     >>> found = tb.compare(pd.DataFrame(data), viscosity_cSt=90, **layer)
     >>> found.table["friction_coefficient_model"].round(3).tolist()
-    [0.109, 0.089, 0.07]
+    [0.117, 0.099, 0.077]
     """
     parameters = or_calibrated(parameters)
     assumed = Assumed() if assumed is None else assumed

@@ -175,7 +175,7 @@ def cleanliness(
 
     >>> import thirdbody as tb
     >>> print(tb.cleanliness("18/16/13", gap_nm=1000).notes[0])
-    0.0075 particles above 4 um in A_n = 3e-06 m2: most contacts have none
+    0.014 particles above 4 um in A_n = 5.51e-06 m2: most contacts have none
     """
     parameters = or_calibrated(parameters)
     enrichment = checked_number("enrichment", enrichment)
