@@ -21,7 +21,7 @@ import pathlib, time
 pathlib.Path("begun").touch()
 while not pathlib.Path("go").exists():
     time.sleep(0.1)
-with logged"""
+with job"""
 
 
 def submit(workspace, *targets):
@@ -62,7 +62,7 @@ def fresh(sources, tmp_path):
 def begin(fresh):
     """Function that starts a run for Table 1, whose job waits for a file ``go``; the run ends with
     the test."""
-    fresh.rewrite(SCRIPT, lambda text: text.replace("\nwith logged", HELD))
+    fresh.rewrite(SCRIPT, lambda text: text.replace("\nwith job", HELD))
     runs = []
 
     def start():
