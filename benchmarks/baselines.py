@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES
-from thirdbody.data.attributes import model_attribute
+from thirdbody.attributes import model_attribute
 from thirdbody.variables import DIMENSIONS
 
 

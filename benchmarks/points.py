@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import thirdbody as tb
+from thirdbody.attributes import KEYS
 from thirdbody.core.state import QUANTITIES as VARIABLES
-from thirdbody.data.attributes import KEYS
 from thirdbody.variables import DIMENSIONS
 
 CLASS = ("medium", "bodies", "span")

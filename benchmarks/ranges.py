@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 import thirdbody as tb
-from thirdbody.data.quantities import ENDS
+from thirdbody.ranges import ENDS
 
 CONDITIONS = 400
 SEED = 1

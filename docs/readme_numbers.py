@@ -30,10 +30,10 @@ from tabulate import tabulate
 import thirdbody
 from thirdbody.command import EXAMPLES
 from thirdbody.command import main as main_of_command
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.film import Film
-from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.study.calibration import Interpretation, Unknown
+from thirdbody.paper.calibration.calibration import Interpretation, Unknown
+from thirdbody.paper.tables import TABLES, read_csv
+from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 import thirdbody as tb
-from thirdbody.measured.estimates import Assumed, measurable
+from thirdbody.lab.estimates import Assumed, measurable
 
 SCATTER = 0.03  # relative
 loads = np.geomspace(1.0, 50.0, 9)

@@ -34,8 +34,8 @@ def _number(given: Any) -> float:
 
 def _material(text: str) -> Any:
     """A material: a name, or modulus [GPa], Poisson's ratio and hardness [GPa]."""
-    from thirdbody.answers.bearing import MATERIALS as KNOWN
-    from thirdbody.answers.bearing import Material
+    from thirdbody.bearings import MATERIALS as KNOWN
+    from thirdbody.bearings import Material
 
     try:
         if text.replace("-", " ") in KNOWN:
@@ -269,8 +269,8 @@ def bearing(
 ) -> Asked:
     """Which inputs follow from another ball, speed, oil or material."""
     given = locals()
-    from thirdbody.answers.bearing import bearing as inputs_of
-    from thirdbody.answers.bearing import derived
+    from thirdbody.bearings import bearing as inputs_of
+    from thirdbody.bearings import derived
 
     changes = {name: given[name] for name in given.keys() - {"write", "json"}}
     found = inputs_of(**changes)
@@ -403,8 +403,8 @@ def compare_data(
 ) -> Asked:
     """Compare your measurements with the model: residuals, ensemble ranges, a figure."""
     given = locals()
-    from thirdbody.measured.comparison import compare as compare_with_model
-    from thirdbody.measured.estimates import Assumed
+    from thirdbody.lab.comparison import compare as compare_with_model
+    from thirdbody.lab.estimates import Assumed
 
     assumed = {key: given[key] for key in vars(Assumed()) if given[key] is not None}
     found = compare_with_model(
@@ -435,7 +435,7 @@ def _interface(given: Mapping[str, Any]) -> Any:
 
 
 def _inputs(path: str | None, option: str = "inputs") -> Any:
-    from thirdbody.configuration.inputs import load_parameters
+    from thirdbody.inputs import load_parameters
 
     try:
         return load_parameters(path)
@@ -472,7 +472,7 @@ def _writing() -> Iterator[None]:
 
 
 def _write(path: str, text: str) -> None:
-    from thirdbody.data.files import atomic_write
+    from thirdbody.files import atomic_write
 
     with _writing(), atomic_write(path) as part:
         part.write_text(text, encoding="utf-8")
@@ -487,7 +487,7 @@ def _write_table(path: str | None, found: Any) -> None:
 def _write_plot(path: str | None, draw: Callable) -> None:
     """Draw a figure and write it, if a path is given."""
     if path is not None:
-        from thirdbody.figures.drawing import save_figure
+        from thirdbody.plotting.drawing import save_figure
 
         figure = draw()
         with _writing():

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import broadcast_by_name, check_rtol, checked_variables, read_conditions
-from thirdbody.configuration.inputs import or_calibrated
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import FLAG_MEANINGS, codes_to_name
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import VARIABLES
+from thirdbody.inputs import or_calibrated
 from thirdbody.progress import Progress
 
 if TYPE_CHECKING:
@@ -246,7 +246,7 @@ class Solution:
         >>> dataset["separation"].attrs["units"]
         'm'
         """
-        from thirdbody.data.labels import labelled_dataset
+        from thirdbody.labels import labelled_dataset
 
         return labelled_dataset(self)
 
@@ -275,7 +275,7 @@ class Solution:
         >>> table[["load [1]", "lubrication_regime"]].to_dict("list")
         {'load [1]': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
         """
-        from thirdbody.data.labels import labelled_frame
+        from thirdbody.labels import labelled_frame
 
         return labelled_frame(self)
 

@@ -12,12 +12,11 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
-from thirdbody.answers.bearing import bearing, implied_speed
-from thirdbody.configuration import config_directory
-from thirdbody.configuration.inputs import load_parameters
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.conditions import Condition
-from thirdbody.measured.oil import oil_viscosity
+from thirdbody.bearings import bearing, implied_speed
+from thirdbody.curves import Condition
+from thirdbody.inputs import load_parameters
+from thirdbody.lab.oil import oil_viscosity
+from thirdbody.plain_yaml import config_directory, read_yaml
 from thirdbody.points import solve
 
 LARGEST = 3e6  # bytes of the page

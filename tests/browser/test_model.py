@@ -6,13 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from thirdbody.configuration import config_directory
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.parameters import BOUNDS, WORDS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.core.state import QUANTITIES
-from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.paper.tables import TABLES, read_csv
+from thirdbody.plain_yaml import config_directory, read_yaml
 from thirdbody.points import solve
 from thirdbody.variables import CONDITION_AXES
 

@@ -19,7 +19,7 @@ def results():
 @pytest.fixture(scope="session")
 def datasets(results):
     """The datasets of all figures; one that is missing or damaged is an error."""
-    from thirdbody.data.netcdf import read_plain
+    from thirdbody.netcdf import read_plain
 
     return {
         figure: read_plain(results / "datasets" / f"{figure}.nc").to_xarray() for figure in FIGURES
@@ -41,7 +41,7 @@ def dataset(figure, datasets):
 @pytest.fixture(scope="session")
 def curves(dataset):
     """Conditions (4, curves), and each variable as (loads, curves), of the shown curves."""
-    from thirdbody.data.extraction import curves_of
+    from thirdbody.paper.extraction import curves_of
 
     conditions, shown = curves_of(dataset)
     return conditions, {name: dataset[name].values[:, shown] for name in dataset.data_vars}

@@ -10,9 +10,9 @@ import pytest
 import yaml
 
 import thirdbody as tb
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.state import QUANTITIES
+from thirdbody.plain_yaml import read_yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.results

@@ -8,8 +8,8 @@ import pytest
 from methods import METHODS, solved_by
 from small_release import make_release
 
-from thirdbody.figures.drawing import STYLE
-from thirdbody.release.citation import Release
+from thirdbody.paper.archive.citation import Release
+from thirdbody.plotting.drawing import STYLE
 
 ROOT = Path(__file__).resolve().parents[2]
 

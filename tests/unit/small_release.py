@@ -8,11 +8,11 @@ import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.netcdf import write_dataset
-from thirdbody.data.tables import DRAWN_POINTS, TABLES, write_csv
-from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.staging import pack, stage
+from thirdbody.grids import scene_dataset
+from thirdbody.netcdf import write_dataset
+from thirdbody.paper.archive.citation import Release, software_versions
+from thirdbody.paper.archive.staging import pack, stage
+from thirdbody.paper.tables import DRAWN_POINTS, TABLES, write_csv
 
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {

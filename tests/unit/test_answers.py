@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.answers.answer import Row
-from thirdbody.answers.bearing import MATERIALS, Material, derived
+from thirdbody.bearings import MATERIALS, Material, derived
 from thirdbody.core.regimes import LUBRICATION_REGIMES
 from thirdbody.variables import QUANTITIES
 

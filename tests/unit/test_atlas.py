@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.atlas.catalogue import chart_panels, chart_rows, open_atlas, write_catalogue
-from thirdbody.atlas.chunk import atlas_axes, write_chunk
-from thirdbody.atlas.surfaces import quantiles
 from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
+from thirdbody.paper.atlas.catalogue import chart_panels, chart_rows, open_atlas, write_catalogue
+from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
+from thirdbody.paper.atlas.surfaces import quantiles
 from thirdbody.variables import DIMENSIONS
 
 RTOL = 1e-3

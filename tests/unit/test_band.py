@@ -9,12 +9,12 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
-from thirdbody.data.conditions import Condition
-from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.netcdf import read_plain, write_dataset
-from thirdbody.data.quantities import FILL_FLAG
+from thirdbody.curves import Condition
+from thirdbody.grids import scene_dataset
+from thirdbody.netcdf import read_plain, write_dataset
+from thirdbody.paper.bands import BAND_RTOL, band
 from thirdbody.points import solve
-from thirdbody.study.band import BAND_RTOL, band
+from thirdbody.ranges import FILL_FLAG
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 DENSITY = 1e11

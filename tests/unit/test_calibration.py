@@ -9,11 +9,15 @@ import pytest
 import yaml
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration.inputs import plain_values, read_calibrated, read_entries
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.tables import TABLES
-from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.choice import (
+from thirdbody.inputs import plain_values, read_calibrated, read_entries
+from thirdbody.paper.calibration.calibration import (
+    Interpretation,
+    Objective,
+    Unknown,
+    loss,
+    make_folds,
+)
+from thirdbody.paper.calibration.choice import (
     Candidate,
     choose_default,
     equal_ensemble,
@@ -23,11 +27,8 @@ from thirdbody.study.choice import (
     printed_numbers,
     rank_interpretations,
 )
-from thirdbody.study.claim import Verdict
-from thirdbody.study.claims import load_claims
-from thirdbody.study.kinds import Value, Window
-from thirdbody.study.results import acceptable, shortlist, summary
-from thirdbody.study.search import (
+from thirdbody.paper.calibration.results import acceptable, shortlist, summary
+from thirdbody.paper.calibration.search import (
     _loss,
     _wide_loss,
     best_of,
@@ -38,6 +39,11 @@ from thirdbody.study.search import (
     scattered_starts,
     search,
 )
+from thirdbody.paper.claims.claim import Verdict
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.claims.kinds import Value, Window
+from thirdbody.paper.tables import TABLES
+from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")

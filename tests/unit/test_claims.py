@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from thirdbody.core.turning_points import PROMINENCE, TurningPoints
-from thirdbody.study import claims
-from thirdbody.study.claim import CONDITION_KEYS, MISSING_SCORE
-from thirdbody.study.evidence import FULL_EFFORT, curve_of
-from thirdbody.study.kinds import KINDS
+from thirdbody.paper.claims import claims
+from thirdbody.paper.claims.claim import CONDITION_KEYS, MISSING_SCORE
+from thirdbody.paper.claims.evidence import FULL_EFFORT, curve_of
+from thirdbody.paper.claims.kinds import KINDS
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)

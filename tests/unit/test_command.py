@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 import thirdbody as tb
+from thirdbody import inputs
 from thirdbody.__main__ import run as command
 from thirdbody.command import ANSWERED, BAD_INPUT, EXAMPLES, NONE_FOUND, NOT_WRITTEN, STOPPED, main
-from thirdbody.configuration import inputs
-from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.plain_yaml import read_yaml
 
 DRY = "--viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0 --load-N 10"
 CURVE = f"curve {DRY} --particle-diameter-nm 0 --along load --from 1 --to 2"

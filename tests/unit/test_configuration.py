@@ -9,12 +9,11 @@ from pathlib import Path
 import pytest
 import yaml
 
-from thirdbody.configuration import config_directory
-from thirdbody.configuration.inputs import load_parameters, read_calibrated, read_entries
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import read_schema
-from thirdbody.configuration.settings import read_settings, workflow_settings
 from thirdbody.core.parameters import Parameters
+from thirdbody.inputs import load_parameters, read_calibrated, read_entries
+from thirdbody.paper.configuration.schema import read_schema
+from thirdbody.paper.configuration.settings import read_settings, workflow_settings
+from thirdbody.plain_yaml import config_directory, read_yaml
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

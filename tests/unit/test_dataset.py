@@ -13,9 +13,9 @@ from small_release import KEYS
 
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.data.dataset import crossed, scene_dataset, scene_groups
-from thirdbody.data.netcdf import read_plain, write_dataset
-from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT
+from thirdbody.grids import crossed, scene_dataset, scene_groups
+from thirdbody.netcdf import read_plain, write_dataset
+from thirdbody.ranges import FILL_FLAG, FILL_FLOAT
 from thirdbody.variables import FLAGS, NUMBERS
 
 ROOT = Path(__file__).parents[2]

@@ -9,7 +9,7 @@ import thirdbody as tb
 from thirdbody.core.transitions import LIMITS, limit_crossings
 from thirdbody.core.turning_points import turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
-from thirdbody.data.conditions import Condition
+from thirdbody.curves import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
 

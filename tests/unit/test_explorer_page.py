@@ -8,10 +8,10 @@ from types import SimpleNamespace
 
 import pytest
 
-from thirdbody.configuration import config_directory
-from thirdbody.explorer import page as building
-from thirdbody.explorer.page import figure_content, page_text, plain_text
-from thirdbody.study.claims import load_claims
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.page import page as building
+from thirdbody.paper.page.page import figure_content, page_text, plain_text
+from thirdbody.plain_yaml import config_directory
 
 HERE = Path(building.__file__).parent
 CURVE = "nu = 90 cSt; x_a = 300 nm; sigma = 300 nm; eta_a = 1e+11 m-2"

@@ -10,20 +10,20 @@ import yaml
 from matplotlib.colors import to_rgb
 
 import thirdbody as tb
-from thirdbody.data.conditions import Condition, condition_key
-from thirdbody.data.dataset import scene_dataset
-from thirdbody.figures import charts
-from thirdbody.figures.captions import WORDS, caption, read_caption
-from thirdbody.figures.crowding import GREY_TEXT
-from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in, level_styles
-from thirdbody.figures.drawing import SUFFIXES, save, write_wide
-from thirdbody.figures.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, TOLERANCE, WINDOW
-from thirdbody.figures.marks import TURNING_POINTS as STARS
-from thirdbody.figures.panels import CURVE
-from thirdbody.figures.scales import power_text
-from thirdbody.figures.schematics import SCHEMATICS
-from thirdbody.figures.sections import STRETCH, sections, state_of
-from thirdbody.study.claims import load_claims, printed_rows
+from thirdbody.curves import Condition, condition_key
+from thirdbody.grids import scene_dataset
+from thirdbody.paper.claims.claims import load_claims, printed_rows
+from thirdbody.plotting import charts
+from thirdbody.plotting.captions import WORDS, caption, read_caption
+from thirdbody.plotting.crowding import GREY_TEXT
+from thirdbody.plotting.curves import CURVE_FIGURES, curve_figure, curves_in, level_styles
+from thirdbody.plotting.drawing import SUFFIXES, save, write_wide
+from thirdbody.plotting.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, TOLERANCE, WINDOW
+from thirdbody.plotting.marks import TURNING_POINTS as STARS
+from thirdbody.plotting.panels import CURVE
+from thirdbody.plotting.scales import power_text
+from thirdbody.plotting.schematics import SCHEMATICS
+from thirdbody.plotting.sections import STRETCH, sections, state_of
 from thirdbody.variables import CONDITION_AXES, QUANTITIES
 
 pytestmark = pytest.mark.usefixtures("style")

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from thirdbody.data.files import atomic_write
+from thirdbody.files import atomic_write
 
 
 def listing(folder):
@@ -26,7 +26,7 @@ def test_products_appear_once_their_block_is_done(tmp_path):
 
 WRITER = """
 import sys
-from thirdbody.data.files import atomic_write
+from thirdbody.files import atomic_write
 with atomic_write("a.csv", "b.csv") as (first, _):
     first.write_text("half")
     print("begun", flush=True)

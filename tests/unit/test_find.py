@@ -7,9 +7,9 @@ import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.answers.find import FULL_FILM, sample
 from thirdbody.conditions import from_si, read_conditions
 from thirdbody.core.transitions import LIMITS
+from thirdbody.searches import FULL_FILM, sample
 from thirdbody.variables import BY_ALIAS
 
 pytestmark = pytest.mark.filterwarnings("error")

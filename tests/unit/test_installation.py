@@ -23,8 +23,8 @@ LACKING = {
     "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
     "from thirdbody import Solution; Solution().to_dataframe()": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.Interface": ("xarray, netCDF4", "data"),
-    "import thirdbody.figures.panel": ("matplotlib", "figures"),
-    "import thirdbody.study.search": ("cma, emcee, jinja2, pandas, tabulate", "study"),
+    "import thirdbody.plotting.panel": ("matplotlib", "figures"),
+    "import thirdbody.paper.calibration.search": ("cma, emcee, jinja2, pandas, tabulate", "study"),
 }
 
 

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from thirdbody.data.files import require_sums, unreadable
-from thirdbody.job_log import job, logged
+from thirdbody.files import require_sums, unreadable
+from thirdbody.paper.job_log import job, logged
 
 
 def test_what_is_printed_goes_to_the_log_in_utf_8(tmp_path, capsys, monkeypatch):

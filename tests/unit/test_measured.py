@@ -8,10 +8,10 @@ import pandas as pd
 import pytest
 
 import thirdbody as tb
-from thirdbody.answers.bearing import MATERIALS
+from thirdbody.bearings import MATERIALS
 from thirdbody.command import main
-from thirdbody.measured.estimates import Assumed
-from thirdbody.measured.oil import GRADES, viscosity_index_of
+from thirdbody.lab.estimates import Assumed
+from thirdbody.lab.oil import GRADES, viscosity_index_of
 
 DOCS = Path(__file__).parents[2] / "docs"
 REST = dict(viscosity_cSt=90, particle_diameter_nm=500, roughness_nm=300)

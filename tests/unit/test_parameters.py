@@ -13,13 +13,12 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from benchmarks.points import parameters_on_one_surface
+from thirdbody.attributes import model_attribute
 from thirdbody.command import BAD_INPUT, main
-from thirdbody.configuration import config_directory
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.settings import workflow_settings
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
-from thirdbody.data.attributes import model_attribute
 from thirdbody.messages import format_value
+from thirdbody.paper.configuration.settings import workflow_settings
+from thirdbody.plain_yaml import config_directory, read_yaml
 
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]
 CONTRACT = Path(__file__).parents[2] / "verification" / "contract.py"

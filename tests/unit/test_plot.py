@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 
 import thirdbody as tb
-from thirdbody.figures.scales import SCALES
+from thirdbody.plotting.scales import SCALES
 from thirdbody.variables import AXES as CONDITIONS
 
 pytestmark = pytest.mark.filterwarnings("error")

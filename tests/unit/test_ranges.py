@@ -11,11 +11,10 @@ from methods import ENGINEERING
 
 import thirdbody as tb
 from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, shares_within
-from thirdbody.configuration import config_directory
-from thirdbody.configuration.inputs import BELONGS_TO, CALIBRATED
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.parameters import WORDS
-from thirdbody.data.quantities import ENDS
+from thirdbody.inputs import BELONGS_TO, CALIBRATED
+from thirdbody.plain_yaml import config_directory, read_yaml
+from thirdbody.ranges import ENDS
 
 DEFAULT = read_yaml(config_directory() / "config.yaml")["calibrated"]
 

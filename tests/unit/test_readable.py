@@ -2,7 +2,7 @@
 
 import pytest
 
-from thirdbody.readable import Sheet, latex_text, page, readable, result_name, rounded
+from thirdbody.paper.sheets import Sheet, latex_text, page, readable, result_name, rounded
 
 NEWTONS = 1e5  # per load
 CURVE = {"viscosity_m2_per_s": 9e-5, "particle_diameter_m": 3e-7, "roughness_m": 3e-7}

@@ -24,10 +24,10 @@ from rocrate_validator.services import ValidationSettings, validate
 from rocrate_validator.utils.http import HttpRequester
 from small_release import SCENES
 
-from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.release.citation import Release
-from thirdbody.release.descriptions import describe_content, schema_of
-from thirdbody.release.files import files_in, render, source_files
+from thirdbody.paper.archive.citation import Release
+from thirdbody.paper.archive.descriptions import describe_content, schema_of
+from thirdbody.paper.archive.files import files_in, render, source_files
+from thirdbody.paper.tables import TABLES, write_csv
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "tests" / "schemas"

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.dataset import scene_groups
+from thirdbody.grids import scene_groups
+from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import CONDITION_AXES
 
 NEWTONS = 7.0e5

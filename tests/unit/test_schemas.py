@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.atlas.chunk import atlas_axes, axis_values
-from thirdbody.configuration.inputs import read_entries, values_schema
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import validate
+from thirdbody.inputs import read_entries, values_schema
+from thirdbody.paper.atlas.chunk import atlas_axes, axis_values
+from thirdbody.paper.configuration.schema import validate
+from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import AXES
 
 ROOT = Path(__file__).parents[2]

@@ -8,9 +8,9 @@ import pytest
 import thirdbody as tb
 from thirdbody.answers.sizes import sizes_note
 from thirdbody.core.particles import ParticleLayer
-from thirdbody.data.conditions import Condition
-from thirdbody.data.netcdf import read_plain, write_dataset
-from thirdbody.figures.sections import (
+from thirdbody.curves import Condition
+from thirdbody.netcdf import read_plain, write_dataset
+from thirdbody.plotting.sections import (
     STRETCH,
     VARIABLES,
     section_through,

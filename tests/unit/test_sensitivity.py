@@ -7,13 +7,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.transitions import LIMITS
-from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.figures.sensitivity import LEAST, plot
-from thirdbody.points import solve
-from thirdbody.study.evidence import FULL_EFFORT, solve_evidence
-from thirdbody.study.sensitivity import (
+from thirdbody.paper.claims.evidence import FULL_EFFORT, solve_evidence
+from thirdbody.paper.sensitivity import (
     STEP,
     Subject,
     elasticities,
@@ -21,6 +17,10 @@ from thirdbody.study.sensitivity import (
     sensitivity_rows,
     varied_inputs,
 )
+from thirdbody.paper.tables import TABLES, read_csv, write_csv
+from thirdbody.plain_yaml import read_yaml
+from thirdbody.plotting.sensitivity import LEAST, plot
+from thirdbody.points import solve
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

@@ -7,8 +7,7 @@ import xarray as xr
 
 import thirdbody as tb
 from thirdbody.core.solve import solve_points
-from thirdbody.data import dataset
-from thirdbody.data.netcdf import read_plain
+from thirdbody.netcdf import read_plain
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -23,7 +22,7 @@ AXES = {
 
 @pytest.mark.parametrize("points", [1, 4, 36, 40, 100, 10**6])
 def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, points):
-    monkeypatch.setattr(dataset, "POINTS_PER_BLOCK", points)
+    monkeypatch.setattr(grids, "POINTS_PER_BLOCK", points)
     given = AXES | {"parameters": parameters}
     tb.stream(tmp_path / "grid.nc", **given)
     assert capsys.readouterr() == ("", "")
@@ -45,8 +44,8 @@ def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
             raise OSError("no room")
         return solve_points(*given, **more)
 
-    monkeypatch.setattr(dataset, "POINTS_PER_BLOCK", 50)
-    monkeypatch.setattr(dataset, "solve_points", failing)
+    monkeypatch.setattr(grids, "POINTS_PER_BLOCK", 50)
+    monkeypatch.setattr(grids, "solve_points", failing)
     with pytest.raises(OSError, match="no room"):
         tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
     assert not list(tmp_path.iterdir())

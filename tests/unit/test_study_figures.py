@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from thirdbody.figures import claims
-from thirdbody.places import part_of_paper
-from thirdbody.study import verdicts
-from thirdbody.study.claims import load_claims
-from thirdbody.typeset import mathtext
+from thirdbody.paper.claims import verdicts
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.places import part_of_paper
+from thirdbody.paper.typeset import mathtext
+from thirdbody.plotting import claims
 
 pytestmark = pytest.mark.usefixtures("style")
 

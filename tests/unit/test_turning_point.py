@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.core.turning_points import PROMINENCE, film_turning_points, turning_points
 from thirdbody.core.windows import WindowSearch, swept_windows, turning_point_windows
-from thirdbody.data.conditions import Condition
+from thirdbody.curves import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from thirdbody.data.conditions import Condition
+from thirdbody.curves import Condition
 from thirdbody.variables import AXES, CONDITION_AXES
 
 

@@ -7,23 +7,22 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from thirdbody.configuration import config_directory
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.tables import TABLES
-from thirdbody.study import verdicts
-from thirdbody.study.calibration import Interpretation
-from thirdbody.study.claim import Verdict
-from thirdbody.study.claims import load_claims
-from thirdbody.study.departures import (
+from thirdbody.paper.calibration.calibration import Interpretation
+from thirdbody.paper.claims import verdicts
+from thirdbody.paper.claims.claim import Verdict
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.claims.departures import (
     departure_rows,
     departure_verdicts,
     departure_words,
     random_inputs,
 )
-from thirdbody.study.evidence import QUICK_EFFORT
-from thirdbody.study.judge import Judge, count_once
-from thirdbody.study.kinds import Value
-from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown
+from thirdbody.paper.claims.evidence import QUICK_EFFORT
+from thirdbody.paper.claims.judge import Judge, count_once
+from thirdbody.paper.claims.kinds import Value
+from thirdbody.paper.claims.verdicts import claims_html, claims_json, claims_markdown
+from thirdbody.paper.tables import TABLES
+from thirdbody.plain_yaml import config_directory, read_yaml
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
 CALIBRATED = read_yaml(config_directory() / "config.yaml")["calibrated"]

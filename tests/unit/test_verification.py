@@ -20,13 +20,13 @@ import pytest
 import small_release
 
 import thirdbody as tb
-from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.files import digest
-from thirdbody.data.netcdf import write_dataset
-from thirdbody.release.crate import crate
-from thirdbody.release.descriptions import data_package
-from thirdbody.release.files import files_in, write_json
-from thirdbody.release.staging import pack, seal
+from thirdbody.files import digest
+from thirdbody.grids import scene_dataset
+from thirdbody.netcdf import write_dataset
+from thirdbody.paper.archive.crate import crate
+from thirdbody.paper.archive.descriptions import data_package
+from thirdbody.paper.archive.files import files_in, write_json
+from thirdbody.paper.archive.staging import pack, seal
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"

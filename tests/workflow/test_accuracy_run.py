@@ -7,7 +7,7 @@ from workspace import ROOT
 from benchmarks.classes import CLASSES
 from tests.oracle.comparison import PLACES, RTOLS
 from tests.oracle.extended import why_not
-from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.paper.tables import TABLES, read_csv
 
 NAMES = "errors", "extremes", "oracle", "times", "uses", "targets"
 PRODUCTS = {f"accuracy/{name}.csv" for name in NAMES}

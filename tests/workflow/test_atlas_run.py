@@ -9,7 +9,7 @@ import yaml
 from workspace import ROOT
 
 import thirdbody as tb
-from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.paper.tables import TABLES, read_csv
 
 SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
 CHARTS = "largest_particle", "least_viscosity"

@@ -5,7 +5,7 @@ import re
 import shlex
 from pathlib import Path
 
-from thirdbody.data.netcdf import read_plain
+from thirdbody.netcdf import read_plain
 
 DAMAGE = {
     "fig03": lambda content: content[: len(content) // 2],

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from workspace import ROOT
 
-from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.plain_yaml import read_yaml
 
 DEFAULT = read_yaml(ROOT / "config/config.yaml")["calibrated"]
 FIGURE = ("datasets/{0}.nc", "bands/{0}.nc", "extracted/*/{0}.csv", "figures/{0}[._]*")
@@ -71,12 +71,12 @@ def test_another_definition_of_a_turning_point_extracts_and_solves_nothing(works
 
 
 def test_another_style_of_one_figure_draws_that_figure(workspace):
-    jobs = jobs_after(workspace, "src/thirdbody/figures/sensitivity.py", commented)
+    jobs = jobs_after(workspace, "src/thirdbody/plotting/sensitivity.py", commented)
     assert jobs == {"render_sensitivity": 1} | PUBLISHED
 
 
 def test_another_template_of_verdicts_judges_again_and_draws_no_figure(workspace):
-    jobs = jobs_after(workspace, "src/thirdbody/study/claims.html.j2", commented)
+    jobs = jobs_after(workspace, "src/thirdbody/paper/claims/claims.html.j2", commented)
     assert jobs == {"judge_claims": 1, "render_claims": 1, "build_explorer": 1} | PUBLISHED
 
 
@@ -95,12 +95,12 @@ def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspac
 
 
 def test_another_style_draws_again_and_solves_nothing(workspace):
-    workspace.rewrite("src/thirdbody/figures/paper.mplstyle", commented)
+    workspace.rewrite("src/thirdbody/plotting/paper.mplstyle", commented)
     assert workspace.pending() == workspace.products("figures/*", *PAGE)
 
 
 def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
-    workspace.rewrite("src/thirdbody/study/paper_tables.py", commented)
+    workspace.rewrite("src/thirdbody/paper/claims/paper_tables.py", commented)
     assert remade(workspace) == workspace.products(*PAPER_TABLES, *TABLES_SHOWN)
 
 
@@ -112,7 +112,7 @@ def test_another_film_formula_remakes_curves_and_windows_but_no_table_of_the_pap
 
 
 def test_another_layout_of_tables_writes_them_and_solves_nothing(workspace):
-    workspace.rewrite("src/thirdbody/data/tables.py", commented)
+    workspace.rewrite("src/thirdbody/paper/tables.py", commented)
     pending = workspace.pending()
     assert pending >= workspace.products("tables/*", *PAGE)
     assert pending.isdisjoint(workspace.products("datasets/*", "bands/*"))

@@ -5,7 +5,7 @@ import re
 import subprocess
 from html import unescape
 
-from thirdbody.typeset import html
+from thirdbody.paper.typeset import html
 
 CURVE_FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 FIGURES = ["fig01", "fig02", *CURVE_FIGURES]

@@ -10,8 +10,8 @@ import sys
 import pytest
 from workspace import ROOT, Workspace
 
-from thirdbody.release.citation import Release
-from thirdbody.release.files import files_in
+from thirdbody.paper.archive.citation import Release
+from thirdbody.paper.archive.files import files_in
 
 FILES = ROOT / "pyproject.toml", ROOT / "CITATION.cff"
 PAPER = Release.of(*FILES)

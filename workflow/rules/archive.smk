@@ -1,6 +1,6 @@
 # The release: a folder, its archive file, and their provenance.
-from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.files import source_files
+from thirdbody.paper.archive.citation import Release, software_versions
+from thirdbody.paper.archive.files import source_files
 
 # only the configuration of the paper is archived under the name and version of the project
 try:

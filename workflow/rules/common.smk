@@ -9,8 +9,8 @@ from pathlib import Path
 import grimp
 
 import thirdbody
-from thirdbody.configuration import config_directory
-from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.plain_yaml import config_directory
+from thirdbody.plain_yaml import read_yaml
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
 HOME = config_directory().parent  # the repository, or the installed package
@@ -32,7 +32,7 @@ CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("con
 CLAIMS = f"{CONFIG}/claims.yaml"
 PAPER_TABLES = f"{CONFIG}/paper_tables.yaml"
 INPUTS = f"{CONFIG}/inputs.yaml"
-STYLE = project_file("src/thirdbody/figures/paper.mplstyle")
+STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
 IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
 
 

@@ -10,7 +10,7 @@ rule build_explorer:
         page=[
             project_file(path)
             for folder in ("page", "vendor")
-            for path in sorted(PACKAGE.glob(f"explorer/{folder}/*.*"))
+            for path in sorted(PACKAGE.glob(f"paper/page/{folder}/*.*"))
         ],
     output:
         page=report(

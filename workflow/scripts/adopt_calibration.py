@@ -6,8 +6,8 @@ from pathlib import Path
 import pandas as pd
 import yaml
 
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.job_log import job
+from thirdbody.paper.job_log import job
+from thirdbody.plain_yaml import read_yaml
 
 PLACE = Path("config/calibrated")
 HEADER = "# Calibrated inputs of one interpretation, made by `snakemake -c2 calibrate`; not edited by hand.\n"

@@ -4,15 +4,15 @@ import json
 from itertools import product
 from pathlib import Path
 
-from thirdbody.answers.bearing import BODIES, MATERIALS, USUAL_BEARING, USUAL_DENSITY, bearing
-from thirdbody.configuration.inputs import read_entries
-from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, USUAL_DENSITY, bearing
 from thirdbody.core.parameters import Parameters
-from thirdbody.explorer.page import page_content, page_text
-from thirdbody.figures.captions import read_caption
-from thirdbody.figures.curves import CURVE_FIGURES
-from thirdbody.job_log import job
-from thirdbody.measured.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
+from thirdbody.inputs import read_entries
+from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
+from thirdbody.paper.job_log import job
+from thirdbody.paper.page.page import page_content, page_text
+from thirdbody.plain_yaml import read_yaml
+from thirdbody.plotting.captions import read_caption
+from thirdbody.plotting.curves import CURVE_FIGURES
 
 
 def rig_content(parameters):

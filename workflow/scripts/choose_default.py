@@ -2,11 +2,11 @@
 
 import json
 
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.job_log import job
-from thirdbody.study.choice import choose_default
-from thirdbody.study.claims import load_claims
-from thirdbody.study.judge import Judge
+from thirdbody.paper.calibration.choice import choose_default
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.claims.judge import Judge
+from thirdbody.paper.job_log import job
+from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:
     settings = snakemake.params.settings

@@ -3,9 +3,9 @@
 import json
 from pathlib import Path
 
-from thirdbody.job_log import job
-from thirdbody.study.calibration import read_rows
-from thirdbody.study.results import shortlist
+from thirdbody.paper.calibration.calibration import read_rows
+from thirdbody.paper.calibration.results import shortlist
+from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
     least = {

@@ -1,8 +1,8 @@
 """Compare the measurements with the targets; nothing is measured here."""
 
 from benchmarks.targets import target_rows
-from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.job_log import job
+from thirdbody.paper.job_log import job
+from thirdbody.paper.tables import TABLES, read_csv, write_csv
 
 MEASURED = "errors", "extremes", "oracle", "times", "uses"
 

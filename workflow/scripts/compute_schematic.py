@@ -2,10 +2,10 @@
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
-from thirdbody.data.conditions import Condition
-from thirdbody.data.netcdf import write_dataset
-from thirdbody.figures.sections import sections, state_of
-from thirdbody.job_log import job
+from thirdbody.curves import Condition
+from thirdbody.netcdf import write_dataset
+from thirdbody.paper.job_log import job
+from thirdbody.plotting.sections import sections, state_of
 
 
 def solved_state(conditions, parameters):

@@ -1,8 +1,8 @@
 """Extract the table of a design chart from the atlas; nothing is solved here."""
 
-from thirdbody.atlas.catalogue import chart_panels, chart_rows, open_atlas
-from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import job
+from thirdbody.paper.atlas.catalogue import chart_panels, chart_rows, open_atlas
+from thirdbody.paper.job_log import job
+from thirdbody.paper.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     chart = snakemake.wildcards.chart

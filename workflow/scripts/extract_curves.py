@@ -1,10 +1,10 @@
 """Turning points and transitions of the curves of one dataset."""
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.data.extraction import tpca_rows, transition_rows
-from thirdbody.data.netcdf import read_plain
-from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import job
+from thirdbody.netcdf import read_plain
+from thirdbody.paper.extraction import tpca_rows, transition_rows
+from thirdbody.paper.job_log import job
+from thirdbody.paper.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene

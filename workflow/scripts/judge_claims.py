@@ -1,11 +1,11 @@
 """The verdict on every statement of the paper, as a table, as pages and as data."""
 
-from thirdbody.configuration.inputs import ensemble_of, read_calibrated, read_entries
-from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import job
-from thirdbody.study.claims import load_claims
-from thirdbody.study.judge import Judge
-from thirdbody.study.verdicts import Report, claims_html, claims_json, claims_markdown
+from thirdbody.inputs import ensemble_of, read_calibrated, read_entries
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.claims.judge import Judge
+from thirdbody.paper.claims.verdicts import Report, claims_html, claims_json, claims_markdown
+from thirdbody.paper.job_log import job
+from thirdbody.paper.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     default = snakemake.params.default

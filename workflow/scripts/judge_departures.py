@@ -2,12 +2,12 @@
 
 import json
 
-from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import job
-from thirdbody.study.choice import printed_numbers
-from thirdbody.study.claims import load_claims
-from thirdbody.study.departures import departure_rows, departure_verdicts, departure_words
-from thirdbody.study.judge import Judge
+from thirdbody.paper.calibration.choice import printed_numbers
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.claims.departures import departure_rows, departure_verdicts, departure_words
+from thirdbody.paper.claims.judge import Judge
+from thirdbody.paper.job_log import job
+from thirdbody.paper.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     settings, parameters = snakemake.params.settings, snakemake.params.parameters

@@ -10,9 +10,9 @@ from datetime import UTC, datetime
 from importlib.metadata import distributions
 from pathlib import Path
 
-from thirdbody.data.files import digest
-from thirdbody.job_log import job
-from thirdbody.release.staging import pack
+from thirdbody.files import digest
+from thirdbody.paper.archive.staging import pack
+from thirdbody.paper.job_log import job
 
 
 def provenance(archive, name):

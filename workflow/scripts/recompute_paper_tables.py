@@ -1,10 +1,10 @@
 """The tables of the paper with derived entries recomputed."""
 
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.core.parameters import Parameters
-from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.job_log import job
-from thirdbody.study.paper_tables import paper_table
+from thirdbody.paper.claims.paper_tables import paper_table
+from thirdbody.paper.job_log import job
+from thirdbody.paper.tables import TABLES, write_csv
+from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:
     inputs = Parameters(**snakemake.params.parameters)

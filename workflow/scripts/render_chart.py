@@ -2,11 +2,11 @@
 
 import matplotlib.style
 
-from thirdbody.atlas.catalogue import CHARTS, chart_panels, open_atlas
-from thirdbody.figures.captions import caption
-from thirdbody.figures.charts import plot
-from thirdbody.figures.drawing import save
-from thirdbody.job_log import job
+from thirdbody.paper.atlas.catalogue import CHARTS, chart_panels, open_atlas
+from thirdbody.paper.job_log import job
+from thirdbody.plotting.captions import caption
+from thirdbody.plotting.charts import plot
+from thirdbody.plotting.drawing import save
 
 with job(snakemake) as output:
     chart = snakemake.wildcards.chart

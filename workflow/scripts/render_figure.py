@@ -4,13 +4,13 @@ import json
 
 import matplotlib.style
 
-from thirdbody.data.netcdf import read_plain
-from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.captions import caption
-from thirdbody.figures.curves import curve_figure
-from thirdbody.figures.drawing import save, write_wide
-from thirdbody.figures.marks import read_turning_points
-from thirdbody.job_log import job
+from thirdbody.netcdf import read_plain
+from thirdbody.paper.job_log import job
+from thirdbody.paper.tables import TABLES, read_csv
+from thirdbody.plotting.captions import caption
+from thirdbody.plotting.curves import curve_figure
+from thirdbody.plotting.drawing import save, write_wide
+from thirdbody.plotting.marks import read_turning_points
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene

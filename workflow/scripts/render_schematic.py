@@ -4,12 +4,12 @@ import matplotlib.style
 
 from thirdbody.answers.sizes import sizes_note
 from thirdbody.core.parameters import Parameters
-from thirdbody.data.netcdf import read_plain
-from thirdbody.figures.captions import caption
-from thirdbody.figures.drawing import save
-from thirdbody.figures.schematics import SCHEMATICS
-from thirdbody.figures.sections import VARIABLES, condition_of, panels_of
-from thirdbody.job_log import job
+from thirdbody.netcdf import read_plain
+from thirdbody.paper.job_log import job
+from thirdbody.plotting.captions import caption
+from thirdbody.plotting.drawing import save
+from thirdbody.plotting.schematics import SCHEMATICS
+from thirdbody.plotting.sections import VARIABLES, condition_of, panels_of
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.schematic

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from thirdbody.job_log import job
-from thirdbody.study.calibration import Interpretation, Objective, read_rows, write_rows
-from thirdbody.study.claims import load_claims
-from thirdbody.study.search import posterior_sample
+from thirdbody.paper.calibration.calibration import Interpretation, Objective, read_rows, write_rows
+from thirdbody.paper.calibration.search import posterior_sample
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
     settings, seed = snakemake.params.settings, int(snakemake.wildcards.seed)

@@ -2,10 +2,16 @@
 
 import numpy as np
 
-from thirdbody.job_log import job
-from thirdbody.study.calibration import Interpretation, Objective, make_folds, read_rows, write_rows
-from thirdbody.study.claims import load_claims
-from thirdbody.study.search import find_inputs, nearby_starts, scattered_starts
+from thirdbody.paper.calibration.calibration import (
+    Interpretation,
+    Objective,
+    make_folds,
+    read_rows,
+    write_rows,
+)
+from thirdbody.paper.calibration.search import find_inputs, nearby_starts, scattered_starts
+from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
     fold, settings = snakemake.params.fold, snakemake.params.settings

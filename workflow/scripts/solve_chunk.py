@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from thirdbody.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.core.parameters import Parameters
-from thirdbody.job_log import job
+from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
+from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
     settings = snakemake.params

@@ -1,9 +1,9 @@
 """Solve the points of a dataset for each member of the ensemble, for the band around its curves."""
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.data.netcdf import read_plain, write_dataset
-from thirdbody.job_log import job
-from thirdbody.study.band import band
+from thirdbody.netcdf import read_plain, write_dataset
+from thirdbody.paper.bands import band
+from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
     dataset = snakemake.input.dataset

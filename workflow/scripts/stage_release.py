@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from thirdbody.data.files import require_sums
-from thirdbody.job_log import logged
-from thirdbody.release.citation import Release
-from thirdbody.release.staging import stage
+from thirdbody.files import require_sums
+from thirdbody.paper.archive.citation import Release
+from thirdbody.paper.archive.staging import stage
+from thirdbody.paper.job_log import logged
 
 with logged(snakemake.log[0]):
     place = Path(snakemake.output.sealed).parent

@@ -2,9 +2,9 @@
 
 import yaml
 
-from thirdbody.job_log import job
-from thirdbody.study.calibration import Interpretation, read_rows
-from thirdbody.study.results import summary
+from thirdbody.paper.calibration.calibration import Interpretation, read_rows
+from thirdbody.paper.calibration.results import summary
+from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
     settings = snakemake.params.settings

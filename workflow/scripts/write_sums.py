@@ -1,7 +1,7 @@
 """Checksums of all products."""
 
-from thirdbody.data.files import sums_text
-from thirdbody.job_log import job
+from thirdbody.files import sums_text
+from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
     text = sums_text(snakemake.input, snakemake.params.folder)

@@ -1,9 +1,9 @@
 """Combine the parts of a table, and write it as CSV and, to be read, as HTML and LaTeX."""
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.job_log import job
-from thirdbody.readable import latex_text, page, readable
+from thirdbody.paper.job_log import job
+from thirdbody.paper.sheets import latex_text, page, readable
+from thirdbody.paper.tables import TABLES, read_csv, write_csv
 
 with job(snakemake) as output:
     table = snakemake.wildcards.table

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.quantities import spread
+from thirdbody.ranges import spread
 from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:

@@ -7,7 +7,24 @@ from typing import Any, Self
 import numpy as np
 
 from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles, range_note
-from thirdbody.answers.find import (
+from thirdbody.answers.sizes import sizes_note
+from thirdbody.conditions import (
+    axis_of,
+    check_count,
+    checked_variables,
+    ends_in_si,
+    from_si,
+    read_conditions,
+    without_warnings,
+)
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
+from thirdbody.core.turning_points import PROMINENCE
+from thirdbody.inputs import or_calibrated
+from thirdbody.points import Solution, solve
+from thirdbody.printed import LOADS
+from thirdbody.ranges import ranges
+from thirdbody.searches import (
     BORDERS,
     IN_FULL_FILM,
     RATIOS,
@@ -20,23 +37,6 @@ from thirdbody.answers.find import (
     turning_point,
     turning_window,
 )
-from thirdbody.answers.sizes import sizes_note
-from thirdbody.conditions import (
-    axis_of,
-    check_count,
-    checked_variables,
-    ends_in_si,
-    from_si,
-    read_conditions,
-    without_warnings,
-)
-from thirdbody.configuration.inputs import or_calibrated
-from thirdbody.configuration.printed import LOADS
-from thirdbody.core.parameters import Parameters
-from thirdbody.core.regimes import FULL_FILM_LIMIT, SOLUTION_STATUSES, codes_to_name
-from thirdbody.core.turning_points import PROMINENCE
-from thirdbody.data.quantities import ranges
-from thirdbody.points import Solution, solve
 from thirdbody.variables import AXES, BY_ALIAS, FLAGS, QUANTITIES, STATUS_MEANINGS, decimal
 
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")

@@ -10,10 +10,10 @@ import yaml
 from harm import LONG
 from workspace import ROOT
 
-from thirdbody.configuration import schema
-from thirdbody.configuration.settings import read_settings
 from thirdbody.core.parameters import Parameters
-from thirdbody.data.dataset import scene_groups
+from thirdbody.grids import scene_groups
+from thirdbody.paper.configuration import schema
+from thirdbody.paper.configuration.settings import read_settings
 
 FILES = {  # and how many mutations of each
     "config/config.yaml": 110,

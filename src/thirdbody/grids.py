@@ -1,0 +1,261 @@
+"""Solved points as a dataset with names and units over the five axes: a grid, in memory or block by
+block in a file, or a scene (the curves of one figure)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from itertools import product
+from math import prod
+from numbers import Integral
+from os import PathLike
+from pathlib import Path
+from shutil import disk_usage
+from typing import TYPE_CHECKING
+
+import netCDF4
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.attributes import described_grid
+from thirdbody.conditions import check_rtol, checked_variables, read_conditions
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
+from thirdbody.core.state import type_of
+from thirdbody.core.sweep import is_worthwhile, sweep
+from thirdbody.curves import Condition
+from thirdbody.files import atomic_write
+from thirdbody.inputs import or_calibrated
+from thirdbody.messages import format_path, format_value
+from thirdbody.netcdf import PlainDataset, declare
+from thirdbody.progress import Progress
+from thirdbody.ranges import FILL_FLAG, FILL_FLOAT
+from thirdbody.variables import (
+    CONDITION_AXES,
+    DIMENSIONS,
+    FLAGS,
+    NUMBERS,
+    STATUS,
+    VARIABLES,
+    decimal,
+)
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
+POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
+ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
+Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
+
+
+def grid(
+    *,
+    parameters: Parameters | None = None,
+    rtol: float = DEFAULT_RTOL,
+    variables: str | Collection[str] | None = None,
+    progress: bool = True,
+    **conditions: ArrayLike,
+) -> xr.Dataset:
+    """Solve every combination of five axes and return a dataset.
+
+    Parameters
+    ----------
+    parameters : Parameters, optional
+        Inputs of the model, by default the calibrated ones.
+    rtol : float, optional
+        Requested relative error of every variable [1].  From 1e-3 on, large grids are interpolated
+        over the separation, in a fifth of the time; below, every point is solved individually.
+    variables : str or collection of str, optional
+        Variables of ``Solution`` to compute; ``solution_status`` is always included.
+    progress : bool, optional
+        Whether a long call reports its progress, as in ``solve``.
+    **conditions : array_like, shape (n,) or scalar
+        The five axes, increasing, as numbers or quantities, by any of their names in
+        ``thirdbody.solve``.  Viscosity 0 is dry contact; diameter or density 0 is two-body contact.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions are the five axes.  ``solution_status`` is the status of each point; points
+        without values are nan.
+
+    Raises
+    ------
+    ValueError
+        For an axis that is missing, not 1-D, not increasing or not physical, a quantity of the
+        wrong dimension, more than 1e9 points, inputs that are not ``Parameters``, an ``rtol`` out
+        of range, or an unknown variable.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        As in ``solve``.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> oil = dict(viscosity_cSt=[0, 90], roughness_nm=300)
+    >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    >>> points = tb.grid(load_N=[1, 10], **oil, **debris, variables=["solid_load_fraction"])
+    >>> points["solid_load_fraction"].squeeze().shape
+    (2, 2)
+    >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
+    array([1., 1.])
+    """
+    parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    points = prod(axis.size for axis in axes.values())
+    with Progress(points, "points", progress) as bar:
+        if is_worthwhile(axes, rtol):
+            values = sweep(axes, parameters, rtol, names, bar.add)
+        else:
+            values = solve_points(crossed(axes), parameters, rtol, names, bar.add)
+    return described_grid(axes, values, parameters, rtol, load_key=load_key).to_xarray()
+
+
+def stream(
+    path: str | PathLike,
+    *,
+    parameters: Parameters | None = None,
+    rtol: float = DEFAULT_RTOL,
+    variables: str | Collection[str] | None = None,
+    compression: int = 0,
+    progress: bool = True,
+    **conditions: ArrayLike,
+) -> None:
+    """Solve every combination of five axes block by block, into a file.
+
+    Writes the dataset that ``grid`` would return, with only one block in memory.
+
+    Parameters
+    ----------
+    path : path
+        NetCDF-4 file to write; it is written atomically.
+    parameters, rtol, variables, progress, **conditions
+        As in ``grid``.
+    compression : int, optional
+        Level of zlib, from 0 to 9.  At the default 0 nothing is compressed, because that would take
+        longer than solving.
+
+    Raises
+    ------
+    ValueError
+        As in ``grid``, which also warns, but without a limit on the number of points.
+    OSError
+        If the path is not writable or the disk is full; without compression, before anything is solved.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import xarray as xr
+    >>> import thirdbody as tb
+    >>> oil = dict(viscosity_cSt=0, roughness_nm=300)
+    >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tb.stream(f"{folder}/grid.nc", load_N=[1, 10], **oil, **debris)
+    ...     written = xr.load_dataset(f"{folder}/grid.nc")
+    >>> written["separation"].squeeze().shape
+    (2,)
+    """
+    if not isinstance(compression, Integral) or compression not in range(10):
+        raise ValueError(f"compression is {format_value(compression)}; allowed: 0 to 9")
+    parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    shape = tuple(axis.size for axis in axes.values())
+    lengths = [*shape]
+    while prod(lengths) > POINTS_PER_BLOCK:
+        longest = max(lengths)
+        lengths[lengths.index(longest)] = -(-longest // 2)
+    types = {name: np.dtype(type_of(name)) for name in names}
+    empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
+    described = described_grid(axes, empty, parameters, rtol, load_key=load_key)
+    with atomic_write(path) as part:
+        size = prod(shape) * sum(kind.itemsize for kind in types.values())
+        free = disk_usage(Path(path).parent).free
+        if size > free and not compression:
+            raise OSError(
+                f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
+                f"most the {free:.3g} bytes free on the disk"
+            )
+        with (
+            netCDF4.Dataset(part, "w", format="NETCDF4") as file,
+            Progress(prod(shape), "points", progress) as bar,
+        ):
+            storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
+            storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
+            stored = declare(file, described, dict.fromkeys(names, storage))
+            starts = [range(0, size, length) for size, length in zip(shape, lengths)]
+            for corner in product(*starts):
+                block = tuple(slice(i, i + length) for i, length in zip(corner, lengths))
+                sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
+                values = solve_points(crossed(sides), parameters, rtol, names)
+                for name, variable in stored.items():
+                    variable[block] = values[name]
+                bar.add(values[STATUS].size)
+
+
+def _read_grid(parameters, rtol, variables, conditions):
+    """Inputs, names of variables, axes [SI] and the name of the load as given; the status, which explains nan, is
+    always included."""
+    parameters = or_calibrated(parameters)
+    check_rtol(rtol)
+    variables = checked_variables(variables, VARIABLES)
+    names = [name for name in VARIABLES if name in variables or name == STATUS]
+    read = read_conditions(conditions, parameters)
+    axes = {name: np.atleast_1d(values) for name, values in read.arrays.items()}
+    for name, axis in axes.items():
+        if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
+            message = f"{read.keys[name]} of shape {axis.shape} does not increase"
+            raise ValueError(f"{message}; allowed: one increasing dimension")
+    return parameters, names, axes, read.keys["load"]
+
+
+def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
+    """The axes ``sides`` of a grid as arrays that broadcast to all points."""
+    return dict(zip(sides, np.ix_(*sides.values()), strict=True))
+
+
+def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
+    """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
+    of five axes, with the same loads: logarithmically spaced, plus those named in the text between
+    the ends.  Diameters relative to the roughness make a group for each roughness.
+    """
+    axis = scene["load_axis"]
+    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load)
+    named = [load for load in scene.get("named_loads", []) if first <= load <= last]
+    load = np.unique([*np.geomspace(first, last, axis["count"]), *named])
+    entries = []
+    for entry in scene["curves"]:
+        if RELATIVE_DIAMETER not in entry:
+            entries.append(entry)
+            continue
+        for sigma in entry["roughness_nm"]:
+            diameters = [ratio * sigma for ratio in entry[RELATIVE_DIAMETER]]
+            entries.append(entry | {"roughness_nm": [sigma], "particle_diameter_nm": diameters})
+    return [
+        {"load": load} | {axis.name: axis.values(entry[axis.alias]) for axis in CONDITION_AXES}
+        for entry in entries
+    ]
+
+
+def scene_dataset(
+    scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
+) -> PlainDataset:
+    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables
+    over the five axes.  Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
+    """
+    groups = scene_groups(scene, parameters.newtons_per_load)
+    axes = {
+        name: np.unique(np.concatenate([group[name] for group in groups])) for name in DIMENSIONS
+    }
+    shape = tuple(axis.size for axis in axes.values())
+    values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
+    values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
+    for group in groups:
+        place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
+        solved = solve_points(crossed(group), parameters, rtol)
+        for name in values:
+            values[name][place] = solved[name]
+    request = {
+        "load": axes["load"].tolist(),
+        "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
+    }
+    return described_grid(axes, values, parameters, rtol, scene["title"], request)

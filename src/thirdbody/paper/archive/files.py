@@ -1,0 +1,84 @@
+"""Files of a release: its sources, their names and types, and texts from the templates in
+``templates/``."""
+
+import json
+import mimetypes
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+DATA_LICENCE = "CC-BY-4.0"
+KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
+
+
+def media_type(name: str) -> str:
+    """Media type of a file by its suffix; unknown suffixes give plain text."""
+    return KNOWN_TYPES.guess_type(name)[0] or "text/plain"
+
+
+def source_files() -> list[str]:
+    """Sorted paths of the sources in the current folder, the root of the project: all files that
+    git tracks or would track; in an unpacked archive, those that ``.gitignore`` does not name.
+    ``OSError`` if git is not installed, or cannot read the folder."""
+    listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    with tempfile.TemporaryDirectory() as empty:
+        if not Path(".git").exists():
+            _git("init", "--quiet", "--bare", empty)
+            listing = [f"--git-dir={empty}", "--work-tree=.", *listing]
+        names = _git(*listing).split("\0")
+    return sorted({name for name in names if name and Path(name).is_file()})
+
+
+def _git(*arguments: str) -> str:
+    try:
+        done = subprocess.run(
+            ["git", *arguments], capture_output=True, encoding="utf-8", check=True
+        )
+    except FileNotFoundError:
+        raise OSError("git is not installed; a release needs it to list the sources") from None
+    except subprocess.CalledProcessError as error:
+        reason = " ".join(error.stderr.split())
+        raise OSError(f"git cannot list the sources ({reason})") from None
+    return done.stdout
+
+
+def files_in(folder: Path, root: Path) -> list[str]:
+    """Sorted names of all files below ``folder``, relative to ``root``, with forward slashes."""
+    paths = (path for path in folder.rglob("*") if path.is_file())
+    return sorted(path.relative_to(root).as_posix() for path in paths)
+
+
+def write_json(path: Path, content: Any) -> None:
+    """Write ``content`` to the file ``path``; its folder is created if missing."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def render(template: str, **values: Any) -> str:
+    """Text of a template with ``values`` and the filter ``text`` (``markdown_text``)."""
+    environment = Environment(
+        loader=PackageLoader("thirdbody.paper.archive"),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters["text"] = markdown_text
+    environment.policies["json.dumps_kwargs"] = {}  # keys in their order
+    return environment.get_template(template).render(data_licence=DATA_LICENCE, **values)
+
+
+def render_json(template: str, **values: Any) -> dict[str, Any]:
+    """Content of a template that is JSON."""
+    return json.loads(render(template, **values))
+
+
+def markdown_text(text: str) -> str:
+    """``text`` as one line of Markdown, with markup and HTML escaped."""
+    line = " ".join(str(text).split())
+    line = line.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return re.sub(r"([\\`*_{}\[\]()#+!|~$])", r"\\\1", line)

@@ -1,0 +1,74 @@
+"""The range of the ensemble around the curves of a dataset."""
+
+import hashlib
+import json
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import solve_points
+from thirdbody.curves import Condition
+from thirdbody.netcdf import PlainDataset, Variable
+from thirdbody.ranges import ENDS, FILL_FLOAT, curves_of
+from thirdbody.variables import DIMENSIONS, QUANTITIES
+
+BAND_RTOL = 1e-4  # for each member: an error far below a line width
+SUFFIXES = "low", "high"
+ATTRIBUTES = {
+    "summary": (
+        "Range of each quantity, 5 to 95 %, over an ensemble of inputs that explain the paper's statements about "
+        "equally well, at the points of the dataset of this figure."
+    ),
+    "comment": (
+        "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. Each member is "
+        "solved at the same F_t*, which is another normal load where its apparent area differs. A member that has no "
+        "solution at a point does not count there. ensemble gives what differs from the default in each member, by the "
+        "names of config/inputs.yaml, SI."
+    ),
+}
+
+
+def band(
+    dataset: PlainDataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
+) -> PlainDataset:
+    """Both ends of the range of each quantity, ``<quantity>_low`` and ``_high``, over the ``ensemble``, whose
+    members have the inputs that differ from ``base``, SI, at the points of ``dataset``."""
+    conditions, shown = curves_of(dataset)
+    load = dataset["load"].values[:, None]
+    points = {"load": load, **Condition(*conditions)._asdict()}
+    solved = [
+        solve_points(points, replace(base, **member), BAND_RTOL, tuple(QUANTITIES))
+        for member in ensemble
+    ]
+    variables = {}
+    for name in QUANTITIES:
+        with warnings.catch_warnings():
+            warnings.filterwarnings(
+                "ignore", "All-NaN", RuntimeWarning
+            )  # where no member is solved
+            ends = np.nanquantile([member[name] for member in solved], ENDS, axis=0)
+        for suffix, fraction, values in zip(SUFFIXES, ENDS, ends, strict=True):
+            whole = np.full((len(load), *shown.shape), FILL_FLOAT)
+            whole[:, shown] = values
+            variable = dataset[name].attrs
+            described = {key: variable[key] for key in ("units", "symbol", "equation")}
+            described["long_name"] = (
+                f"{variable['long_name']}, {fraction:g} quantile of the ensemble"
+            )
+            described["coverage_content_type"] = "modelResult"
+            filled = {"_FillValue": FILL_FLOAT}
+            variables[f"{name}_{suffix}"] = Variable(DIMENSIONS, whole, described, filled)
+    members = json.dumps([dict(member) for member in ensemble])
+    origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
+    attributes = dataset.attrs | {
+        "title": f"{dataset.attrs['title']}: range of the ensemble",
+        **ATTRIBUTES,
+        "configuration_sha256": hashlib.sha256(origin.encode()).hexdigest(),
+        "rtol": BAND_RTOL,
+        "ensemble": members,
+    }
+    return PlainDataset(variables, dataset.coords, attributes)

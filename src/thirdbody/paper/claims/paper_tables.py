@@ -1,0 +1,69 @@
+"""Tables 1 and 2 of the paper as printed, with derived entries recomputed."""
+
+from collections.abc import Mapping, Sequence
+
+from thirdbody.core.parameters import Parameters
+from thirdbody.printed import STEEL_MODULUS
+
+
+def _force_unit(inputs: Parameters) -> float:
+    """E_ss R_x^2 [N]."""
+    return inputs.elastic_modulus_surfaces * inputs.ball_radius**2
+
+
+# Each in the unit of its entry, from the inputs and the printed numbers of the same table by symbol
+RECOMPUTED = {
+    "hertz_modulus": lambda inputs, printed: [
+        STEEL_MODULUS / (2.0 * (1.0 - ratio**2)) / 1e9 for ratio in printed["v_s1, v_s2, v_a"]
+    ],
+    "normal_load": lambda inputs, printed: [
+        each * 1e-5 * _force_unit(inputs) for each in printed["W"]
+    ],
+    "load_parameter": lambda inputs, printed: [
+        newtons / _force_unit(inputs) * 1e5 for newtons in printed["F_t"]
+    ],
+    "speed_parameter": lambda inputs, printed: [
+        inputs.speed_per_viscosity * each * 1e-6 * 1e10 for each in printed["nu"]
+    ],
+    "roughness_parameter": lambda inputs, printed: [
+        each * 1e-9 / inputs.ball_radius * 1e5 for each in printed["sigma"]
+    ],
+    "hardness_parameter": lambda inputs, printed: [
+        inputs.softer_hardness / inputs.elastic_modulus_surfaces
+    ],
+}
+
+
+def paper_table(rows: Sequence[Mapping], inputs: Parameters) -> list[dict]:
+    """Rows of the table ``paper_table``: the ``rows`` of a table in ``config/paper_tables.yaml``, in the same
+    order, with derived entries recomputed from ``inputs``; ``ValueError`` if a row that they need is missing."""
+    printed = {row["symbol"]: row["printed"] for row in rows}
+    return [_with_recomputed(row, printed, inputs) for row in rows]
+
+
+def _with_recomputed(row, printed, inputs):
+    recomputed = []
+    if "recompute" in row:
+        try:
+            recomputed = RECOMPUTED[row["recompute"]](inputs, printed)
+        except KeyError as missing:
+            message = f"paper_tables: recompute is {row['recompute']}"
+            raise ValueError(f"{message}; allowed: in a table with the symbol {missing}") from None
+    differing = [
+        f"printed {a:g} against {b:.{row['digits'] + 1}g}"
+        for a, b in zip(row["printed"], recomputed)
+        if float(f"{b:.{row['digits']}g}") != a
+    ]
+    verdict = "differs" if differing else "agrees"
+    return (
+        {name: row[name] for name in ("property", "symbol", "unit")}
+        | _ends("printed", row["printed"])
+        | _ends("recomputed", recomputed)
+        | {"verdict": verdict if recomputed else "input"}
+        | {"remark": "; ".join(filter(None, [*differing, row.get("remark")]))}
+    )
+
+
+def _ends(name: str, values: list) -> dict:
+    low, high = (*values, None, None)[:2]
+    return {f"{name}_low": low, f"{name}_high": high}

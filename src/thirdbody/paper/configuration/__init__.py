@@ -1,0 +1,1 @@
+"""The settings of the workflow, checked as a whole before anything is computed."""

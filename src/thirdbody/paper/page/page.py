@@ -1,0 +1,206 @@
+"""The page: content collected from products of the workflow, put into one HTML file with the
+template, style and scripts of the folder ``page/`` and with D3.  It computes the curves itself."""
+
+import json
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from thirdbody.core.parameters import BOUNDS
+from thirdbody.paper.places import part_of_paper
+from thirdbody.paper.tables import DRAWN_POINTS, read_csv
+from thirdbody.variables import AXES, CONDITION_AXES, QUANTITIES, STATUS_MEANINGS
+
+HERE = Path(__file__).parent
+FIRST = "main.js"  # the script that imports all others
+IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
+EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
+NODES = 48  # of the integrals computed in the page
+DIGITS = 5  # of coordinates in panels
+CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
+PRINTED, LEVEL, TOLERANCE = "printed; ", "printed at every load; ", "tolerance; "
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+# what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
+MARKUP = {
+    r"\\text\s*\{([^}]*)\}": r"\1",
+    r"\\(sigma|nu|eta)(?![a-z])": lambda found: {"sigma": "σ", "nu": "ν", "eta": "η"}[found[1]],
+    r"\s*\\times\s*": "×",
+    r"\\cdot": "·",
+    r"\\rightarrow": "→",
+    r"\\star|\\\*": "*",
+    r"\\([ %])": r"\1",
+    r"\^\{?\*\}?": "*",
+    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda found: found[1].translate(SUPERSCRIPTS),
+    r"_\{(\w+(?:,t)?)\}": r"_\1",
+    r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
+}
+STATED = (  # what the page shows of a statement in claims.json
+    *("id", "place", "statement", "verdict", "verdicts_of", "published", "computed"),
+    *("tolerance", "tolerance_kind", "reason"),
+)
+
+
+def page_content(
+    figures: Iterable[tuple[str | PathLike, Any, float]],
+    judged: Mapping[str, Any],
+    departures: Sequence[Mapping[str, Any]],
+    inputs: Mapping[str, Any],
+    interpretations: Sequence[Mapping[str, Any]],
+    ensemble: Sequence[Mapping[str, Any]],
+    ranges: Mapping[str, Sequence[float]],
+    rig: Mapping[str, Any],
+) -> dict[str, Any]:
+    """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
+
+    ``figures`` are of each figure of curves the points drawn (.csv), the caption, with ``title`` and ``text``,
+    and where its logarithmic axis of a fraction begins, 0 for a linear one;
+    ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
+    departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
+    with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
+    ``interpretations`` have ``name``, ``title`` and ``inputs`` of each calibrated one, ``ensemble`` the
+    inputs of each member that differ from the default, ``ranges`` the first and last value of each
+    condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
+    oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
+    ``usual_density`` of an oil; and the least and most of each number that a reader gives.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    return {
+        "axes": [
+            {
+                "name": axis.name,
+                "key": axis.alias,
+                "scale": axis.scale,
+                "usual": axis.usual,
+                "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
+            }
+            for axis in AXES.values()
+        ],
+        "quantities": list(QUANTITIES),
+        "statuses": dict(STATUS_MEANINGS),
+        # Gauss-Legendre nodes and weights on the interval from 0 to 1
+        "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
+        "inputs": {
+            name: {**entry, **(BOUNDS[name]._asdict() if name in BOUNDS else {})}
+            for name, entry in inputs.items()
+        },
+        "interpretations": list(interpretations),
+        "ensemble": list(ensemble),
+        "rig": dict(rig),
+        "figures": [figure_content(*each) for each in figures],
+        **{key: judged[key] for key in ("held", "judged", "counts")},
+        "statements": [_statement(row, departures) for row in judged["statements"]],
+    }
+
+
+def _statement(row, departures):
+    """What the page shows of a statement; conditions in SI, without those it does not specify."""
+    return {key: row[key] for key in STATED} | {
+        "quote": plain_text(row["quote"]),
+        "curves": [*map(_specified, row["curves"])],
+        "references": [*map(_specified, row["references"])],
+        "part": part_of_paper(row["place"]),
+        "taken_back": {each["name"]: each["verdicts"][row["id"]] for each in departures},
+    }
+
+
+def _specified(condition):
+    return {name: value for name, value in condition.items() if value is not None}
+
+
+def plain_text(quote: str) -> str:
+    """A quote of the paper without LaTeX and Markdown: x_a = 300 nm, 3.27×10⁻⁶."""
+    for pattern, plain in MARKUP.items():
+        quote = re.sub(pattern, plain, quote)
+    return quote
+
+
+def figure_content(points: str | PathLike, caption: Any, least: float) -> dict[str, Any]:
+    """Data of a figure from its ``points`` drawn (.csv), its ``caption`` and the ``least`` fraction on a
+    logarithmic axis: the conditions [SI] of all ``curves``; for each of the ``panels`` their indices and printed
+    numbers."""
+    panels: dict[str, dict] = {}
+    for row in read_csv(points, DRAWN_POINTS):
+        names = {"x": row["x_name"], "y": row["y_name"]}
+        panel = panels.setdefault(row["panel"], {**names, "drawn": {}})
+        panel["drawn"].setdefault(row["curve"], []).append((row["x"], row["y"]))
+    drawn = dict.fromkeys(label for panel in panels.values() for label in panel["drawn"])
+    curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
+    return {
+        "name": Path(points).stem,
+        "part": caption.title.partition(". ")[0],
+        "title": caption.title,
+        "caption": caption.text,
+        "least": least,
+        "curves": [
+            {axis.name: axis.to_si(float(n)) for axis, n in zip(CONDITION_AXES, found.groups())}
+            for found in curves.values()
+        ],
+        "panels": [_panel(letter, panel, [*curves]) for letter, panel in panels.items()],
+    }
+
+
+def _panel(letter, panel, labels):
+    drawn = panel["drawn"]
+    return {
+        "letter": letter,
+        "x": panel["x"],
+        "y": panel["y"],
+        "curves": [place for place, label in enumerate(labels) if label in drawn],
+        "printed": [*_marks(PRINTED, drawn)],
+        "levels": [*_marks(LEVEL, drawn, step=2)],  # the first of both ends
+        "turning_points": "turning points" in drawn,
+        "locus": "locus of the turning points" in drawn,
+    }
+
+
+def _marks(kind, drawn, step=1):
+    """The printed numbers of one kind: each the first of ``step`` points, with both ends of its tolerance."""
+    for label in drawn:
+        if label.startswith(kind):
+            name = label.removeprefix(kind)
+            ends = _rounded(drawn[TOLERANCE + name])
+            for place, point in enumerate(_rounded(drawn[label][::step])):
+                yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
+
+
+def _rounded(points):
+    return [[float(f"{number:.{DIGITS}g}") for number in point] for point in points]
+
+
+def page_text(content: Mapping[str, Any]) -> str:
+    """The page as self-contained HTML, from the ``content`` of ``page_content``."""
+    data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    parts = {
+        "style.css": _read("page/style.css"),
+        "d3.LICENSE": _read("vendor/d3.LICENSE"),
+        "d3.min.js": _read("vendor/d3.min.js"),
+        "content.json": data.replace("<", "\\u003c"),
+        "main.js": _one_script(FIRST),
+    }
+    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("page/index.html"))
+
+
+def _one_script(first: str) -> str:
+    """Bundle a script and all its imports: each module becomes a function that is called once."""
+    joined: dict[str, str] = {}
+
+    def join(name):
+        if name in joined:
+            return
+        text = _read(f"page/{name}")
+        for _, imported in IMPORT.findall(text):
+            join(imported)
+        body = IMPORT.sub(r'const \1 = modules["\2"];', EXPORT.sub("", text))
+        exports = ", ".join(EXPORT.findall(text))
+        joined[name] = f'modules["{name}"] = (() => {{\n{body}\nreturn {{ {exports} }};\n}})();'
+
+    join(first)
+    return "const modules = {};\n" + "\n\n".join(joined.values())
+
+
+def _read(name: str) -> str:
+    return (HERE / name).read_text(encoding="utf-8").strip()
