@@ -13,8 +13,10 @@ import thirdbody as tb
 from thirdbody.curves import Condition, condition_key
 from thirdbody.grids import scene_dataset
 from thirdbody.paper.claims.claims import load_claims, printed_rows
-from thirdbody.plotting import charts
-from thirdbody.plotting.captions import WORDS, caption, read_caption
+from thirdbody.paper.figures import charts
+from thirdbody.paper.figures.captions import WORDS, caption, read_caption
+from thirdbody.paper.figures.schematics import SCHEMATICS
+from thirdbody.paper.figures.sections import STRETCH, sections, state_of
 from thirdbody.plotting.crowding import GREY_TEXT
 from thirdbody.plotting.curves import CURVE_FIGURES, curve_figure, curves_in, level_styles
 from thirdbody.plotting.drawing import SUFFIXES, save, write_wide
@@ -22,8 +24,6 @@ from thirdbody.plotting.marks import BAND, EVERY_LOAD, LOCUS, PRINTED, SLIGHT, T
 from thirdbody.plotting.marks import TURNING_POINTS as STARS
 from thirdbody.plotting.panels import CURVE
 from thirdbody.plotting.scales import power_text
-from thirdbody.plotting.schematics import SCHEMATICS
-from thirdbody.plotting.sections import STRETCH, sections, state_of
 from thirdbody.variables import CONDITION_AXES, QUANTITIES
 
 pytestmark = pytest.mark.usefixtures("style")

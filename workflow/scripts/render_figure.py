@@ -5,9 +5,9 @@ import json
 import matplotlib.style
 
 from thirdbody.netcdf import read_plain
+from thirdbody.paper.figures.captions import caption
 from thirdbody.paper.job_log import job
 from thirdbody.paper.tables import TABLES, read_csv
-from thirdbody.plotting.captions import caption
 from thirdbody.plotting.curves import curve_figure
 from thirdbody.plotting.drawing import save, write_wide
 from thirdbody.plotting.marks import read_turning_points

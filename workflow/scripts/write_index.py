@@ -7,10 +7,10 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
+from thirdbody.paper.figures.captions import WORDS, read_caption
 from thirdbody.paper.job_log import job
 from thirdbody.paper.places import part_of_paper
 from thirdbody.paper.typeset import html
-from thirdbody.plotting.captions import WORDS, read_caption
 
 # a line on each table
 TABLES = {

@@ -16,8 +16,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from thirdbody.files import atomic_write
+from thirdbody.paper.figures.captions import Caption
 from thirdbody.paper.tables import DRAWN_POINTS, write_csv
-from thirdbody.plotting.captions import Caption
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.variables import AXES, VARIABLES
 

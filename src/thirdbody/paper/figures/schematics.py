@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 
 from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.netcdf import PlainDataset
+from thirdbody.paper.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import label, shared_notes
-from thirdbody.plotting.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.toml_tables import toml_beside
 
 INTERFACE, MODES = 3.6, 2.75  # heights of the figures [inches]
