@@ -312,7 +312,11 @@ def curve(
 ) -> Asked:
     """All variables along one axis, as CSV and as a plot."""
     given = locals()
-    import thirdbody
+
+    def draw():
+        from thirdbody.plotting.plot import plot_curve
+
+        return plot_curve(found.values, found.along)
 
     if along not in AXES:
         raise ValueError(f"--along is {along!r}; allowed: {', '.join(AXES)}")
@@ -322,7 +326,7 @@ def curve(
     ends = _increasing(first, last)
     found = _interface(given).curve(along, *ends, count)
     _write_table(csv, found)
-    _write_plot(plot, lambda: thirdbody.plot(found))
+    _write_plot(plot, draw)
     written = " and ".join(path for path in (csv, plot) if path is not None)
     return f"{written} written" if written and not json else found, json
 

@@ -9,10 +9,10 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import read_entries
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
 from thirdbody.paper.figures.captions import read_caption
+from thirdbody.paper.figures.curves import CURVE_FIGURES
 from thirdbody.paper.job_log import job
 from thirdbody.paper.page.page import page_content, page_text
 from thirdbody.plain_yaml import read_yaml
-from thirdbody.plotting.curves import CURVE_FIGURES
 
 
 def rig_content(parameters):

@@ -3,10 +3,10 @@
 import matplotlib.style
 
 from thirdbody.paper.figures.captions import caption
+from thirdbody.paper.figures.files import save
 from thirdbody.paper.figures.sensitivity import plot
 from thirdbody.paper.job_log import job
 from thirdbody.paper.tables import TABLES, read_csv
-from thirdbody.plotting.drawing import save
 
 with job(snakemake) as output:
     rows = read_csv(snakemake.input.data, TABLES["sensitivity"])
