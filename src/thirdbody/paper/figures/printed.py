@@ -163,7 +163,7 @@ def _along_x(row, curves=()) -> Series:
     kind = ALONG_X if row["id"].startswith(row["figure"] or "none") else OF_ALL
     nothing = np.full(2, np.nan)
     return Series(
-        kind=kind,
+        kind=ALONG_X,
         name=row["id"],
         x=np.array([row["value"]]),
         y=nothing[:1],
