@@ -26,9 +26,8 @@ from thirdbody.curves import Condition
 from thirdbody.files import atomic_write
 from thirdbody.inputs import or_calibrated
 from thirdbody.messages import format_path, format_value
-from thirdbody.netcdf import PlainDataset, declare
+from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, declare
 from thirdbody.progress import Progress
-from thirdbody.ranges import FILL_FLAG, FILL_FLOAT
 from thirdbody.variables import (
     CONDITION_AXES,
     DIMENSIONS,

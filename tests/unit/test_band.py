@@ -14,7 +14,7 @@ from thirdbody.grids import scene_dataset
 from thirdbody.netcdf import read_plain, write_dataset
 from thirdbody.paper.bands import BAND_RTOL, band
 from thirdbody.points import solve
-from thirdbody.ranges import FILL_FLAG
+from thirdbody.netcdf import FILL_FLAG
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 DENSITY = 1e11

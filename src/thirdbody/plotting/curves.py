@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.legend_handler import HandlerLine2D
 from matplotlib.lines import Line2D
 
-from thirdbody.curves import Condition, condition_key
+from thirdbody.curves import Condition, condition_key, curves_of
 from thirdbody.netcdf import PlainDataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
@@ -25,7 +25,6 @@ from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, value_text
-from thirdbody.ranges import curves_of
 from thirdbody.toml_tables import toml_beside
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
