@@ -1,24 +1,16 @@
-"""A small release, for the tests of its formats and of its verification; the methods of solving."""
+"""A small release, for the tests of its formats and of its verification."""
 
 import os
 from pathlib import Path
 
 import matplotlib.style
 import pytest
-from methods import METHODS, solved_by
 from small_release import make_release
 
 from thirdbody.paper.archive.citation import Release
 from thirdbody.plotting.drawing import STYLE
 
 ROOT = Path(__file__).resolve().parents[2]
-
-
-@pytest.fixture(params=METHODS)
-def method(request):
-    """Each method of solving, by which a test solves its points."""
-    with solved_by(request.param):
-        yield request.param
 
 
 @pytest.fixture
