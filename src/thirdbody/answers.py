@@ -7,7 +7,7 @@ or have the same state.  ``attrs`` has a title, notes, and whether what was aske
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from statistics import NormalDist
 from typing import Any
 
@@ -22,12 +22,13 @@ from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.points import solve
 from thirdbody.ranges import ranges, spread
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
-from thirdbody.variables import BY_ALIAS, FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
+from thirdbody.variables import BY_ALIAS, FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
 
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other rows
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
 INVALID = "outside_film_formula", "area_exceeded"  # statuses of changes that are left out
 DIGITS = 4
+COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
 Conditions = Mapping[str, Any]
 
 
@@ -78,10 +79,12 @@ def changes(
     between: tuple[float, float] | None,
 ) -> pd.DataFrame:
     """The values of a condition, the alias ``along``, at which regime or mode changes."""
-    tables = [
-        transitions(along, between=between, parameters=each, progress=False, **conditions)
-        for each in (parameters, *parameters.members)
-    ]
+    tables = _of_each(
+        lambda inputs: transitions(
+            along, between=between, parameters=inputs, progress=False, **conditions
+        ),
+        parameters,
+    )
     invalid = tables[0][tables[0]["solution_status"].isin(INVALID)]
     places, *of_members = map(_by_border, tables, [along] * len(tables))
     axis = axis_of(along)
@@ -115,8 +118,8 @@ def turning(
     parameters: Parameters, conditions: Conditions, between_N: tuple[float, float] = LOADS
 ) -> pd.DataFrame:
     """The load at which the particle fraction of the contact area turns, and the sizes for which it does."""
-    values, *of_members = (
-        _turning_values(each, conditions, between_N) for each in (parameters, *parameters.members)
+    values, *of_members = _of_each(
+        lambda inputs: _turning_values(inputs, conditions, between_N), parameters
     )
     rows = []
     for name, (symbol, quantity, unit) in TURNING.items():
@@ -157,9 +160,9 @@ def curve(
     """
     check_count(count)
     numbers = np.geomspace(*between, count)
-    inputs = parameters, *parameters.members
-    points, *of_members = (
-        solve(**{**conditions, along: numbers}, parameters=each, progress=False) for each in inputs
+    points, *of_members = _of_each(
+        lambda inputs: solve(**conditions, **{along: numbers}, parameters=inputs, progress=False),
+        parameters,
     )
     table = {along: numbers}
     for name in QUANTITIES:
@@ -183,17 +186,18 @@ def table_text(table: pd.DataFrame) -> str:
             }
         line["range of the change" if compares else "range"] = _range_text(row)
         lines.append(line | {"unit": row["unit"], "quantity": row["quantity"]})
-    shown = pd.DataFrame(lines)
-    width = shown["quantity"].str.len().max()
-    shown["quantity"] = shown["quantity"].str.ljust(width)
-    text = shown.to_string(index=False, justify="left") if lines else "none"
+    text = "none"
+    if lines:
+        shown = pd.DataFrame(lines)
+        shown["quantity"] = shown["quantity"].str.ljust(shown["quantity"].str.len().max())
+        text = shown.to_string(index=False, justify="left")
     rows = [line.rstrip() for line in text.splitlines()]
     notes = [f"  {note}" for note in table.attrs["notes"]]
     return "\n".join([table.attrs["title"], "", *rows, "", *notes])
 
 
 def _table(title, rows, notes, is_found) -> pd.DataFrame:
-    table = pd.DataFrame(rows)
+    table = pd.DataFrame(rows, columns=None if rows else COLUMNS)
     table.attrs = {"title": title, "notes": list(notes), "found": is_found}
     return table
 
@@ -202,7 +206,8 @@ def _row(name, value, of_members) -> dict:
     """The row of a variable, or of a state by its name."""
     variable = VARIABLES[name]
     unit = "nm" if name == "separation" else "" if name in FLAGS else variable.unit
-    row = {"name": name, "symbol": variable.symbol, "quantity": variable.label, "unit": unit}
+    symbol = "" if name == STATUS else variable.symbol
+    row = {"name": name, "symbol": symbol, "quantity": variable.label, "unit": unit}
     if name in FLAGS:
         same = sum(member == value for member in of_members)
         return row | {"value": value, "agree": same, "members": len(of_members)}
@@ -222,19 +227,27 @@ def _with_range(row, value, numbers, members) -> dict:
     }
 
 
-def _states(parameters, conditions) -> Iterator[dict]:
-    """The variables of one point for the inputs and for each member: numbers, of d in nm, or names of states."""
+def _of_each(call: Callable, parameters: Parameters) -> list:
+    """The result of a call for the inputs and, without warnings of what has been checked, for each member."""
+    result = call(parameters)
     with without_warnings():
-        for inputs in (parameters, *parameters.members):
-            point = solve(**conditions, parameters=inputs)
-            numbers = {name: float(getattr(point, name)) for name in QUANTITIES}
-            numbers["separation"] *= 1e9
-            states = {name: str(getattr(point, name).item()) for name in FLAGS}
-            if states["lubrication_regime"] == "full_film":
-                states["contact_mode"] = "none"
-            yield {
-                name: value if math.isfinite(value) else None for name, value in numbers.items()
-            } | states
+        return [result, *(call(member) for member in parameters.members)]
+
+
+def _states(parameters, conditions) -> list[dict]:
+    """The variables of one point for the inputs and for each member: numbers, of d in nm, or names of states."""
+
+    def values(inputs):
+        point = solve(**conditions, parameters=inputs)
+        numbers = {name: float(getattr(point, name)) for name in QUANTITIES}
+        numbers["separation"] *= 1e9
+        numbers = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
+        states = {name: str(getattr(point, name).item()) for name in FLAGS}
+        if states["lubrication_regime"] == "full_film":
+            states["contact_mode"] = "none"
+        return numbers | states
+
+    return _of_each(values, parameters)
 
 
 def _nominal_rows(parameters, conditions) -> list[dict]:
@@ -280,9 +293,8 @@ def _turning_values(parameters, conditions, between_N) -> dict:
     layer = {name: conditions[name] for name in ("roughness_nm", "particle_density_per_m2")}
     others = {key: value for key, value in conditions.items() if key != "load_N"}
     arguments = {"parameters": parameters, "between_N": between_N}
-    with without_warnings():
-        point = turning_point(**arguments, **others, progress=False).iloc[0]
-        window = turning_window(**arguments, **layer).iloc[0]
+    point = turning_point(**arguments, **others, progress=False).iloc[0]
+    window = turning_window(**arguments, **layer).iloc[0]
     names = "load_N", "load", "peak_ratio", "solid_load_fraction"
     values = {name: float(point[name]) if point["exists"] else math.nan for name in names}
     sizes = {end: float(window[end] * conditions["roughness_nm"]) for end in ("low", "high")}

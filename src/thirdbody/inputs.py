@@ -80,10 +80,8 @@ def changed_inputs(changes: Mapping[str, Any]) -> dict[str, float | str]:
 def parameters_of(calibrated: Mapping[str, Any]) -> Parameters:
     """The inputs in the ``calibrated`` content of a file, and their ensemble, if its members differ."""
     values = calibrated["inputs"]
-    members = [values | member for member in calibrated["ensemble"]]
-    differ = any(member != members[0] for member in members)
-    ensemble_members = [Parameters(**member) for member in members] if differ else []
-    return Parameters(**values).with_members(ensemble_members)
+    members = [Parameters(**values | member) for member in calibrated["ensemble"]]
+    return Parameters(**values).with_members(members).changed()
 
 
 def or_calibrated(parameters: Parameters | None) -> Parameters:

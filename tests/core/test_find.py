@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.conditions import from_si, read_conditions
 from thirdbody.core.transitions import LIMITS
-from thirdbody.searches import FULL_FILM, sample
+from thirdbody.searches import sample
 from thirdbody.variables import BY_ALIAS
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -46,39 +46,39 @@ def dense(key, variable, level, parameters):
 def test_crossings_are_those_of_a_dense_curve(parameters, key, variable, level):
     found = tb.find(variable, level, key, parameters=parameters, **others(key))
     query, low, high, rises = dense(key, variable, level, parameters)
-    assert found.query.tolist() == query.tolist()
-    assert found.rises.tolist() == rises.tolist()
-    assert (low <= found.value + found.error).all()
-    assert (found.value - found.error <= high).all()
-    assert found.count.tolist() == np.bincount(query, minlength=3).tolist()
+    assert found.index.tolist() == query.tolist()
+    assert found["rises"].tolist() == rises.tolist()
+    assert (low <= found[key] + found["error"]).all()
+    assert (found[key] - found["error"] <= high).all()
 
 
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
 def test_the_error_bounds_the_error_made(parameters, rtol):
     best = tb.find(*LIMITS[0], "load_N", parameters=parameters, rtol=1e-11, **others("load_N"))
     found = tb.find(*LIMITS[0], "load_N", parameters=parameters, rtol=rtol, **others("load_N"))
-    assert (np.abs(found.value - best.value) <= found.error + best.error).all()
-    assert (found.error < 100.0 * rtol * found.value).all()
+    apart = np.abs(found["load_N"] - best["load_N"])
+    assert (apart <= found["error"] + best["error"]).all()
+    assert (found["error"] < 100.0 * rtol * found["load_N"]).all()
 
 
 def test_both_crossings_of_a_peak_between_values_of_the_sweep_are_found(parameters):
     given = {name: values[0] for name, values in others("load_N").items()}
     ratio = "particle_contact_area_ratio"
-    peak = float(tb.turning_point(parameters=parameters, **given).peak_ratio)
+    peak = tb.turning_point(parameters=parameters, **given)["peak_ratio"].item()
     found = tb.find(ratio, peak - 1e-5, "load_N", count=24, parameters=parameters, **given)
-    assert found.rises.tolist() == [True, False]
-    assert found.value[1] / found.value[0] < 1.1
-    assert not tb.find(ratio, peak + 1e-5, "load_N", parameters=parameters, **given).count
+    assert found["rises"].tolist() == [True, False]
+    assert found["load_N"].iloc[1] / found["load_N"].iloc[0] < 1.1
+    assert tb.find(ratio, peak + 1e-5, "load_N", parameters=parameters, **given).empty
 
 
 def test_a_full_film_has_no_changes_of_the_contact_mode():
     """Where the film carries all of the load, whatever touches does not matter."""
     layer = dict(particle_diameter_nm=300, particle_density_per_m2=1e11, roughness_nm=300)
     found = tb.transitions("viscosity_cSt", load_N=[1, 10], between=(20, 2000), **layer)
-    ends = {each.query: each.value for each in found if each.after == "full_film"}
-    assert set(ends) == {0, 1}
-    modes = [each for each in found if each.border.flag == "contact_mode"]
-    assert modes and all(each.value < ends[each.query] for each in modes)
+    ends = found.loc[found["after"] == "full_film", "viscosity_cSt"]
+    assert ends.index.tolist() == [0, 1]
+    modes = found[found["flag"] == "contact_mode"]
+    assert len(modes) and (modes["viscosity_cSt"] < ends[modes.index]).all()
 
 
 def test_transitions_along_the_load_are_those_of_every_limit(parameters):
@@ -86,13 +86,13 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
     expected = []
     for limit in LIMITS:
         found = tb.find(*limit, "load_N", parameters=parameters, **others("load_N"))
-        for query, value in zip(found.query.tolist(), found.value.tolist()):
+        for query, value in found["load_N"].items():
             state = tb.solve(load_N=value, parameters=parameters, **others("load_N"))
-            is_full = np.ravel(state.lubrication_regime)[query] == FULL_FILM
+            is_full = state.lubrication_regime[query] == "full_film"
             if limit[0] == "solid_load_fraction" or not is_full:
                 expected.append((query, value))
-    assert [each.query for each in changes] == [query for query, _ in sorted(expected)]
-    assert_allclose([each.value for each in changes], [value for _, value in sorted(expected)])
+    assert changes.index.tolist() == [query for query, _ in sorted(expected)]
+    assert_allclose(changes["load_N"], [value for _, value in sorted(expected)])
 
 
 @pytest.mark.parametrize(
@@ -120,47 +120,39 @@ def test_levels_of_a_table_keep_its_index(parameters):
     levels = pd.Series([0.9, 0.8, 0.7], index=["a", "b", "c"])
     given = dict(parameters=parameters, **others("viscosity_cSt"))
     found = tb.find("solid_load_fraction", levels, "viscosity_cSt", **given)
-    expected = [levels.index[query] for query in found.query]
-    assert expected and found.to_dataframe().index.tolist() == expected
+    assert len(found) and found["level"].tolist() == levels[found.index].tolist()
 
 
-def test_each_row_has_the_conditions_and_levels_in_which_queries_differ(parameters):
-    layer = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
-    given = dict(parameters=parameters, load_N=[5, 10, 20], **layer)
-    for found in (
+def test_each_row_has_the_conditions_and_the_level_of_its_query(parameters):
+    layer = dict(particle_diameter_nm=500.0, roughness_nm=300.0, particle_density_per_m2=1e11)
+    loads = [5.0, 10.0, 20.0]
+    given = dict(parameters=parameters, load_N=loads, **layer)
+    for table in (
         tb.find("solid_load_fraction", 0.9, "viscosity_cSt", **given),
         tb.transitions("viscosity_cSt", **given),
     ):
-        table = found.to_dataframe()
-        assert [*table][:2] == ["query", "load_N"] and "load_N" in str(found)
-        assert table["load_N"].tolist() == [[5, 10, 20][query] for query in table["query"]]
-        assert not {*layer, "level"} & {*table}
+        assert table.index.name == "query"
+        assert table["load_N"].tolist() == [loads[query] for query in table.index]
+        assert (table[[*layer]] == pd.Series(layer)).all().all()
     levels = [[0.9], [0.5]]
-    table = tb.find("solid_load_fraction", levels, "viscosity_cSt", **given).to_dataframe()
+    table = tb.find("solid_load_fraction", levels, "viscosity_cSt", **given)
     assert table["level"].tolist() == [0.9] * 3 + [0.5] * 3
-    assert table["load_N"].tolist() == [5, 10, 20] * 2
+    assert table["load_N"].tolist() == loads * 2
 
 
-def test_nothing_found_is_printed_in_a_word(parameters):
+def test_nothing_found_is_a_table_without_rows(parameters):
     given = dict(parameters=parameters, between=(1, 2), **others("viscosity_cSt"))
-    assert str(tb.transitions("viscosity_cSt", **given)) == "none"
-    assert str(tb.find("solid_load_fraction", 0.5, "viscosity_cSt", **given)).endswith("\nnone")
+    for table in (
+        tb.transitions("viscosity_cSt", **given),
+        tb.find("solid_load_fraction", 0.5, "viscosity_cSt", **given),
+    ):
+        assert table.empty and {"viscosity_cSt", "load_N", "solution_status"} <= {*table}
 
 
-def test_engineering_units_and_SI_are_the_same_place_in_a_table_too(parameters):
+def test_engineering_units_and_SI_are_the_same_place(parameters):
     given = others("viscosity_cSt")
     one = tb.find(*LIMITS[0], "viscosity_cSt", parameters=parameters, **given)
     si = read_conditions(given, parameters, without="viscosity").arrays
     other = tb.find(*LIMITS[0], "viscosity", parameters=parameters, **si)
-    assert_allclose(one.value, 1e6 * other.value, rtol=1e-12)
-    table = one.to_dataframe()
-    assert table["viscosity_cSt"].tolist() == one.value.tolist()
-    assert set(table["solution_status"]) == {"converged"}
-
-
-def test_changes_are_a_table_with_the_name_of_the_axis(parameters):
-    given = dict(load_N=[5.0, 10.0], particle_diameter_nm=500, roughness_nm=300)
-    given |= dict(particle_density_per_m2=1e11, parameters=parameters)
-    found = tb.transitions("viscosity_cSt", **given)
-    assert found.to_dataframe()["viscosity_cSt"].tolist() == [each.value for each in found]
-    assert "viscosity_cSt" in str(found) and found == tb.transitions("viscosity_cSt", **given)
+    assert_allclose(one["viscosity_cSt"], 1e6 * other["viscosity"], rtol=1e-12)
+    assert set(one["solution_status"]) == {"converged"}

@@ -7,7 +7,6 @@ import xarray as xr
 from methods import POINT
 
 import thirdbody as tb
-from thirdbody.core.regimes import LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.variables import AXES, VARIABLES
 
 LOADS = np.array([1e-6, 1e-5, 1e-4])
@@ -40,7 +39,10 @@ def test_each_variable_has_the_labels_of_the_data_contract(solved, parameters):
         ({"load": LOADS}, {"load": 3}),
         ({"load": LOADS[:, None], "viscosity": OILS}, {"load": 3, "viscosity": 2}),
         ({"load": LOADS[:2], "viscosity": OILS}, {"point": 2}),
-        ({"load": np.array([LOADS[:2], LOADS[1:]]), "viscosity": OILS}, {"load": 2, "point": 2}),
+        (
+            {"load": np.array([LOADS[:2], LOADS[1:]]), "viscosity": OILS},
+            {"point_0": 2, "point_1": 2},
+        ),
         ({"load": np.array([LOADS[:2], LOADS[1:]])}, {"point_0": 2, "point_1": 2}),
         ({"load": [[1e-5]], "viscosity": OILS}, {"load": 1, "viscosity": 2}),
     ],
@@ -75,66 +77,58 @@ def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
     with pytest.warns(tb.OutOfRangeWarning):
         solution = solved(load=[[1e-6], [1.0]], viscosity=OILS)
     table = solution.to_dataframe()
-    headings = "load [1]", "viscosity [m2 s-1]", "particle_diameter [m]", "roughness [m]"
-    assert {*headings, "particle_density [m-2]", "normal_load [N]"} <= {*table.columns}
-    assert table["load [1]"].tolist() == [1e-6, 1e-6, 1.0, 1.0]
-    np.testing.assert_array_equal(table["separation [m]"], solution.separation.ravel())
-    statuses = [SOLUTION_STATUSES[code] for code in solution.solution_status.ravel()]
-    assert table["solution_status"].tolist() == statuses
-    unsolved = solution.lubrication_regime.ravel() < 0
+    assert {*POINT, "load_N", "separation_m", "film_thickness"} <= {*table.columns}
+    assert table["load"].tolist() == [1e-6, 1e-6, 1.0, 1.0]
+    np.testing.assert_array_equal(table["separation_m"], solution.separation.ravel())
+    assert (solution.solution_status.ravel() == table["solution_status"]).all()
+    unsolved = solution.lubrication_regime.ravel() == "without_values"
     assert unsolved.any()
     np.testing.assert_array_equal(table["lubrication_regime"].isna(), unsolved)
 
 
 def test_where_people_read_a_full_film_has_no_contact_mode(solved):
     solution = solved(load=1e-6, viscosity=[9e-5, 1e-3])
-    assert LUBRICATION_REGIMES[solution.lubrication_regime[1]] == "full_film"
-    table = solution.to_dataframe()
-    assert table["contact_mode"].isna().tolist() == [False, True]
-    assert str(solution).count("none (1), ") == 1
-    assert (solution.contact_mode >= 0).all() and (solution.to_dataset()["contact_mode"] >= 0).all()
+    assert solution.lubrication_regime[1] == "full_film"
+    assert solution.to_dataframe()["contact_mode"].isna().tolist() == [False, True]
+    assert (solution.to_dataset()["contact_mode"] >= 0).all()
+
+
+def test_states_compare_with_their_names_and_codes(solved):
+    solution = solved(load=[1e-6, 1e-5], viscosity=0.0)
+    codes = solution.to_dataset()
+    for name in ("lubrication_regime", "contact_mode", "solution_status"):
+        states = getattr(solution, name)
+        names = [str(state) for state in states]
+        assert (states == codes[name].values).all()
+        assert [(states == name).tolist() for name in names] == [
+            [name == other for other in names] for name in names
+        ]
+    point = solved()
+    assert point.solution_status == "converged" and point.solution_status != "load_exceeded"
+    with pytest.raises(ValueError, match="'surface surface'; allowed: two_body, surface_surface"):
+        point.contact_mode == "surface surface"  # noqa: B015
 
 
 SURFACE = dict(roughness_nm=300, particle_density_per_m2=1e11)
 REST = SURFACE | dict(particle_diameter_nm=500)
 OIL = {"viscosity_cSt": 90}
-DATA = pd.DataFrame({"load [N]": [5, 10], "solid load fraction": [0.9, 0.7]})
 
 
-def interface():
-    return tb.Interface(load_N=10, **OIL, **REST)
-
-
-RESULTS = {  # and how many rows each has
-    "solve": (lambda: tb.solve(load_N=[5, 10], **OIL, **REST), 2),
-    "find": (lambda: tb.find("solid_load_fraction", [0.5, 0.9], "load_N", **OIL, **REST), 2),
-    "transitions": (lambda: tb.transitions("viscosity_cSt", load_N=10, **REST), 3),
-    "turning_point": (lambda: tb.turning_point(viscosity_cSt=[0, 90], **REST), 2),
-    "turning_window": (
-        lambda: tb.turning_window(roughness_nm=300, particle_density_per_m2=1e11),
-        1,
-    ),
-    "state": (lambda: interface().state(), 10),
-    "curve": (lambda: interface().curve("load", 5, 10, count=3), 3),
-    "compare": (lambda: tb.compare(DATA, **OIL, **REST), 2),
-    "cleanliness": (lambda: tb.cleanliness("18/16/13", gap_nm=1000), 6),
-}
-
-
-@pytest.mark.parametrize("name", RESULTS)
-def test_a_result_is_a_table(name):
-    function, rows = RESULTS[name]
-    found = function()
-    table = found.to_dataframe()
-    assert isinstance(table, pd.DataFrame) and len(table) == rows
-    dataset = found.to_dataset()
-    assert isinstance(dataset, xr.Dataset) and list(dataset.sizes.values()) == [rows]
-    assert "<table" in found._repr_html_() or "xr-wrap" in found._repr_html_()
-
-
-def test_no_transition_is_an_empty_table():
-    none = tb.transitions("viscosity_cSt", load_N=10, between=(1, 1.1), **REST)
-    assert list(none) == [] and "viscosity_cSt" in none.to_dataframe().columns
+def test_conditions_of_two_dimensions_are_labelled_and_selected(solved):
+    """A map of sizes relative to the roughness: the sizes vary along both dimensions."""
+    roughness = np.array([1e-7, 2e-7, 3e-7])
+    sizes = roughness * np.array([[0.5], [1.0]])
+    solution = solved(particle_diameter=sizes, roughness=roughness)
+    table = solution.to_dataframe()
+    assert table["particle_diameter"].tolist() == sizes.ravel().tolist()
+    dataset = solution.to_dataset()
+    assert not {*dataset.sizes} & {"particle_diameter"}
+    for name, dimension in zip(dataset["separation"].dims, sizes.shape, strict=True):
+        assert dataset.sizes[name] == dimension
+    both = solved(particle_diameter=sizes, roughness=roughness + 0.0 * sizes)
+    pd.testing.assert_frame_equal(
+        both.to_dataframe()[[*table]], table, check_exact=True, check_like=True
+    )
 
 
 def test_the_load_stands_in_newtons_beside_the_dimensionless_one():
@@ -150,7 +144,7 @@ def test_the_load_stands_in_newtons_beside_the_dimensionless_one():
         assert dataset["normal_load"].attrs["units"] == "N"
         assert dataset["normal_load"].dims == dataset["load"].dims
         table = found.to_dataframe()
-        assert table["load [N]"].tolist() == loads and "normal_load [N]" not in table
+        assert table["load_N"].tolist() == loads
     one = tb.solve(load_N=10, viscosity_cSt=[0, 90], **REST).to_dataset()
     assert one["normal_load"].item() == pytest.approx(10.0)
 
@@ -165,8 +159,8 @@ def test_columns_of_a_table_are_conditions_and_results_have_their_index():
     np.testing.assert_array_equal(found.separation, expected.separation)
     table = found.to_dataframe()
     assert table.index.equals(runs.index) and table.index.name == "run"
-    assert table["load [N]"].tolist() == [10.0, 20.0]
-    assert table["viscosity [cSt]"].tolist() == [90.0, 120.0]
+    assert table["load_N"].tolist() == [10.0, 20.0]
+    assert table["viscosity_cSt"].tolist() == [90.0, 120.0]
     days = runs.set_index(pd.to_datetime(["2026-01-02", "2026-01-03"]))
     found = tb.solve(load_N=days["load"], viscosity_cSt=90, **REST).to_dataframe()
     assert found.index.equals(days.index)
@@ -211,25 +205,13 @@ def test_the_index_of_columns_is_a_coordinate_of_the_dataset(index, labels):
 )
 def test_datasets_with_any_index_are_written(tmp_path, index):
     loads = pd.Series([5.0, 10.0], index=index)
-    for found in (
-        tb.solve(load_N=loads, viscosity_cSt=90, **REST),
-        tb.find("solid_load_fraction", 0.5, "viscosity_cSt", load_N=loads, **REST),
-        tb.compare(loads.to_frame("load [N]").assign(separation_nm=900.0), **OIL, **REST),
-    ):
-        assert found.to_dataframe().index.equals(index)
-        dataset = found.to_dataset()
-        dataset.to_netcdf(tmp_path / "found.nc")
-        written = xr.load_dataset(tmp_path / "found.nc")
-        assert (written["start"].values == dataset["start"].values).all()
-        assert dataset["start"].astype(str).values[0].startswith(str(index[0])[:10])
-
-
-def test_the_dataset_of_a_curve_is_written_with_names(tmp_path):
-    dataset = interface().curve("load", 5, 10, count=3).to_dataset()
-    dataset.to_netcdf(tmp_path / "curve.nc")
-    written = xr.load_dataset(tmp_path / "curve.nc")
-    regimes = dataset["lubrication_regime"].values.tolist()
-    assert written["lubrication_regime"].values.tolist() == regimes and "mixed" in regimes
+    solution = tb.solve(load_N=loads, viscosity_cSt=90, **REST)
+    assert solution.to_dataframe().index.equals(index)
+    dataset = solution.to_dataset()
+    dataset.to_netcdf(tmp_path / "solution.nc")
+    written = xr.load_dataset(tmp_path / "solution.nc")
+    assert (written["start"].values == dataset["start"].values).all()
+    assert dataset["start"].astype(str).values[0].startswith(str(index[0])[:10])
 
 
 def test_columns_with_different_indexes_are_refused():
@@ -238,22 +220,10 @@ def test_columns_with_different_indexes_are_refused():
         tb.solve(load_N=TABLE["load"], viscosity_cSt=others["oil"], **REST)
 
 
-def test_the_file_of_a_solution_is_compared_as_it_is(tmp_path):
-    found = tb.solve(load_N=TABLE["load"], viscosity_cSt=TABLE["oil"], **REST)
-    table = found.to_dataframe()
-    table.to_csv(tmp_path / "solved.csv")
-    for measured in (table, tmp_path / "solved.csv"):
-        again = tb.compare(measured)
-        assert again.variables == ("solid_load_fraction", "fluid_load_fraction", "separation_nm")
-        for name in again.variables:
-            np.testing.assert_allclose(again.table[f"{name}_residual"], 0.0, atol=1e-5)
-        assert any("film_thickness [1]" in note for note in again.notes)
-
-
 def test_each_point_of_a_column_and_other_arrays_has_the_label_of_its_row():
     found = tb.solve(load_N=TABLE["load"], viscosity_cSt=[[0.0], [90.0]], **REST).to_dataframe()
     assert found.index.tolist() == [*"abcabc"]
-    assert found.loc["b", "load [N]"].tolist() == [10.0, 10.0]
+    assert found.loc["b", "load_N"].tolist() == [10.0, 10.0]
     one = tb.solve(load_N=TABLE["load"].iloc[:1], viscosity_cSt=[0, 90], **REST).to_dataframe()
     assert one.index.tolist() == [*"aa"]
     none = tb.solve(load_N=TABLE["load"].iloc[:0], viscosity_cSt=90, **REST).to_dataframe()
@@ -268,41 +238,13 @@ def test_each_point_of_a_column_and_other_arrays_has_the_label_of_its_row():
     ],
 )
 def test_searches_have_the_index_of_the_columns(search):
-    table = search(TABLE["load"]).to_dataframe()
-    assert table.index.equals(TABLE.index.take(table["query"].astype(int)))
+    table = search(TABLE["load"])
     assert set(table.index) == {*"abc"}
+    assert table["load_N"].tolist() == TABLE["load"][table.index].tolist()
 
 
 def test_turning_points_have_the_index_of_the_columns():
-    found = tb.turning_point(viscosity_cSt=TABLE["oil"], **REST)
-    table = found.to_dataframe()
+    table = tb.turning_point(viscosity_cSt=TABLE["oil"], **REST)
     assert table.index.equals(TABLE.index)
     newtons = table["load"] * tb.load_parameters().newtons_per_load
     np.testing.assert_allclose(table["load_N"], newtons)
-
-
-def test_a_condition_of_measurements_has_their_index():
-    runs = pd.DataFrame(
-        {"load [N]": [5, 10, 20], "solid load fraction": 0.9}, index=["a", "b", "c"]
-    )
-    found = tb.compare(runs, viscosity_cSt=TABLE["oil"], **REST)
-    assert found.table["viscosity_cSt"].to_dict() == TABLE["oil"].to_dict()
-    others = TABLE["oil"].set_axis([1, 2, 3])
-    with pytest.raises(ValueError, match="different indexes"):
-        tb.compare(runs, viscosity_cSt=others, **REST)
-
-
-@pytest.mark.parametrize("name", RESULTS)
-def test_a_result_is_printed_on_short_lines(name):
-    function, _ = RESULTS[name]
-    found = function()
-    assert "array(" not in str(found) and "dtype" not in str(found)
-
-
-def test_a_comparison_has_the_index_of_the_measurements():
-    loads = [1.0, 2.0, 5.0, 10.0]
-    runs = pd.DataFrame({"load [N]": loads, "friction coefficient": [0.11, 0.12, 0.10, 0.09]})
-    steady = runs[runs["load [N]"] > 1.5]
-    found = tb.compare(steady, **OIL, **REST).to_dataframe()
-    assert found.index.equals(steady.index)
-    assert found["load_N"].tolist() == [2.0, 5.0, 10.0]

@@ -6,6 +6,7 @@ import pytest
 import xarray as xr
 
 import thirdbody as tb
+from thirdbody import grids
 from thirdbody.core.solve import solve_points
 from thirdbody.netcdf import read_plain
 

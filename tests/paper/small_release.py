@@ -8,10 +8,10 @@ import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.grids import scene_dataset
 from thirdbody.netcdf import write_dataset
 from thirdbody.paper.archive.citation import Release, software_versions
 from thirdbody.paper.archive.staging import pack, stage
+from thirdbody.paper.scenes import scene_dataset
 from thirdbody.paper.tables import DRAWN_POINTS, TABLES, write_csv
 
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")

@@ -10,11 +10,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
 from thirdbody.curves import Condition
-from thirdbody.grids import scene_dataset
-from thirdbody.netcdf import read_plain, write_dataset
+from thirdbody.netcdf import FILL_FLAG, read_plain, write_dataset
 from thirdbody.paper.bands import BAND_RTOL, band
+from thirdbody.paper.scenes import scene_dataset
 from thirdbody.points import solve
-from thirdbody.netcdf import FILL_FLAG
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 DENSITY = 1e11

@@ -11,8 +11,8 @@ from matplotlib.colors import to_rgb
 
 import thirdbody as tb
 from thirdbody.curves import Condition, condition_key
-from thirdbody.grids import scene_dataset
 from thirdbody.paper.claims.claims import load_claims, printed_rows
+from thirdbody.paper.scenes import scene_dataset
 from thirdbody.plotting import charts
 from thirdbody.plotting.captions import WORDS, caption, read_caption
 from thirdbody.plotting.crowding import GREY_TEXT

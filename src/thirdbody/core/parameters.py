@@ -307,8 +307,11 @@ class Parameters:
         return {name: getattr(self, name) for name in self.names()}
 
     def changed(self, **inputs: float | str) -> "Parameters":
-        """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too."""
+        """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too.  Members
+        that no longer differ are no ensemble, and are dropped."""
         members = [replace(member, **inputs) for member in self.members]
+        if all(member == members[0] for member in members):
+            members = []
         return replace(self, **inputs).with_members(members).with_bodies(self.bodies)
 
     def with_members(self, members: Iterable["Parameters"]) -> "Parameters":
