@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.core.transitions import LIMITS
 from thirdbody.paper.claims.evidence import FULL_EFFORT, solve_evidence
+from thirdbody.paper.figures.sensitivity import LEAST, plot
 from thirdbody.paper.sensitivity import (
     STEP,
     Subject,
@@ -19,7 +20,6 @@ from thirdbody.paper.sensitivity import (
 )
 from thirdbody.paper.tables import TABLES, read_csv, write_csv
 from thirdbody.plain_yaml import read_yaml
-from thirdbody.plotting.sensitivity import LEAST, plot
 from thirdbody.points import solve
 
 ROOT = Path(__file__).parents[2]

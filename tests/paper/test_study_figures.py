@@ -7,9 +7,9 @@ import pytest
 
 from thirdbody.paper.claims import verdicts
 from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.figures import claims
 from thirdbody.paper.places import part_of_paper
 from thirdbody.paper.typeset import mathtext
-from thirdbody.plotting import claims
 
 pytestmark = pytest.mark.usefixtures("style")
 

@@ -7,11 +7,11 @@ from pathlib import Path
 from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, USUAL_DENSITY, bearing
 from thirdbody.core.parameters import Parameters
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
+from thirdbody.paper.figures.captions import read_caption
+from thirdbody.paper.figures.curves import CURVE_FIGURES
 from thirdbody.paper.job_log import job
 from thirdbody.paper.page.page import page_content, page_text
 from thirdbody.plain_yaml import read_yaml
-from thirdbody.plotting.captions import read_caption
-from thirdbody.plotting.curves import CURVE_FIGURES
 
 
 def rig_content(parameters):

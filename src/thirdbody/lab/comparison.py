@@ -85,7 +85,7 @@ class Comparison(Tabular):
         """A matplotlib figure: measurements, the model and its range, a panel for each variable."""
         from thirdbody.plotting.plot import plot_comparison
 
-        return plot_comparison(self)
+        return plot_comparison(self.table, self.curve, self.along, self.variables)
 
     def __str__(self) -> str:
         return str(self.answer)

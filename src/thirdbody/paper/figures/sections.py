@@ -19,7 +19,6 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.curves import Condition
 from thirdbody.netcdf import PlainDataset, Variable
-from thirdbody.toml_tables import toml_beside
 from thirdbody.variables import AXES, FLAGS, NORMAL_LOAD, QUANTITIES
 
 SEED = 20240507  # publication date of the paper
@@ -47,9 +46,30 @@ STATE |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
 STATE |= {NORMAL_LOAD.name: coordinate_attributes(NORMAL_LOAD)}
 STATE |= {"contact_mode": variable_attributes(FLAGS["contact_mode"])}
 # attributes of the other variables, over the position and over the particles
-OTHERS = toml_beside(__file__)
-LINES, PARTICLES = OTHERS["lines"], OTHERS["particles"]
-VARIABLES = STATE | OTHERS["panel"] | LINES | PARTICLES
+POSITION = {"units": "m", "long_name": "along the section"}
+DEPTH: dict[str, dict[str, str]] = {
+    "elastic_depth": {
+        "units": "m",
+        "long_name": "elastic zone h_e, through which particles carry load",
+    },
+}
+LINES: dict[str, dict[str, str]] = {
+    "lower": {"units": "m", "long_name": "height of the lower surface"},
+    "upper": {"units": "m", "long_name": "height of the upper surface"},
+    "surfaces_touch": {"long_name": "whether the surfaces touch"},
+}
+PARTICLES: dict[str, dict[str, str]] = {
+    "particle_position": {
+        "units": "m",
+        "long_name": "position of the centre of a particle; nan: no particle",
+    },
+    "particle_height": {"units": "m", "long_name": "height of the centre of a particle"},
+    "particle_size": {"units": "m", "long_name": "diameter of a particle"},
+    "particle_carries_load": {
+        "long_name": "whether a particle carries load: it touches both surfaces or reaches into h_e"
+    },
+}
+VARIABLES = STATE | DEPTH | LINES | PARTICLES
 
 
 def state_of(
@@ -82,7 +102,7 @@ def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> 
             dims, nothing = ("panel", "particle"), np.nan if values[0].dtype == float else 0
             values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
         variables[name] = Variable(dims, np.array(values), attributes)
-    position = Variable(("position",), found[0]["position"], OTHERS["position"])
+    position = Variable(("position",), found[0]["position"], POSITION)
     return PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
 
 

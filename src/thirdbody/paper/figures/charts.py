@@ -5,8 +5,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import xarray as xr
 
-from thirdbody.plotting.curves import draw_panels, level_styles, range_series
+from thirdbody.plotting.curves import draw_panels, level_styles
 from thirdbody.plotting.drawing import Drawing
+from thirdbody.plotting.marks import range_series
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import note, parameter_title, value_text
 from thirdbody.variables import CONDITION_AXES

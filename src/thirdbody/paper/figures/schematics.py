@@ -1,17 +1,17 @@
 """Figures 1 and 2: the three-body interface and its contact modes, with stretched heights."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.netcdf import PlainDataset
+from thirdbody.paper.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import label, shared_notes
-from thirdbody.plotting.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
-from thirdbody.toml_tables import toml_beside
 
 INTERFACE, MODES = 3.6, 2.75  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
@@ -20,8 +20,37 @@ SCALE = 0.5e-6  # height of the scale bar [m]
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
 PARTICLE = "particle under load"
-CONTENT = toml_beside(__file__)
-LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]
+# titles of the modes in the order of the panels of figure 2
+MODE_TITLES = {
+    "surface_surface": "s-s mode",
+    "particle_surface": "p-s mode",
+    "hybrid": "hybrid mode",
+}
+# how matplotlib draws what they show
+LOOKS: dict[str, dict[str, Any]] = {
+    "surface 1": {"facecolor": "0.86", "edgecolor": "0.2", "linewidth": 0.8},
+    "surface 2": {"facecolor": "0.76", "edgecolor": "0.2", "linewidth": 0.8},
+    LUBRICANT: {"facecolor": "#D6ECF8", "edgecolor": "0.2", "linewidth": 0.8},
+    PARTICLE: {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8},
+    "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.7},
+    SUMMITS: {"color": "C1", "linewidth": 3.2},
+    "elastic zone": {
+        "facecolor": "none",
+        "edgecolor": "C1",
+        "hatch": "////",
+        "linewidth": 0.8,
+        "zorder": 2.2,
+    },
+}
+FROM_END_TO_END = {"shrinkA": 0, "shrinkB": 0}
+LEADER = FROM_END_TO_END | {"arrowstyle": "-", "color": "0.2", "linewidth": 0.7}
+SEPARATION = FROM_END_TO_END | {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8}
+LOAD = FROM_END_TO_END | {
+    "arrowstyle": "-|>",
+    "color": "black",
+    "linewidth": 2.0,
+    "mutation_scale": 14,
+}
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
 STRETCHED = f"heights stretched {STRETCH:g} times, particles drawn round"
 
@@ -136,7 +165,7 @@ def _name_parts(axes, section):
 
 
 def _point_at(axes, text, place, beside):
-    look = {"ha": "center", "va": "center", "arrowprops": ARROWS["leader"], "zorder": 4}
+    look = {"ha": "center", "va": "center", "arrowprops": LEADER, "zorder": 4}
     axes.annotate(text, place, beside, **look)
 
 
@@ -146,13 +175,13 @@ def _draw_arrows(axes, section):
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
     place = 0.025 * length
-    axes.annotate("", (place, 0.0), (place, d), arrowprops=ARROWS["separation"])
+    axes.annotate("", (place, 0.0), (place, d), arrowprops=SEPARATION)
     axes.text(place, 0.5 * d, "  $d$", va="center")
     bottom, top = axes.get_ylim()
     axes.axhspan(max(d - section["elastic_depth"], bottom), d, 0.05, 0.064, **LOOKS["elastic zone"])
     axes.text(0.072 * length, 0.4 * bottom, "$h_e$", va="center")
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
-        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=ARROWS["load"])
+        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
 
 
