@@ -178,11 +178,11 @@ def curve(
     _check_files(csv, plot)
     alias = AXES[along].alias
     table = answers.curve(_parameters(inputs), conditions, alias, (first, last), count)
-    _write_csv(table, csv or "-")
     if plot is not None:
         from thirdbody.plotting.plot import plot_curve
 
         _save(plot_curve(table, alias), plot)
+    _write_csv(table, csv or "-")
     return ANSWERED
 
 

@@ -50,14 +50,21 @@ def mixture():
     }
 
 
+def same_bits(one, other, name):
+    """Whether two solutions have the same values of a variable."""
+    return np.array_equal(getattr(one, name), getattr(other, name), equal_nan=name not in FLAGS)
+
+
 def test_an_array_is_solved_as_its_points_are_one_by_one(interpretation, mixture):
     together = solve(interpretation, **mixture)
     for index in range(len(mixture["load"])):
         alone = solve(interpretation, **{name: values[index] for name, values in mixture.items()})
         for name in VARIABLES:
-            values = getattr(together, name)[index], getattr(alone, name)
-            # sums over the nodes of the quadrature may take another order: a few roundings
-            assert_allclose(*values, rtol=1e-12, err_msg=name)
+            value, expected = getattr(together, name)[index], getattr(alone, name)
+            if name in FLAGS:
+                assert value == expected, name
+            else:  # sums over the nodes of the quadrature may take another order: a few roundings
+                assert_allclose(value, expected, rtol=1e-12, err_msg=name)
 
 
 def test_the_five_arguments_broadcast_against_each_other(parameters):
@@ -78,7 +85,7 @@ def test_each_variable_has_the_shape_of_the_points_and_its_type(parameters, name
         values = getattr(solve(parameters, load=np.full(shape, 1e-5)), name)
         assert isinstance(values, np.ndarray)
         assert values.shape == shape
-        assert values.dtype == (np.int8 if name in FLAGS else np.float64)
+        assert values.dtype == (object if name in FLAGS else np.float64)
 
 
 @pytest.mark.parametrize("many", [3, 600])
@@ -92,7 +99,8 @@ def test_points_of_many_surfaces_are_the_same_bits_in_any_order(parameters, many
     first = solve(parameters, **given)
     shuffled = solve(parameters, **{name: values[order] for name, values in given.items()})
     for name in VARIABLES:
-        assert np.array_equal(getattr(shuffled, name), getattr(first, name)[order], equal_nan=True)
+        values, expected = getattr(shuffled, name), getattr(first, name)[order]
+        assert np.array_equal(values, expected, equal_nan=name not in FLAGS)
 
 
 @pytest.mark.parametrize("film_load", ["fluid", "total"])
@@ -118,7 +126,7 @@ def test_no_film_presses_harder_than_the_softer_surface_is(
 def test_a_variable_alone_is_what_it_is_among_all(parameters, mixture, name):
     every = solve(parameters, **mixture)
     alone = solve(parameters, **mixture, variables=[name])
-    assert np.array_equal(getattr(alone, name), getattr(every, name), equal_nan=True)
+    assert same_bits(alone, every, name)
     assert all(getattr(alone, other) is None for other in VARIABLES if other != name)
 
 
@@ -145,7 +153,7 @@ def test_the_same_call_gives_the_same_bits_whatever_was_called_before(parameters
         others = [solve(parameters, **given), *(each.result() for each in others)]
     for other in others:
         for name in VARIABLES:
-            assert np.array_equal(getattr(other, name), getattr(first, name), equal_nan=True), name
+            assert same_bits(other, first, name), name
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-6, 1e-9, 1e-11])

@@ -9,7 +9,7 @@ import pytest
 import yaml
 from numpy.testing import assert_allclose
 
-from thirdbody.inputs import plain_values, read_calibrated, read_entries
+from thirdbody.core.parameters import Parameters
 from thirdbody.paper.calibration.calibration import (
     Interpretation,
     Objective,
@@ -42,6 +42,7 @@ from thirdbody.paper.calibration.search import (
 from thirdbody.paper.claims.claim import Verdict
 from thirdbody.paper.claims.claims import load_claims
 from thirdbody.paper.claims.kinds import Value, Window
+from thirdbody.paper.configuration.inputs import uncalibrated_values
 from thirdbody.paper.tables import TABLES
 from thirdbody.plain_yaml import read_yaml
 
@@ -121,9 +122,9 @@ def test_an_interpretation_searches_what_it_does_not_fix(name):
     searched = [unknown.name for unknown in interpretation.unknowns]
     assert searched == [each for each in SETTINGS["always"] if each not in interpretation.fixed]
     # with what is printed or assumed, that is all inputs
-    known = plain_values(read_entries()).keys()
+    known = uncalibrated_values().keys()
     assert not known & set(searched)
-    assert known | set(searched) | interpretation.fixed.keys() == read_entries().keys()
+    assert known | set(searched) | interpretation.fixed.keys() == {*Parameters.names()}
 
 
 def test_no_fold_sees_what_it_is_judged_on(parameters):
@@ -275,7 +276,7 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path):
     assert len(found["ensemble"]) == len(found["ensemble_interpretations"]) == 4
     path = tmp_path / "two.yaml"
     path.write_text(yaml.safe_dump(found))
-    assert read_calibrated(path, read_entries()) == found
+    assert read_yaml(path) == found
 
 
 def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.inputs import read_entries, values_schema
+from thirdbody.core.parameters import Parameters
 from thirdbody.paper.atlas.chunk import atlas_axes, axis_values
 from thirdbody.paper.configuration.schema import validate
 from thirdbody.plain_yaml import read_yaml
@@ -52,8 +52,9 @@ def test_it_knows_all_keys_everywhere(kind):
     [pytest.param(kind, path, id=path.stem) for kind in DEVELOPED for path in DEVELOPED[kind]],
 )
 def test_a_file_of_the_developers_is_valid(kind, path):
-    inputs = {"input_values": values_schema(read_entries())}
-    validate(read_yaml(path), SCHEMAS[kind], path.name, **inputs)
+    names = {"enum": Parameters.names()}
+    inputs = {"type": "object", "propertyNames": names, "$defs": {"name": names}}
+    validate(read_yaml(path), SCHEMAS[kind], path.name, input_values=inputs)
 
 
 def test_statements_are_valid_and_contradictions_settled():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.answers.sizes import sizes_note
+from thirdbody.answers import sizes_note
 from thirdbody.core.particles import ParticleLayer
 from thirdbody.curves import Condition
 from thirdbody.netcdf import read_plain, write_dataset

@@ -1,19 +1,16 @@
 """Configuration that is refused, each in one line that names the place, and what is accepted."""
 
 import copy
-import math
 import shutil
-from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
 import yaml
 
-from thirdbody.core.parameters import Parameters
-from thirdbody.inputs import load_parameters, read_calibrated, read_entries
-from thirdbody.paper.configuration.schema import read_schema
+from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
+from thirdbody.inputs import load_parameters
 from thirdbody.paper.configuration.settings import read_settings, workflow_settings
-from thirdbody.plain_yaml import config_directory, read_yaml
+from thirdbody.plain_yaml import read_yaml
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
@@ -68,54 +65,6 @@ def changed(config, key, value):
     return result
 
 
-STRICT = [
-    ("a: 1\nb: 2\na: 3", "line 3: duplicate key 'a'"),
-    ("a: {<<: {b: 1}}", "line 1"),
-    ("a: !!python/object/apply:os.system [ls]", "python/object/apply:os.system'"),
-    ("a: !secret b", "tag '!secret'"),
-    ("1: a", "line 1: key 1; allowed: strings"),
-    ("on: a", "line 1: key True; allowed: strings"),
-    ("a: 1\n---\nb: 2", "another document"),
-    ("a: [1\n", "line 2: did not find expected ',' or ']'"),
-    ("a:\n\t- 1", "line 2"),
-    ("a: 1\x07", "not allowed"),
-    (b"a: \xff", "byte 3 is not UTF-8"),
-    ("a: 1".encode("utf-16"), "not UTF-8"),
-    ("", "contains NoneType; allowed: keys with values"),
-    ("- a", "contains list; allowed: keys with values"),
-    ("a: " + "9" * 5000, "digits"),
-    ("a: " + "[" * 5000, "line 1: nested more than 20 levels deep"),
-    ("a: &b [*b]", "line 1: alias *b in what it names"),
-    (f"a: {'x' * 1_000_000}", "has more than 1000000 bytes"),
-]
-
-
-@pytest.mark.parametrize(("content", "expected"), STRICT, ids=range(len(STRICT)))
-def test_yaml_that_is_more_or_less_than_plain_data_is_refused(write, content, expected):
-    path = write(content)
-    message = refusal(read_yaml, path)
-    assert message.startswith(f"{path}: ") and expected in message
-
-
-def test_aliases_that_repeat_aliases_are_refused_before_they_are_replaced(write):
-    lines = ["a: &b0 [1]", *(f"a{n}: &b{n} [{f'*b{n - 1}, ' * 10}]" for n in range(1, 10))]
-    message = refusal(read_yaml, write("\n".join(lines)))
-    assert "line 6: more than 100000 values, with what aliases repeat" in message
-
-
-@pytest.mark.parametrize("path", [".", "no/such/folder/given.yaml"])
-def test_a_file_that_cannot_be_read_is_named(tmp_path, path):
-    message = refusal(read_yaml, tmp_path / path)
-    assert f"{tmp_path / path}" in message and "allowed: a readable YAML file" in message
-
-
-def test_plain_data_are_read(write):
-    content = "a: 1\nb: &b [1.5, two]\nc: {d: true, e: *b}\n"
-    expected = {"a": 1, "b": [1.5, "two"], "c": {"d": True, "e": [1.5, "two"]}}
-    assert read_yaml(write(content)) == expected
-    assert read_yaml(write(b"\xef\xbb\xbf" + content.encode())) == expected
-
-
 def test_a_template_that_runs_code_is_refused(write, from_root):
     path = write("__use_yte__: true\nrtol: 1.0e-9\n")
     message = refusal(read_settings, {"changes": str(path)}, CONFIG)
@@ -123,91 +72,25 @@ def test_a_template_that_runs_code_is_refused(write, from_root):
 
 
 def test_the_inputs_have_an_entry_for_each_field_and_no_other():
-    names = {field.name for field in fields(Parameters) if field.init}
-    schema = read_schema("inputs")
-    assert set(read_entries()) == set(schema["properties"]) == set(schema["required"]) == names
+    entries = read_yaml(CONFIG / "inputs.yaml")
+    assert list(entries) == Parameters.names()
+    for name, entry in entries.items():
+        assert entry.get("unit") == (BOUNDS[name].unit if name in BOUNDS else None)
+        assert entry.get("allowed", []) == list(WORDS.get(name, ()))
+        assert ("value" in entry) == (entry["source"] != "calibrated")
 
 
-@pytest.mark.filterwarnings("ignore:.* is changed without")
-def test_single_inputs_win_over_a_file_and_a_file_over_the_calibrated_inputs(write, defaults):
-    path = write("truncation: 3.0\nmean_ratio: 0.5\nfilm_load: {value: total}\n")
-    expected = replace(defaults, truncation=4.0, mean_ratio=0.5, film_load="total")
-    assert load_parameters(path, truncation=4) == expected
-
-
-def test_a_bad_single_input_is_refused_by_name():
-    message = refusal(lambda: load_parameters(truncation=math.nan))
-    assert message == "load_parameters: truncation is nan; allowed: a number from 0.5 to 10"
-
-
-def test_a_copy_of_the_projects_file_leaves_the_calibrated_inputs(defaults):
-    assert load_parameters(CONFIG / "inputs.yaml") == defaults
-
-
-def calibrated(inputs, member="{truncation: 2.0}"):
-    """Text of a calibrated file."""
-    return (
-        "interpretation: some\nobjective: 70.5\npenalty: 0.5\nidentification: {}\n"
-        f"inputs: {inputs}\nensemble: [{member}]\n"
-    )
-
-
-ALLOWED = "allowed: a number from 1e-06 to 1"
-BAD_INPUTS = [
-    ("truncatoin: 2.0", "truncatoin"),
-    ("truncation: -1.0", "truncation is -1.0; allowed: a number from 0.5 to 10"),
-    ("truncation: wide", "truncation is 'wide'; allowed: a number from 0.5 to 10"),
-    ("truncation: " + "9" * 500, "truncation is 999"),
-    ("film_load: solid", "film_load: 'solid' is not one of ['fluid', 'total']"),
-    ("summit_offset_ratio: true", "summit_offset_ratio is True; allowed: a number from 0 to 5"),
-    ("{ball_radius: 5.0e-4, apparent_area: 4.0e-6}", "at most 7.85e-07 m2, the cross-section of a"),
-    ("ball_radius: 6.35", "ball_radius is 6.35; allowed: a number from 1e-06 to 1 m"),
-    ("ball_radius: {value: 6.35, unit: mm}", "ball_radius"),
-    (calibrated("5"), "inputs: 5 is not of type 'object'"),
-    (
-        calibrated("{truncatoin: 2.0}"),
-        "inputs: Additional properties are not allowed ('truncatoin' was",
-    ),
-    (calibrated("{}", "{participation: 1.5}"), f"ensemble[0].participation is 1.5; {ALLOWED}"),
-    ("inputs: {truncation: 2.0}", "'interpretation' is a required property"),
-]
-
-
-@pytest.mark.parametrize(("content", "expected"), BAD_INPUTS)
-def test_a_bad_input_is_refused_with_file_and_key(write, content, expected):
-    path = write(content)
-    message = refusal(load_parameters, path)
-    assert message.startswith(f"{path}: ") and expected in message
-
-
-@pytest.mark.parametrize("path", SHIPPED)
-def test_each_shipped_calibrated_file_is_valid(path):
-    assert read_calibrated(ROOT / path)["interpretation"] == Path(path).stem
+def test_a_printed_value_that_the_inputs_were_not_found_with_is_refused(tmp_path, monkeypatch):
+    shutil.copytree(CONFIG, tmp_path / "config")
+    monkeypatch.chdir(tmp_path)
+    content = changed(read_yaml("config/inputs.yaml"), "hardness_surface_1.value", 6.0e9)
+    Path("config/inputs.yaml").write_text(yaml.safe_dump(content))
+    message = refusal(read_settings, {}, "config")
+    assert "hardness_surface_1 is 6e+09; allowed: 5e+09" in message
 
 
 def test_the_default_is_among_the_shipped_files():
     assert CALIBRATED in SHIPPED
-
-
-def in_line(inputs):
-    """Inputs as YAML on one line; of JSON, YAML reads 3e-06 as text."""
-    return yaml.safe_dump(inputs, default_flow_style=True, width=10_000).strip()
-
-
-def test_a_calibrated_file_gives_all_that_is_calibrated(write, defaults):
-    names = {name for name, entry in read_entries().items() if "value" not in entry}
-    found = {name: value for name, value in defaults.as_dict().items() if name in names}
-    path = write(calibrated(in_line(found | {"truncation": 2.5})))
-    assert load_parameters(path) == replace(defaults, truncation=2.5)
-    del found["apparent_area"]
-    lacks = refusal(load_parameters, write(calibrated(in_line(found))))
-    assert lacks.endswith("inputs: 'apparent_area' is a required property")
-
-
-def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    assert load_parameters() == defaults
-    assert config_directory().is_absolute()
 
 
 @pytest.mark.parametrize("inputs", [{}, {"hardness_surface_1": 3.0e9}])
@@ -227,7 +110,7 @@ def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root
         assert settings["parameters"] == load_parameters(other).as_dict()
         assert settings["calibrated"] == other
         assert settings["inputs"] == {}
-        members = [Parameters(**settings["parameters"] | each) for each in settings["ensemble"]]
+        members = [Parameters(**each) for each in settings["ensemble"]]
         assert load_parameters(other).members == tuple(members)
 
 
@@ -277,7 +160,8 @@ BAD_SETTINGS = [  # the way to a key, its value, and what the line says
     ("scenes.fig13.curves.0.particle_diameter_per_roughness", [500.0], "particles of 50000 nm"),
     ("inputs", "/etc/passwd", "inputs is '/etc/passwd'"),
     ("inputs", 5, "inputs is 5; allowed: inputs with their values, or the path"),
-    ("calibrated", "config/inputs.yaml", "'interpretation' is a required property"),
+    ("inputs", {"hardness": 5.0e9}, "inputs: hardness is no input; allowed: "),
+    ("inputs", {"truncation": -1.0}, "inputs: truncation is -1.0; allowed: "),
 ]
 
 
@@ -286,16 +170,10 @@ def test_bad_settings_are_refused_in_one_line_that_names_the_key(
     shipped, from_root, key, value, expected
 ):
     message = refusal(workflow_settings, changed(shipped, key, value), CONFIG)
-    assert expected in message and len(message) < 500
+    assert expected in message and len(message) < 600
 
 
 BAD_FILES = [  # of the folder of the configuration
-    (
-        "config/inputs.yaml",
-        "hardness_surface_1",
-        KeyError,
-        "'hardness_surface_1' is a required property",
-    ),
     ("config/scenes.yaml", "load_axis.count", 1, "configuration: load_axis.count: 1 is less than"),
 ]
 
@@ -339,13 +217,3 @@ def test_a_scene_is_not_called_like_another_product(shipped, from_root, name):
     settings = changed(shipped, f"scenes.{name}", shipped["scenes"]["fig03"])
     message = refusal(workflow_settings, settings, CONFIG)
     assert name in message and "allowed: " in message
-
-
-@pytest.mark.parametrize("typed", ["0300", "1:30", "0x1F", "-017", "1:30.5"])
-def test_numbers_of_other_bases_are_refused_as_they_were_typed(tmp_path, typed):
-    path = tmp_path / "mine.yaml"
-    path.write_text(f"roughness_nm: [{typed}]\n")
-    with pytest.raises(ValueError, match=f"line 1: number {typed}; allowed: decimal numbers"):
-        read_yaml(path)
-    path.write_text("a: [300, 0, 0.5, -3, 1.0e+11]\n")
-    assert read_yaml(path) == {"a": [300, 0, 0.5, -3, 1e11]}
