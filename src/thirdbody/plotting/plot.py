@@ -223,11 +223,12 @@ def _panel(over, x, name, curves, looks) -> Panel:
     return Panel(SCALES[name].title, over, name, series)
 
 
-def plot_comparison(comparison: Any) -> Figure:
-    """Draw a ``Comparison``: measurements over one condition, a panel for each variable, with the curve of
-    the model and its ensemble range; without a curve, a mark of the model beside each measurement."""
-    names, along, curve = comparison.variables, comparison.along, comparison.curve
-    table = comparison.table.sort_values(along)
+def draw_comparison(comparison: pd.DataFrame, curve: pd.DataFrame) -> Figure:
+    """Draw the result of ``thirdbody.compare``, a panel for each measured quantity, with the curve of the
+    model and its ensemble range; if it has no rows, with a mark of the model beside each measurement."""
+    along = comparison.attrs["along"]
+    names = [summary["quantity"] for summary in comparison.attrs["summary"]]
+    table = comparison.sort_values(along)
     model = curve if len(curve) else table
     x, measured = model[along], table[along]
     look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
