@@ -92,7 +92,7 @@ lowest:
 	uv venv --quiet --clear --python 3.11 $(LOWEST)
 	uv pip install --quiet --python $(LOWEST) --resolution lowest-direct --editable '.[workflow]'
 	uv pip install --quiet --python $(LOWEST) --editable '.[test]'
-	$(LOWEST)/bin/python -m pytest tests/unit
+	$(LOWEST)/bin/python -m pytest tests/core tests/paper
 
 format: $(VENV)/test.done
 	$(BIN)/ruff check --fix

@@ -71,7 +71,7 @@ def test_another_definition_of_a_turning_point_extracts_and_solves_nothing(works
 
 
 def test_another_style_of_one_figure_draws_that_figure(workspace):
-    jobs = jobs_after(workspace, "src/thirdbody/plotting/sensitivity.py", commented)
+    jobs = jobs_after(workspace, "src/thirdbody/paper/figures/sensitivity.py", commented)
     assert jobs == {"render_sensitivity": 1} | PUBLISHED
 
 

@@ -10,7 +10,7 @@ from thirdbody.paper.typeset import html
 CURVE_FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 FIGURES = ["fig01", "fig02", *CURVE_FIGURES]
 TABLES = ["table1", "table2", "tpca_loads", "tpca_windows", "transitions"]
-FIGURE_KINDS, TABLE_KINDS = ("svg", "pdf", "png", "csv", "md"), ("csv", "html", "tex")
+FIGURE_KINDS, TABLE_KINDS = ("svg", "pdf", "png", "csv", "md", "json"), ("csv", "html", "tex")
 PRODUCTS = {
     *(f"datasets/{figure}.nc" for figure in CURVE_FIGURES),
     *(f"figures/{figure}.{kind}" for figure in FIGURES for kind in FIGURE_KINDS),

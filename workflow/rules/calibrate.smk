@@ -81,5 +81,6 @@ rule calibrate:
     params:
         *sources_of("adopt_calibration.py"),
         kept=CALIBRATION["kept"],
+        base=settings["uncalibrated"],
     script:
         "../scripts/adopt_calibration.py"

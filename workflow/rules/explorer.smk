@@ -4,7 +4,7 @@
 rule build_explorer:
     input:
         points=expand("<results>/figures/{figure}.csv", figure=SCENES),
-        captions=expand("<results>/figures/{figure}.md", figure=SCENES),
+        captions=expand("<results>/figures/{figure}.json", figure=SCENES),
         verdicts="<results>/claims/claims.json",
         departures="<results>/extracted/departures/verdicts.json",
         page=[
@@ -26,6 +26,7 @@ rule build_explorer:
         *CALIBRATED_TEXTS,
         settings_text(INPUTS),
         settings_text(PAPER_TABLES),
+        entries=INPUTS,
         tables=PAPER_TABLES,
         parameters=settings["parameters"],
         calibration=settings["calibration"],

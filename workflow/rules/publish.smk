@@ -14,7 +14,7 @@ for folder in [RESULTS, LOGS]:
 
 rule write_index:
     input:
-        captions=expand("<results>/figures/{figure}.md", figure=FIGURES),
+        captions=expand("<results>/figures/{figure}.json", figure=FIGURES),
         thumbnails=expand("<results>/figures/{figure}.png", figure=FIGURES),
         tables=expand("<results>/tables/{table}.html", table=TABLES),
         verdicts="<results>/claims/claims.json",

@@ -4,8 +4,8 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition
 from thirdbody.netcdf import write_dataset
+from thirdbody.paper.figures.sections import sections, state_of
 from thirdbody.paper.job_log import job
-from thirdbody.plotting.sections import sections, state_of
 
 
 def solved_state(conditions, parameters):

@@ -3,10 +3,10 @@
 import matplotlib.style
 
 from thirdbody.paper.atlas.catalogue import CHARTS, chart_panels, open_atlas
+from thirdbody.paper.figures.captions import caption
+from thirdbody.paper.figures.charts import plot
+from thirdbody.paper.figures.files import save
 from thirdbody.paper.job_log import job
-from thirdbody.plotting.captions import caption
-from thirdbody.plotting.charts import plot
-from thirdbody.plotting.drawing import save
 
 with job(snakemake) as output:
     chart = snakemake.wildcards.chart

@@ -2,11 +2,11 @@
 
 import matplotlib.style
 
+from thirdbody.paper.figures.captions import caption
+from thirdbody.paper.figures.claims import plot
+from thirdbody.paper.figures.files import save
 from thirdbody.paper.job_log import job
 from thirdbody.paper.tables import TABLES, read_csv
-from thirdbody.plotting.captions import caption
-from thirdbody.plotting.claims import plot
-from thirdbody.plotting.drawing import save
 
 with job(snakemake) as output:
     rows = read_csv(snakemake.input.data, TABLES["claims"])

@@ -5,11 +5,11 @@ import json
 import matplotlib.style
 
 from thirdbody.netcdf import read_plain
+from thirdbody.paper.figures.captions import caption
+from thirdbody.paper.figures.curves import plot
+from thirdbody.paper.figures.files import save, write_wide
 from thirdbody.paper.job_log import job
 from thirdbody.paper.tables import TABLES, read_csv
-from thirdbody.plotting.captions import caption
-from thirdbody.plotting.curves import curve_figure
-from thirdbody.plotting.drawing import save, write_wide
 from thirdbody.plotting.marks import read_turning_points
 
 with job(snakemake) as output:
@@ -27,7 +27,7 @@ with job(snakemake) as output:
     if ranges:
         notes.append(f"The ensemble has {len(json.loads(ranges.attrs['ensemble']))} members.")
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
-        drawing = curve_figure(figure, data).plot(data, points, ranges, numbers, ends)
+        drawing = plot(figure, data, points, ranges, numbers, ends)
         save(
             drawing,
             output.png.with_suffix(""),

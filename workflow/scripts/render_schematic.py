@@ -5,11 +5,11 @@ import matplotlib.style
 from thirdbody.answers.sizes import sizes_note
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain
+from thirdbody.paper.figures.captions import caption
+from thirdbody.paper.figures.files import save
+from thirdbody.paper.figures.schematics import SCHEMATICS
+from thirdbody.paper.figures.sections import VARIABLES, condition_of, panels_of
 from thirdbody.paper.job_log import job
-from thirdbody.plotting.captions import caption
-from thirdbody.plotting.drawing import save
-from thirdbody.plotting.schematics import SCHEMATICS
-from thirdbody.plotting.sections import VARIABLES, condition_of, panels_of
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.schematic

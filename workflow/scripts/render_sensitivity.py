@@ -2,11 +2,11 @@
 
 import matplotlib.style
 
+from thirdbody.paper.figures.captions import caption
+from thirdbody.paper.figures.files import save
+from thirdbody.paper.figures.sensitivity import plot
 from thirdbody.paper.job_log import job
 from thirdbody.paper.tables import TABLES, read_csv
-from thirdbody.plotting.captions import caption
-from thirdbody.plotting.drawing import save
-from thirdbody.plotting.sensitivity import plot
 
 with job(snakemake) as output:
     rows = read_csv(snakemake.input.data, TABLES["sensitivity"])

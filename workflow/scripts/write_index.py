@@ -7,10 +7,10 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
+from thirdbody.paper.figures.captions import read_caption
 from thirdbody.paper.job_log import job
 from thirdbody.paper.places import part_of_paper
 from thirdbody.paper.typeset import html
-from thirdbody.plotting.captions import WORDS, read_caption
 
 # a line on each table
 TABLES = {
@@ -33,7 +33,7 @@ def figure_entry(caption, picture, statements, scenes):
         "stem": stem,
         "size": struct.unpack(">2I", Path(picture).read_bytes()[16:24]),  # of a PNG, in dots
         "title": written.title,
-        "shows": " ".join(WORDS[stem]["text"].split()),
+        "shows": written.message,
         "text": written.text,
         "alternative": written.alternative,
         "held": sum(each["verdict"] == "holds" for each in here),

@@ -212,9 +212,11 @@ def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = No
     ValueError
         For other inputs than those of the comparison.
     """
-    from thirdbody.plotting.plot import draw_comparison
+    from thirdbody.plotting import plot
 
-    return draw_comparison(comparison, model_curve(comparison, parameters))
+    curve, along = model_curve(comparison, parameters), comparison.attrs["along"]
+    names = [summary["quantity"] for summary in comparison.attrs["summary"]]
+    return plot.plot_comparison(comparison, curve, along, names)
 
 
 def _conditions(arguments, parameters, index):

@@ -22,6 +22,8 @@ COLUMNS = {axis.name.replace("_", " "): axis.alias for axis in AXES.values()}  #
 COLUMNS |= {quantity.heading: key for key, quantity in MEASURED.items()}
 COLUMNS |= {"speed": SPEED, "normal load": "load_N", "normal force": "load_N"}
 COLUMNS |= dict.fromkeys(("cof", "coefficient of friction", "μ"), "friction_coefficient")
+OWN = {key: (key, unit) for key, unit in UNITS.items() if key != "load"}
+OWN |= {"separation_m": ("separation_nm", "m"), "film_thickness": (None, "1")}  # of a solution
 RATIOS = {
     "load_N": "load",
     "film_thickness_nm": None,
@@ -71,8 +73,8 @@ def read_measured(measured: str | PathLike | pd.DataFrame) -> tuple[pd.DataFrame
 
 def _key_and_unit(heading):
     """The column of a heading, None if it is another one; and its unit, None if it has none."""
-    if heading in UNITS and heading != "load":
-        return heading, UNITS[heading]
+    if heading in OWN:
+        return OWN[heading]
     name, *units = HEADING.fullmatch(heading).groups()
     key = COLUMNS.get(" ".join(name.replace("_", " ").split()).casefold())
     unit = next((unit for unit in units if unit), None)

@@ -1,5 +1,6 @@
-"""The figures, drawn from datasets and tables; nothing is solved or evaluated here.
+"""Figures of any dataset of solved points: panels, curves, axes, and marks that follow from the data.
 
-Each is a function of data that returns a ``Drawing``: the matplotlib figure, and the content of its
-panels as data.  Start with ``curves.toml``, the list of the figures of curves.
+Datasets and tables are drawn; nothing is solved here.  Figures are a ``Drawing``: the matplotlib figure,
+with the content of its panels as data.  Start with ``plot.py``; ``thirdbody.paper.figures`` draws the
+figures of the paper with it.
 """

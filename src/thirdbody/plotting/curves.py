@@ -1,9 +1,8 @@
-"""Figures of curves: those of the paper, from ``curves.toml``, and those of other scenes."""
+"""Figures of curves over the load, from any dataset."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import Any
 
 import matplotlib
@@ -11,25 +10,21 @@ import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.legend_handler import HandlerLine2D
 from matplotlib.lines import Line2D
 
-from thirdbody.curves import Condition, condition_key
+from thirdbody.curves import Condition, condition_key, curves_of
 from thirdbody.netcdf import PlainDataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import hide_bars, keep_apart, label_curves
 from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
-from thirdbody.plotting.panels import CURVE, Curve, Panel, Series
+from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, value_text
-from thirdbody.ranges import curves_of
-from thirdbody.toml_tables import toml_beside
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
-BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
@@ -47,7 +42,6 @@ MARKERS_PER_CURVE = 5
 DRY = {"linestyle": "-", "linewidth": 2.6, "zorder": 1.8, "color": "0.6"}
 DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 2.4, "zorder": 1.7, "color": GREY}
 DRY_GREYS = 0.45, 0.65  # of dry curves at the first and last of several levels
-TINT = 0.13  # of the colour in a range, the rest is white
 
 
 def curves_in(
@@ -82,7 +76,11 @@ def curves_in(
 
 @dataclass(frozen=True)
 class Content:
-    """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``; as in ``curves.toml``."""
+    """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``.
+
+    ``surface`` is the only one shown, 0 the smoothest and -1 the roughest; with ``locus`` a line joins the
+    turning points; a logarithmic axis of a fraction begins at ``least``.
+    """
 
     y: str
     x: str = "load"
@@ -93,7 +91,11 @@ class Content:
 
 @dataclass(frozen=True)
 class CurveFigure:
-    """A figure of curves that differ in one ``parameter``: an entry of ``curves.toml``."""
+    """A figure of curves that differ in one ``parameter``.
+
+    With ``each_surface``, each panel is drawn for every roughness.  Without ``two_body``, two-body contact is
+    only the reference of areas.
+    """
 
     parameter: str
     contents: tuple[Content, ...]
@@ -105,16 +107,17 @@ class CurveFigure:
         data: PlainDataset,
         turning_points: Sequence[Mapping] = (),
         ensemble_range: PlainDataset | None = None,
-        printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
         axes: Sequence[Axes] = (),
+        further: Callable[[Content, Sequence[Curve]], Iterable[Series]] | None = None,
+        mark_looks: Mapping[str, Mapping[str, Any]] = marks.LOOKS,
     ) -> Figure:
         """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
         ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``; ``ensemble_range``
-        has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and ``windows`` are rows
-        of the tables ``printed``, those of this figure, and ``tpca_windows``.  With ``axes``, the panels are
-        drawn there.
+        has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``windows`` are rows of the table
+        ``tpca_windows``.  With ``axes``, the panels are drawn there.  ``further`` gives further series of a
+        panel from its content and curves; ``mark_looks`` are entries of the key, for marks that are drawn.
         """
         curves = curves_in(data, turning_points, ensemble_range)
         if not self.two_body:
@@ -128,21 +131,23 @@ class CurveFigure:
         panels = []
         for content, chosen in self._chosen(curves, data["roughness"].values):
             if content.x == "diameter_ratio":
-                series = tuple(_window_series(content, chosen, windows, printed))
+                series = [*_window_series(content, chosen, windows)]
             else:
-                series = tuple(_curve_series(content, chosen, printed))
+                chosen = [one for one in chosen if one.has(content.x) and one.has(content.y)]
+                series = [*_curve_series(content, chosen)]
+            if further is not None:
+                series += further(content, chosen)
             shared = shared_notes([curve.condition for curve in chosen])
             own = ", ".join(text for text in shared if text not in common)
             if series:
                 panels.append(self._panel(content, series, own))
-        if not panels:
-            names = ", ".join(dict.fromkeys(each.y for each in self.contents))
-            raise ValueError(f"there is nothing to draw; allowed: points with {names}")
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
-        return draw_panels(panels, looks.values(), title, common, newtons_per_load, axes)
+        return draw_panels(
+            panels, looks.values(), title, common, newtons_per_load, axes, mark_looks
+        )
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
         """The content of each panel with its curves, those of one surface if it has one."""
@@ -168,19 +173,10 @@ class CurveFigure:
 ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
 LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
 
-ROWS = toml_beside(__file__)
-CURVE_FIGURES = {
-    name: CurveFigure(**row | {"contents": tuple(Content(**each) for each in row["contents"])})
-    for name, row in ROWS.items()
-}
 
-
-def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
-    """The figure ``name`` of the paper or, for any other scene in ``data``, areas over the load on each
-    surface, also load fractions and film unless all curves are dry; ``ValueError`` if several conditions
-    vary, beside dry and lubricated contact."""
-    if name in CURVE_FIGURES:
-        return CURVE_FIGURES[name]
+def curve_figure(data: PlainDataset) -> CurveFigure:
+    """The figure of any ``data``: areas over the load on each surface, also load fractions and film unless
+    all curves are dry; ``ValueError`` if several conditions vary, beside dry and lubricated contact."""
     conditions = [curve.condition for curve in curves_in(data)]
     levels = {axis: {getattr(each, axis) for each in conditions} for axis in Condition._fields}
     absent = {"viscosity": set(), "particle_diameter": {0.0}, "particle_density": {0.0}}
@@ -189,7 +185,7 @@ def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
         varying.remove("viscosity")
     if len(varying) > 1:
         raise ValueError(
-            f"{name}: {' and '.join(varying)} vary; allowed: one of them beside dry and lubricated "
+            f"{' and '.join(varying)} vary; allowed: one of them beside dry and lubricated "
             "contact, and any number of roughnesses"
         )
     contents = tuple(map(Content, ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED))
@@ -199,10 +195,9 @@ def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
     return CurveFigure(*varying or ["viscosity"], contents, surfaces > 1)
 
 
-def _curve_series(content, curves, printed) -> Iterator[Series]:
+def _curve_series(content, curves) -> Iterator[Series]:
     """All series of a panel of curves."""
     x, y = content.x, content.y
-    curves = [curve for curve in curves if curve.has(x) and curve.has(y)]
     for curve in curves:
         yield Series(
             CURVE, curve.label, curve.values[x], curve.values[y], curve.condition, curve.look
@@ -214,42 +209,15 @@ def _curve_series(content, curves, printed) -> Iterator[Series]:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
     if y == marks.RATIO and x == "load":
         yield from marks.slight_series(x, y, curves)
-    yield from marks.printed_series(x, y, curves, printed)
     if x in ("load", "normal_load"):
-        for curve in (curve for curve in curves if curve.has(f"{y}_low")):
-            load, low, high = (curve.values[name] for name in (x, f"{y}_low", f"{y}_high"))
-            some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
-            ends = load[some], low[some], high[some]
-            yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
+        for curve in curves:
+            yield from marks.range_of(curve, x, y)
 
 
-def range_series(name, x, low, high, colour, condition=None) -> Series:
-    """The closed outline of a range where it is known: along its low and back along its high end."""
-    known = np.isfinite(low) & np.isfinite(high)
-    x, low, high = x[known], low[known], high[known]
-    outline = np.append(x, x[::-1]), np.append(low, high[::-1])
-    x, y = (np.append(each, each[:1]) for each in outline)
-    # opaque with an edge, because several may overlap
-    tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
-    look = {"facecolor": tint, "edgecolor": (colour, 0.25), "linewidth": 0.4, "zorder": 1.5}
-    look["label"] = marks.LOOKS[marks.BAND]["label"]
-    return Series(marks.BAND, name, x, y, condition, look)
-
-
-def _window_series(content, curves, windows, printed) -> Iterator[Series]:
-    """Turning points over x_a/σ on one surface, and the computed and printed ends of their range at y = 0."""
+def _window_series(content, curves, windows) -> Iterator[Series]:
+    """Turning points over x_a/σ on one surface, and the computed ends of their range at y = 0."""
     yield from marks.turning_point_series(content.x, content.y, curves, marks.TURNING_POINTS)
-
-    def is_here(row):
-        return np.isclose(row["roughness_m"], curves[0].condition.roughness, rtol=1e-9)
-
-    ends = np.array([row["diameter_over_roughness"] for row in windows if is_here(row)])
-    ends = ends[np.isfinite(ends)]
-    if ends.size:
-        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size), look=marks.LOOKS[marks.WINDOW])
-    for row in printed:
-        if row["quantity"].startswith("window") and is_here(row):
-            yield from marks.printed_limit(row)
+    yield from marks.window_series(windows, curves[0].condition.roughness)
 
 
 def draw_panels(
@@ -259,21 +227,21 @@ def draw_panels(
     common: Sequence[str] = (),
     newtons_per_load: float | None = None,
     axes: Sequence[Axes] = (),
+    mark_looks: Mapping[str, Mapping[str, Any]] = marks.LOOKS,
 ) -> Figure:
-    """Draw panels of curves, and a key for ``looks`` with a label and for marks; with ``newtons_per_load``,
-    F_t/F_t* [N], load axes also show newtons.  With ``axes``, one for each panel, they are drawn there, and
+    """Draw panels of curves, and a key for ``looks`` with a label and for ``mark_looks`` of marks that are
+    drawn; with ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  With ``axes``, one for each panel, they are drawn there, and
     the key is in the last of them; otherwise on a new figure."""
+    if not panels:
+        raise ValueError("there is nothing to draw; allowed: points with values of the variables")
     labels = {series.look.get("label") for panel in panels for series in panel.series}
-    looks = [*looks, *(look for look in marks.LOOKS.values() if look.get("label") in labels)]
+    looks = [*looks, *(look for look in mark_looks.values() if look.get("label") in labels)]
     entries = {
         look["label"]: Line2D([], [], **look)
         for look in looks
         if look.get("label", "_")[0] != "_"  # as matplotlib has it
     }
-    if axes:
-        if len(axes) != len(panels):
-            names = ", ".join(panel.y for panel in panels)
-            raise ValueError(f"ax has {len(axes)} axes; allowed: {len(panels)}, for {names}")
+    if len(axes):
         for each, panel in zip(axes, panels, strict=True):
             _draw_panel(each, panel, newtons_per_load)
         if entries:
@@ -298,43 +266,36 @@ def draw_panels(
 
 def _draw_panel(axes, panel, newtons_per_load):
     """The series of a panel, and the scales of its axes."""
-    lines = {}
+    lines, bars = {}, []
     for series in _some_ranges(panel.of_kind(marks.BAND)):
         outline = np.column_stack((series.x, np.maximum(series.y, panel.least or -np.inf)))
         axes.add_collection(PolyCollection([outline], **series.look))
-    for series in [one for one in panel.series if one.kind != marks.BAND]:
-        if panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
-            look = series.look
-            if panel.x == "film_thickness" and series.kind in (marks.PRINTED, marks.TOLERANCE):
-                look = {**look, "transform": axes.get_xaxis_transform()}  # on the axis
-            (lines[series],) = axes.plot(
-                series.x, np.maximum(series.y, panel.least or -np.inf), **look
-            )
-        elif series.kind == marks.TOLERANCE:
-            axes.axvspan(*series.x, **series.look)
-        else:
-            for end in series.x:
-                axes.axvline(end, **series.look)
+    for series in panel.series:
+        if series.drawn_as == UPRIGHT:
+            for x in series.x:
+                axes.axvline(x, **series.look)
+            if series.tolerance:
+                axes.axvspan(*series.tolerance[0], **series.tolerance_look)
+        elif series.drawn_as == LINE:
+            y = np.maximum(series.y, panel.least or -np.inf)
+            (lines[series],) = axes.plot(series.x, y, **series.look)
+            if series.tolerance:
+                bars += axes.plot(*series.tolerance, **series.tolerance_look)
     set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
     peaks = marks.TURNING_POINTS, marks.SLIGHT
     stars = [line for series, line in lines.items() if series.kind in peaks]
     keep_apart(axes, stars)
-    printed = [line for series, line in lines.items() if series.kind == marks.PRINTED]
-    keep_apart(axes, printed)
-    # a tolerance follows its number
-    tolerances = [
-        (lines[number], lines[one])
-        for number, one in pairwise(lines)
-        if one.kind == marks.TOLERANCE
-    ]
-    hide_bars(axes, tolerances)
+    numbers = [line for series, line in lines.items() if series.tolerance]
+    points = [line for line in numbers if len(line.get_xdata()) == 1]
+    keep_apart(axes, points)
+    hide_bars(axes, list(zip(numbers, bars, strict=True)))
     if panel.x == "load":
         texts = {
             lines[one]: text
             for one in panel.of_kind(CURVE)
             if (text := one.look.get("label", "").lstrip("_"))[:1].isdigit()
         }
-        label_curves(axes, texts, [*stars, *printed])
+        label_curves(axes, texts, [*stars, *points])
 
 
 def _some_ranges(ranges):

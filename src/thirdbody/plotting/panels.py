@@ -11,6 +11,7 @@ from thirdbody.curves import Condition
 from thirdbody.plotting.scales import label
 
 CURVE = "curve"
+LINE, OUTLINE, UPRIGHT = "line", "outline", "upright"  # how a series is drawn
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,8 +40,12 @@ class Curve:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws
-    them.  The kind is ``CURVE``, "band", "turning points", "printed", ..."""
+    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws them.
+
+    The kind is ``CURVE``, "band", "turning points", "printed", ...  Points are joined by a line, are the
+    outline of an area, or each is an upright line across the panel.  A number may have a ``tolerance``: x and
+    y of both its ends.
+    """
 
     kind: str
     name: str
@@ -48,6 +53,9 @@ class Series:
     y: NDArray
     curve: Condition | None = None
     look: Mapping[str, Any] = field(default_factory=dict)
+    drawn_as: str = LINE
+    tolerance: tuple[NDArray, NDArray] | None = None
+    tolerance_look: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""``plot``: the panels of the paper for any dataset or curve, over the load or over another axis."""
+"""``plot``: the panels of the paper for any dataset, over the load or over another axis."""
 
 from __future__ import annotations
 
@@ -18,29 +18,19 @@ from matplotlib.figure import Figure
 
 from thirdbody.attributes import GIVEN_AS
 from thirdbody.conditions import axis_of, checked_variables
-from thirdbody.files import DamagedFile, readable_file
-from thirdbody.messages import format_value
 from thirdbody.netcdf import OF_THE_FILE, read_plain
 from thirdbody.plotting.curves import (
     BLUE,
-    CURVE_FIGURES,
     LUBRICATED,
     curve_figure,
     draw_panels,
     level_styles,
-    range_series,
 )
-from thirdbody.plotting.drawing import CURVE, STYLE, Drawing
-from thirdbody.plotting.marks import read_turning_points
-from thirdbody.plotting.panels import Panel, Series
+from thirdbody.plotting.drawing import STYLE, Drawing
+from thirdbody.plotting.marks import range_series, read_turning_points
+from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
-from thirdbody.variables import CONDITION_AXES, DIMENSIONS, NORMAL_LOAD, STATUS
-
-MOST_CURVES = 24  # of which a legend names each
-ALLOWED = (
-    "a solution itself (not its to_dataframe), a curve, or a dataset of tb.grid, tb.stream, "
-    "Solution.to_dataset or the workflow, also its table or NetCDF file"
-)
+from thirdbody.variables import BY_ALIAS, DIMENSIONS, NORMAL_LOAD, STATUS
 
 
 def plot(
@@ -48,7 +38,6 @@ def plot(
     *,
     over: str | None = None,
     variables: str | Sequence[str] = LUBRICATED,
-    like: str | None = None,
     turning_points: Sequence[Mapping] | str | PathLike = (),
     band: xr.Dataset | str | PathLike | None = None,
     ax: Axes | Sequence[Axes] | None = None,
@@ -57,21 +46,17 @@ def plot(
 
     Parameters
     ----------
-    data : Solution, Curve, xarray.Dataset, pandas.DataFrame or path
-        A solution, a curve of ``Interface.curve`` with its ensemble range, a dataset of ``grid`` or
-        ``Solution.to_dataset``, the table of such a dataset, or a file of ``stream`` or of the workflow.
-        ``Solution.to_dataframe`` is no such table: its load in newtons does not give F_t*.
-        Points in a list must be all combinations of their conditions.
+    data : Solution, xarray.Dataset, pandas.DataFrame or path
+        A solution, a dataset of ``grid`` or ``Solution.to_dataset``, the table of such a dataset, or a NetCDF
+        file of ``stream`` or of the workflow.  ``Solution.to_dataframe`` is no such table: its load in newtons
+        does not give F_t*.  Points in a list must be all combinations of their conditions.
     over : str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
-        that of a curve, otherwise the load, in newtons if it was given so.  Over the load,
-        one of viscosity, particle diameter and density may vary, in addition to dry and lubricated
-        contact, and any number of roughnesses.  Over another axis, all others may vary: each
-        combination is a curve.
+        the load, in newtons if it was given so.  Over the load, one of viscosity, particle diameter and
+        density may vary, in addition to dry and lubricated contact, and any number of roughnesses.  Over
+        another axis, all others may vary: each combination is a curve.
     variables : str or sequence of str, optional
         Draw only these of the four quantities.
-    like : str, optional
-        Draw the panels of this figure of the paper, "fig03" to "fig13"; only over the load.
     turning_points : sequence of mapping, or path, optional
         Turning points to mark over the load: mappings of the four conditions [SI], ``load`` [1] and
         ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
@@ -88,12 +73,12 @@ def plot(
     Raises
     ------
     ValueError
-        For data that are not such a dataset, vary in more conditions than one figure can
-        distinguish, or have nothing to draw, and for an unknown axis or figure.
+        For data that are not all combinations of their conditions, vary in more conditions than one
+        figure can distinguish, or have nothing to draw.
     OSError
         If a file cannot be read.
     ModuleNotFoundError
-        If matplotlib is not installed: the extra ``figures`` installs it.
+        If matplotlib is not installed: the extra ``plot`` installs it.
 
     Examples
     --------
@@ -108,15 +93,10 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity ν (cSt)'
     """
-    if like is not None and like not in CURVE_FIGURES:
-        raise ValueError(f"like is {like!r}; allowed: {', '.join(CURVE_FIGURES)}")
     variables = checked_variables(variables, LUBRICATED)
-    axes = _checked_axes(ax)
-    turning_points = _checked_turning_points(turning_points)
-    if hasattr(data, "along") and hasattr(data, "points"):  # figures do not import ``Curve``
-        over = None if over == data.along else over
-        _refuse(data, over=over, like=like, band=band, turning_points=turning_points or None)
-        return plot_curve(data, variables, axes)
+    axes = [] if ax is None else np.ravel(np.asarray(ax, object))
+    if isinstance(turning_points, str | PathLike):
+        turning_points = read_turning_points(turning_points)
     complete = _with_all_dimensions("data", data)
     in_newtons = GIVEN_AS in complete["load"].attrs and NORMAL_LOAD.name in complete
     over = over or ("load_N" if in_newtons else "load")
@@ -127,48 +107,11 @@ def plot(
         if along != "load":
             return _plot_over(complete, along, variables, axes)
         ranges = None if band is None else _with_all_dimensions("band", band)
-        drawn = curve_figure(like or "data", complete)
-        chosen = tuple(each for each in drawn.contents if like or each.y in variables)
-        if over == "load_N":
-            if NORMAL_LOAD.name not in complete:
-                raise ValueError("data has no normal_load; allowed: over='load'")
-            chosen = tuple(
-                replace(each, x=NORMAL_LOAD.name) if each.x == "load" else each for each in chosen
-            )
-        drawn = replace(drawn, contents=chosen)
-        return drawn.plot(complete, turning_points, ranges, axes=axes)
-
-
-def is_solution(data: Any) -> bool:
-    """Whether ``data`` is a ``Solution``, which figures do not import."""
-    return hasattr(data, "conditions") and hasattr(data, "to_dataset")
-
-
-def _refuse(curve, **given):
-    """``ValueError`` for arguments that are not for a curve, if they are given."""
-    for name, value in given.items():
-        if value is not None:
-            message = f"{name} is {format_value(value)}, for a curve along {curve.along}"
-            raise ValueError(f"{message}; allowed: None")
-
-
-def _checked_turning_points(given) -> Sequence[Mapping]:
-    """The rows of turning points, read if they are in a file."""
-    if isinstance(given, Sequence) and all(isinstance(each, Mapping) for each in given):
-        return given
-    allowed = "mappings, or the path of a table tpca_loads"
-    return read_turning_points(readable_file("turning_points", given, allowed))
-
-
-def _checked_axes(ax) -> list[Axes]:
-    """The axes to draw on, none for a new figure."""
-    if ax is None:
-        return []
-    several = isinstance(ax, list | tuple) or getattr(ax, "dtype", None) == np.dtype("O")
-    axes = list(np.ravel(np.asarray(ax, object))) if several else [ax]
-    if not axes or not all(isinstance(each, Axes) for each in axes):
-        raise ValueError(f"ax is {format_value(ax)}; allowed: axes of matplotlib")
-    return axes
+        figure = curve_figure(complete)
+        x = NORMAL_LOAD.name if over == "load_N" else "load"
+        chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in variables)
+        figure = replace(figure, contents=chosen)
+        return figure.plot(complete, turning_points, ranges, axes=axes)
 
 
 def _plot_over(
@@ -179,14 +122,6 @@ def _plot_over(
     varying = [name for name in others if data.sizes[name] > 1]
     common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
     names = [name for name in variables if name in data and bool(data[name].notnull().any())]
-    if not names:
-        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(LUBRICATED)}")
-    count = prod(data.sizes[name] for name in varying)
-    if count > MOST_CURVES:
-        message = f"data make {count} curves over {over}"
-        raise ValueError(
-            f"{message}; allowed: at most {MOST_CURVES} (select some with sel or isel)"
-        )
     curves = {}
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
@@ -199,16 +134,39 @@ def _plot_over(
 
 
 def plot_curve(
-    curve: Any, variables: Collection[str] = LUBRICATED, axes: Sequence[Axes] = ()
+    table: pd.DataFrame,
+    along: str,
+    variables: Collection[str] = LUBRICATED,
+    axes: Sequence[Axes] = (),
 ) -> Figure:
-    """Draw ``variables`` of the result of ``Interface.curve``, with its range if it has one."""
-    units = {axis.alias: (axis.name, axis.scale) for axis in CONDITION_AXES}
-    along, unit = units.get(curve.along, ("normal_load", 1.0))
-    x = unit * np.asarray(curve.points)
-    panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in variables]
+    """Draw the variables of one interface along one condition, with their ranges if there are some.
+
+    Parameters
+    ----------
+    table : pandas.DataFrame
+        A column ``along``, one for each of the ``variables`` [SI], and beside it ``_low`` and ``_high`` if it
+        has a range: as in ``Interface.curve``.
+    along : str
+        The condition along x, with its unit: ``load_N``, ``viscosity_cSt``, ...
+    variables : collection of str, optional
+        Names of quantities, each with a panel.
+    axes : sequence of matplotlib.axes.Axes, optional
+        Draw there, one for each panel; by default on a new figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    axis = BY_ALIAS[along]
+    name, x = axis.name, table[along].to_numpy()
+    if along == "load_N":
+        name = NORMAL_LOAD.name
+    else:
+        x = axis.to_si(x)
+    panels = [_panel(name, x, each, {"": table}, [{"color": BLUE}]) for each in variables]
     for panel in panels:
-        if f"{panel.y}_low" in curve.values:
-            ends = curve.values[f"{panel.y}_low"], curve.values[f"{panel.y}_high"]
+        if f"{panel.y}_low" in table:
+            ends = (table[f"{panel.y}_{end}"].to_numpy() for end in ("low", "high"))
             panel.series.append(range_series("", x, *ends, BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, [], axes=axes)
@@ -223,28 +181,45 @@ def _panel(over, x, name, curves, looks) -> Panel:
     return Panel(SCALES[name].title, over, name, series)
 
 
-def draw_comparison(comparison: pd.DataFrame, curve: pd.DataFrame) -> Figure:
-    """Draw the result of ``thirdbody.compare``, a panel for each measured quantity, with the curve of the
-    model and its ensemble range; if it has no rows, with a mark of the model beside each measurement."""
-    along = comparison.attrs["along"]
-    names = [summary["quantity"] for summary in comparison.attrs["summary"]]
-    table = comparison.sort_values(along)
+def plot_comparison(
+    table: pd.DataFrame, curve: pd.DataFrame, along: str, variables: Sequence[str]
+) -> Figure:
+    """Draw measurements over one condition beside the model, a panel for each variable.
+
+    Parameters
+    ----------
+    table : pandas.DataFrame
+        One row per measurement: the column ``along``, each of the ``variables`` as measured, and with
+        ``_model`` as computed, with ``_low`` and ``_high`` if it has a range.
+    curve : pandas.DataFrame
+        The model between the measurements, in the same columns.  If it is empty, the model is a mark beside
+        each measurement.
+    along : str
+        The column along x.
+    variables : sequence of str
+        The measured quantities.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    table = table.sort_values(along)
     model = curve if len(curve) else table
     x, measured = model[along], table[along]
     look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
+    ensemble = "5 to 95 % of the ensemble"
     with matplotlib.style.context(STYLE, after_reset=True):
-        figure = Drawing(figsize=(3.4 * len(names), 2.8), layout="constrained")
-        for axes, name in zip(figure.subplots(1, len(names), squeeze=False)[0], names):
+        figure = Drawing(figsize=(3.4 * len(variables), 2.8), layout="constrained")
+        panels = figure.subplots(1, len(variables), squeeze=False)[0]
+        for axes, name in zip(panels, variables, strict=True):
             axes.plot(x, model[f"{name}_model"], color=BLUE, label="model", **look)
             if f"{name}_low" in model:
-                ends, label = (
-                    (model[f"{name}_low"], model[f"{name}_high"]),
-                    "5 to 95 % of the ensemble",
-                )
+                ends = model[f"{name}_low"], model[f"{name}_high"]
                 if len(curve):
-                    axes.fill_between(x, *ends, color=BLUE, alpha=0.2, linewidth=0.0, label=label)
+                    fill = {"color": BLUE, "alpha": 0.2, "linewidth": 0.0}
+                    axes.fill_between(x, *ends, label=ensemble, **fill)
                 else:
-                    axes.vlines(x, *ends, color=BLUE, alpha=0.4, label=label)
+                    axes.vlines(x, *ends, color=BLUE, alpha=0.4, label=ensemble)
             axes.plot(measured, table[name], "o", color="black", label="measured")
             if 0.0 < 10.0 * measured.min() < measured.max():
                 axes.set_xscale("log")
@@ -265,26 +240,17 @@ def _note(data, name, value) -> str:
 
 def _with_all_dimensions(name, data) -> xr.Dataset:
     """A dataset over the five axes in their order; missing ones have length one."""
-    if is_solution(data):
-        data = data.to_dataset()
-        if STATUS not in data:  # not asked for
-            data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
     if isinstance(data, str | PathLike):
-        data = _read(readable_file(name, data, ALLOWED))
-    if isinstance(data, pd.DataFrame):
+        data = read_plain(data).to_xarray()
+    elif isinstance(data, pd.DataFrame):
         named = [each for each in data.index.names if each in DIMENSIONS]
         data = data.reset_index(named).reset_index(drop=True).to_xarray()
-    if not isinstance(data, xr.Dataset):
-        raise ValueError(f"{name} is of type {type(data).__name__}; allowed: {ALLOWED}")
+    elif not isinstance(data, xr.Dataset):
+        data = data.to_dataset()
     if any(each in variable.attrs for variable in data.variables.values() for each in OF_THE_FILE):
         data = xr.decode_cf(data, decode_times=False)
-    missing = [each for each in DIMENSIONS if each not in data]
-    if name == "data" and STATUS not in data:
-        missing.append(STATUS)
-    if 0 in data.sizes.values():
-        missing.append("points")
-    if missing:
-        raise ValueError(f"{name} has no {missing[0]}; allowed: {ALLOWED}")
+    if STATUS not in data:  # not asked for, or a range
+        data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
     data = data.set_coords(DIMENSIONS)
     if not set(data.dims) <= set(DIMENSIONS):
         data = _placed_on_axes(name, data)
@@ -295,22 +261,13 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     return data.transpose(*DIMENSIONS).sortby([*DIMENSIONS])
 
 
-def _read(path) -> xr.Dataset:
-    """The dataset in a file; ``OSError`` says what a file must be."""
-    try:
-        return read_plain(path).to_xarray()
-    except DamagedFile as error:
-        allowed = "a NetCDF file of tb.stream, of a dataset or of the workflow"
-        raise OSError(f"{error}; allowed: {allowed}") from None
-
-
 def _placed_on_axes(name, data) -> xr.Dataset:
     """Points along other dimensions on the five axes, if they are all combinations of their conditions."""
     table = data.reset_coords().to_dataframe()
     levels = [each for each in table.index.names if each not in table]
     table = table.reset_index(levels).set_index([*DIMENSIONS])
     complete = prod(map(len, table.index.remove_unused_levels().levels))
-    if table.index.has_duplicates or len(table) != complete:
+    if len(table) != complete:
         other = next(each for each in data.dims if each not in DIMENSIONS)
         message = f"{name} has the dimension {other!r}, with points that are not all combinations"
         raise ValueError(f"{message}; allowed: one point for each of {', '.join(DIMENSIONS)}")

@@ -1,0 +1,327 @@
+"""Captions and alternative texts, from the tables below and from the panels of a figure."""
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+
+from thirdbody.curves import Condition
+from thirdbody.paper.figures import printed
+from thirdbody.plotting import marks
+from thirdbody.plotting.panels import CURVE, Panel
+from thirdbody.plotting.scales import (
+    SCALES,
+    axis_text,
+    label,
+    note,
+    quantity,
+    unit_text,
+    value_text,
+)
+from thirdbody.variables import AXES
+
+MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
+
+
+@dataclass(frozen=True, kw_only=True)
+class Caption:
+    """The title of a figure, what it shows, what the paper concludes from it, and a text in its place."""
+
+    title: str
+    shows: str = ""
+    message: str = ""
+    alternative: str
+
+    @property
+    def text(self) -> str:
+        """All below the title."""
+        return " ".join(filter(None, (self.shows, self.message)))
+
+    def markdown(self) -> str:
+        """Two paragraphs of Markdown or reStructuredText."""
+        title = MARKUP.sub(r"\\\g<0>", self.title)
+        return f"**{title}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
+
+    def record(self) -> str:
+        """The caption as JSON."""
+        return json.dumps(asdict(self), ensure_ascii=False, indent=1)
+
+
+def read_caption(path: str | PathLike) -> Caption:
+    """The caption in a file of JSON."""
+    return Caption(**json.loads(Path(path).read_text(encoding="utf-8")))
+
+
+# figures whose captions do not follow from curves
+CAPTIONS = {
+    "fig01": Caption(
+        title="Figure 1. A lubricated interface with third-body particles",
+        message=(
+            "The load F_t is carried by summits of both surfaces, by particles, and by the "
+            "lubricant. The band is the elastic zone h_e of Eqs. 4 and 5 below the mean plane of "
+            "surface 1: in the model every particle that reaches into it carries load, also one "
+            "that does not touch surface 1 here. Such particles are dark, others pale. Dashed "
+            "lines are the mean planes. Surfaces and sizes are drawn from the distributions of "
+            "the model, at the separation d computed for the load F_t."
+        ),
+        alternative=(
+            "A cut through two rough surfaces, one above the other, with lubricant and round "
+            "particles in the gap. Lines name surfaces, lubricant, a particle and a contact; "
+            "arrows mark the separation d and the load, a band h_e."
+        ),
+    ),
+    "fig02": Caption(
+        title="Figure 2. The three contact modes",
+        message=(
+            "In the s-s mode (A) summits carry the load, in the p-s mode (B) particles, in the "
+            "hybrid mode (C) both. Dark particles carry load, as in Figure 1; pale ones, the "
+            "specks in A, do not. Surfaces and sizes are drawn from the distributions of the "
+            "model, at the separation d computed for the load F_t."
+        ),
+        alternative=(
+            "Three cuts through two rough surfaces with round particles between them. In A "
+            "summits touch and particles are free; in B only particles carry load; in C both do."
+        ),
+    ),
+    "claims": Caption(
+        title="Verdict on each statement of the paper",
+        message=(
+            "A shaded line has the statements of one figure that hold; every other statement has "
+            "a line of its own, in words, which end in … where they are long. Each marker is at "
+            "the deviation of the model in tolerances, linear up to one and logarithmic beyond; "
+            "a statement holds up to the vertical line. Statements that are not tested have no "
+            "marker. Diamonds do not hold when their figure is left out of the search for "
+            "inputs. Hollow markers: less than three quarters of the ensemble give the same "
+            "verdict."
+        ),
+        alternative=(
+            "Markers in horizontal lines, grouped by the figure of the paper; the statements "
+            "beyond one tolerance are named."
+        ),
+    ),
+    "sensitivity": Caption(
+        title="Sensitivity of results to the unprinted inputs",
+        message=(
+            "Each column is a result, each row an input. An elasticity is the change of the "
+            "result in per cent for one per cent of the input. Inputs stand in the order of "
+            "their largest elasticity. Cells without a number are near zero; the table has them "
+            "all. Colours stop at the ends of the scale, numbers do not."
+        ),
+        alternative=("A heat map with a number in each cell that is not negligible."),
+    ),
+    "largest_particle": Caption(
+        title="Largest particles that avoid the particle-surface mode",
+        message=(
+            "Below the curve summits have at least 5 % of the contact area (A_sa,t* = 0.95 on "
+            "the curve). Shaded: range, 5 to 95 %, over the ensemble at the same normal load. "
+            "Where a curve or its range ends, the limit is outside the sizes of the atlas."
+        ),
+        alternative=(
+            "One panel for each viscosity and particle density: a diameter over the normal load, "
+            "a curve with a shaded range for each roughness."
+        ),
+    ),
+    "least_viscosity": Caption(
+        title="Least viscosity out of boundary lubrication",
+        message=(
+            "Above the curve the film carries more than a tenth of the load (L_s = 0.90 on the "
+            "curve). Shaded: range of 5 to 95 % over the ensemble at the same normal load. Where "
+            "a curve or its range ends, the limit is outside the viscosities of the atlas."
+        ),
+        alternative=(
+            "One panel for each particle diameter and density: a viscosity over the normal load, "
+            "a curve with a shaded range for each roughness."
+        ),
+    ),
+}
+# what the paper concludes from a figure of curves
+MESSAGES = {
+    "fig03": (
+        "The paper: as the load grows, contact with particles larger than 300 nm passes from the "
+        "p-s through the hybrid to the s-s mode, and its area rises to that of two-body contact, "
+        "which is the largest."
+    ),
+    "fig04": (
+        "The paper: below 50 cSt a lubricant changes little; above 70 cSt it carries more of the "
+        "load as the load grows, and the slope of the contact area drops where that begins, in B "
+        "at the diamonds."
+    ),
+    "fig05": (
+        "The paper: on the smoother surface a thin lubricant is enough for mixed lubrication; on "
+        "the rougher one more than 70 cSt is needed, which is held against the curves at 90, 120 "
+        "and 150 cSt together: one of them is enough."
+    ),
+    "fig06": (
+        "The paper: the larger the particles, the smaller the dry contact area; with a film "
+        "between the surfaces the order is reversed at high loads."
+    ),
+    "fig07": (
+        "The paper: more particles make the contact area smaller, but larger at high loads once "
+        "the lubrication is mixed."
+    ),
+    "fig08": (
+        "The paper: in the p-s mode the contact area grows with the roughness, near the s-s mode "
+        "it falls; on the roughest surface the area ratio of particles rises and then falls, "
+        "which is the turning point of the contact area."
+    ),
+    "fig09": (
+        "The paper: particles of about 250 to 400 nm, 0.83 to 1.33 times σ, have a turning "
+        "point, where the grey areas in D show what counts as about; larger ones enter the p-s "
+        "mode at low loads."
+    ),
+    "fig10": (
+        "The paper: turning points occur at about the same ratios of diameter to roughness on "
+        "either surface, at loads that fall with that ratio."
+    ),
+    "fig11": (
+        "The paper: viscosity shifts the turning point to higher loads once the lubrication is "
+        "mixed, but not its height; over the film thickness all curves coincide. In B the "
+        "upright bar is the boundary regime, which the paper names without a number; in C "
+        "printed numbers stand across the panel, because the paper prints the film thickness alone."
+    ),
+    "fig12": (
+        "The paper: on the smoother surface there is no turning point from 50 cSt on, as the "
+        "film carries the whole load; on the rougher one viscosity changes nothing."
+    ),
+    "fig13": (
+        "The paper: on the smoothest surface the density hardly changes the load of the turning "
+        "point; the rougher the surface, the more it rises with the density. The axes of A_sa,t* "
+        "are logarithmic."
+    ),
+}
+# the middle zone of an axis
+ZONES = {
+    "contact_mode": (
+        "Shaded zone: the hybrid mode, A_sa,t* from 0.05 to 0.95; above it is the p-s mode, "
+        "below it the s-s mode."
+    ),
+    "lubrication_regime": (
+        "Shaded zone: mixed lubrication (M.L.), L_s from 3 to 90 %; above it is boundary (B.L.), "
+        "below it full-film lubrication (F.L.)."
+    ),
+}
+# the marks that the key of a figure of curves names
+MEANINGS = {
+    marks.TURNING_POINTS: (
+        "Stars: turning points of the contact area, maxima that stand out by at least 0.02 "
+        "within these loads; a curve that still rises at the largest load has none."
+    ),
+    marks.SLIGHT: ("Hollow stars: maxima, however high, that stand out by less and do not count."),
+    marks.LOCUS: ("Heavy dashes join the turning points."),
+    marks.WINDOW: (
+        "Blue vertical lines: limits of the range with turning points, computed between the "
+        "sizes of the curves too."
+    ),
+    printed.PRINTED: (
+        "Diamonds: numbers that the paper prints; bars: their tolerances, where longer than the "
+        "diamond."
+    ),
+    printed.PRINTED_LIMIT: (
+        "Dashed vertical lines: limits that the paper prints for this surface; grey areas: "
+        "tolerances."
+    ),
+    printed.LIMIT_OF_ALL: ("Dotted vertical lines: limits that the paper prints for all surfaces."),
+    printed.EVERY_LOAD: (
+        "Level lines with a stroke at each end: numbers that the paper prints for every load; "
+        "upright bars: their tolerances, where longer than the strokes."
+    ),
+    marks.BAND: (
+        "Shaded in colour: the range, 5 to 95 %, over the ensemble of inputs that explain the "
+        "paper about equally well, for some curves. The curves are of the default inputs."
+    ),
+} | {status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES}
+
+
+def caption(
+    name: str, panels: Sequence[Panel] = (), title: str = "", notes: Sequence[str] = ()
+) -> Caption:
+    """The caption of a figure; that of a figure of curves follows from the ``title`` of its scene and
+    from its ``panels``.  ``notes`` are further sentences on what is shown."""
+    if name in CAPTIONS:
+        return replace(CAPTIONS[name], shows=" ".join(notes))
+    number = f"Figure {int(name.removeprefix('fig'))}. " if name in MESSAGES else ""
+    return Caption(
+        title=number + " ".join(title.split()),
+        shows=" ".join([*_notes(panels), *notes]),
+        message=MESSAGES.get(name, ""),
+        alternative=" ".join(map(_description, panels)),
+    )
+
+
+def _notes(panels) -> list[str]:
+    """Sentences on the panels, the load axis, the conditions, and the meaning of marks and lines."""
+    conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
+    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    named = {kind for kind, look in printed.ALL_LOOKS.items() if look.get("label", "") in labels}
+    contents = []
+    for panel in panels:
+        own = [panel.conditions] if panel.conditions else []
+        viscosities = {curve.curve.viscosity for curve in panel.of_kind(CURVE)}
+        if 1 < len(viscosities) < len({condition.viscosity for condition in conditions}):
+            own.append(_levels("viscosity", viscosities))
+        own = f" at {', '.join(own)}" if own else ""
+        over = "" if panel.x == "load" else f" over the {quantity(panel.x)}"
+        letter = f"({panel.letter}) " if len(panels) > 1 else ""
+        contents.append(f"{letter}{quantity(panel.y)}{own}{over}")
+    sentences = ["; ".join(contents) + "."]
+    sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
+    sentences += [sentence for kind, sentence in MEANINGS.items() if kind in named]
+    if len({condition.is_dry for condition in conditions}) > 1:
+        sentences.append("Broad grey curves: dry contact.")
+    sentences += [
+        ZONES[zones] for zones in dict.fromkeys(SCALES[panel.y].zones for panel in panels) if zones
+    ]
+    return sentences
+
+
+def _conditions(conditions) -> str:
+    """The values of the four conditions of the curves, of sizes over the roughness where these are fewer."""
+    parts = []
+    ratios = {f"{condition.diameter_ratio:.4g}" for condition in conditions}
+    for name, taken in zip(Condition._fields, zip(*conditions), strict=True):
+        if name == "particle_diameter" and len(ratios) < len({*taken}):
+            parts.append(f"xₐ/σ = {', '.join(sorted(ratios, key=float))}")
+            continue
+        parts.append(_levels(name, {*taken}))
+    return f"Conditions: {'; '.join(parts)}."
+
+
+def _levels(name, values) -> str:
+    if len(values) == 1:
+        return note(name, *values)
+    zero = "dry and " if name == "viscosity" else "two-body and "
+    listed = ", ".join(value_text(name, value) for value in sorted(values) if value)
+    return f"{'' if all(values) else zero}{AXES[name].sign} = {listed} {unit_text(name)}"
+
+
+def _description(panel) -> str:
+    """Alternative text of a panel: its curves with their ends, and the number of marks."""
+    curves = panel.of_kind(CURVE)
+    parts = []
+    if curves:
+        y = np.concatenate([curve.y for curve in curves])
+        parts.append(f"{len(curves)} curves of {quantity(panel.y)} {_range(panel.y, y)}")
+        taken = zip(*(curve.curve for curve in curves), strict=True)
+        varying = [name for name, values in zip(Condition._fields, taken) if len({*values}) > 1]
+        for curve in dict.fromkeys((curves[0], curves[-1])):
+            own = ", ".join(note(name, getattr(curve.curve, name)) for name in varying)
+            ends = " to ".join(axis_text(panel.y, end) for end in curve.y[[0, -1]])
+            parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
+    for kind, look in printed.ALL_LOOKS.items():
+        named = [s for s in panel.series if s.look.get("label", "") == look.get("label")]
+        if named and kind not in (marks.LOCUS, marks.BAND):
+            x, y = (np.concatenate([getattr(each, axis) for each in named]) for axis in "xy")
+            count = len({*zip(x.tolist(), y.tolist())})
+            if kind == printed.EVERY_LOAD:  # lines, of which these are the ends
+                count //= 2
+            parts.append(f"{look['label']}: {count}, {quantity(panel.x)} {_range(panel.x, x)}")
+    return f"Panel {panel.letter}: {'; '.join(parts)}."
+
+
+def _range(name, values) -> str:
+    low, high = (axis_text(name, end) for end in (np.nanmin(values), np.nanmax(values)))
+    return f"of {low}" if low == high else f"between {low} and {high}"

@@ -1,0 +1,87 @@
+"""The figures of curves in the paper, and those of other scenes, with the printed numbers."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from matplotlib.figure import Figure
+
+from thirdbody.netcdf import PlainDataset
+from thirdbody.paper.figures import printed as printed_marks
+from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
+from thirdbody.plotting.panels import Curve, Series
+
+RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
+AREA, RELATIVE_AREA = Content("total_contact_area"), Content("total_contact_area_over_two_body")
+FILM = Content("film_thickness")
+TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio")
+# the conditions of the curves have the same name in config/scenes.yaml; other scenes need no entry here
+CURVE_FIGURES: dict[str, CurveFigure] = {
+    # dry: from the p-s over the hybrid to the s-s mode
+    "fig03": CurveFigure("particle_diameter", (RATIO, AREA, RELATIVE_AREA)),
+    # lubricants, with dry and two-body contact
+    "fig04": CurveFigure("viscosity", (RATIO, AREA, SOLID, FILM)),
+    # the same on two surfaces
+    "fig05": CurveFigure("viscosity", (SOLID,), each_surface=True),
+    # lubricated and dry contact
+    "fig06": CurveFigure("particle_diameter", (AREA, SOLID, RATIO, RELATIVE_AREA)),
+    "fig07": CurveFigure("particle_density", (AREA, SOLID, RATIO, RELATIVE_AREA)),
+    "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE_AREA), two_body=False),
+    # dry: where the turning point occurs
+    "fig09": CurveFigure(
+        "particle_diameter",
+        (
+            RATIO,
+            Content("total_contact_area", locus=True),
+            Content("total_contact_area_over_two_body", locus=True),
+            TURNING_POINTS,
+        ),
+        two_body=False,
+    ),
+    "fig10": CurveFigure("diameter_ratio", (RATIO, TURNING_POINTS), each_surface=True),
+    # how lubricants shift it: over the load and over the film
+    "fig11": CurveFigure(
+        "viscosity",
+        (RATIO, SOLID, Content("particle_contact_area_ratio", x="film_thickness")),
+    ),
+    # on two surfaces
+    "fig12": CurveFigure(
+        "viscosity",
+        (
+            Content("particle_contact_area_ratio", surface=0),
+            Content("solid_load_fraction", surface=0),
+            Content("particle_contact_area_ratio", surface=-1),
+        ),
+    ),
+    # and with other particle densities
+    "fig13": CurveFigure(
+        "particle_density",
+        (Content("particle_contact_area_ratio", least=0.003),),
+        each_surface=True,
+    ),
+}
+
+
+def plot(
+    name: str,
+    data: PlainDataset,
+    turning_points: Sequence[Mapping] = (),
+    ensemble_range: PlainDataset | None = None,
+    printed: Sequence[Mapping] = (),
+    windows: Sequence[Mapping] = (),
+) -> Figure:
+    """Draw the figure ``name`` of the paper, or that of any other scene.
+
+    ``printed`` and ``windows`` are rows of the tables ``printed``, those of this figure, and
+    ``tpca_windows``; the other arguments and errors are those of ``CurveFigure.plot``.
+    """
+
+    def numbers(content: Content, curves: Sequence[Curve]) -> Iterator[Series]:
+        return printed_marks.printed_series(content.x, content.y, curves, printed)
+
+    return (CURVE_FIGURES.get(name) or curve_figure(data)).plot(
+        data,
+        turning_points,
+        ensemble_range,
+        windows,
+        further=numbers,
+        mark_looks=printed_marks.ALL_LOOKS,
+    )

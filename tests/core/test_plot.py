@@ -1,0 +1,278 @@
+"""The paper's panels for datasets of one's own, however they were made."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+import thirdbody as tb
+from thirdbody.plotting.plot import plot_comparison, plot_curve
+from thirdbody.plotting.scales import SCALES
+from thirdbody.variables import AXES as CONDITIONS
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+LOADS = np.geomspace(1e-7, 1e-4, 12)
+AXES = {
+    "load": LOADS,
+    "viscosity": [0.0, 5e-5, 9e-5],
+    "particle_diameter": 3e-7,
+    "roughness": 3e-7,
+    "particle_density": 1e11,
+}
+PANELS = ["particle_contact_area_ratio", "total_contact_area"]
+PANELS += ["solid_load_fraction", "film_thickness"]
+
+
+@pytest.fixture
+def grid(parameters):
+    """Function that solves the axes above with other ones."""
+    return lambda variables=(*PANELS, "separation"), **given: tb.grid(
+        **(AXES | given), parameters=parameters, rtol=1e-3, variables=variables
+    )
+
+
+def panels(figure):
+    """The variable of each panel, by its axis."""
+    names = {variable.axis: name for name, variable in SCALES.items()}
+    return [names[panel.get_ylabel()] for panel in figure.axes]
+
+
+def curves(figure):
+    """Heights of the curves of each panel."""
+    return [
+        [line.get_ydata() for line in panel.lines if len(line.get_xdata()) == LOADS.size]
+        for panel in figure.axes
+    ]
+
+
+def test_it_shows_the_values_of_the_dataset(grid):
+    data = grid()
+    figure = tb.plot(data)
+    assert panels(figure) == PANELS
+    for name, drawn in zip(PANELS, curves(figure), strict=True):
+        np.testing.assert_array_equal(np.transpose(drawn), data[name].values.reshape(-1, 3))
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ({"viscosity": 0.0}, PANELS[:2]),
+        ({"viscosity": 9e-5}, PANELS),
+        ({"load": [1e-6, 1e-5]}, PANELS),
+        ({"roughness": [1e-7, 3e-7]}, [name for name in PANELS for _ in range(2)]),
+        ({"viscosity": 9e-5, "particle_density": np.linspace(1e10, 1e11, 30)}, PANELS),
+        ({"variables": ["solid_load_fraction"]}, ["solid_load_fraction"]),
+    ],
+    ids=["dry", "one curve", "two loads", "two surfaces", "many curves", "one variable"],
+)
+def test_panels_are_those_of_what_the_dataset_holds(grid, given, expected):
+    assert panels(tb.plot(grid(**given))) == expected
+
+
+def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_path):
+    tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-3)
+    whole = curves(tb.plot(tmp_path / "grid.nc"))
+    piece = curves(tb.plot(grid().sel(viscosity=5e-5)))
+    for some, all_ in zip(piece, whole, strict=True):
+        np.testing.assert_allclose(some[0], all_[1], rtol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("over", "values", "label"),
+    [
+        ("viscosity", [0.0, 5e-5, 9e-5], "Viscosity ν (cSt)"),
+        ("particle_density", [1e10, 1e11, 1e12], "Particle density ηₐ (m⁻²)"),
+    ],
+)
+def test_any_axis_can_be_along_x(grid, over, values, label):
+    data = grid(**({"viscosity": 9e-5, over: values} | {"load": [1e-7, 1e-6]}))
+    figure = tb.plot(data.isel({over: np.s_[::-1]}), over=CONDITIONS[over].alias)  # from its end
+    assert panels(figure) == PANELS
+    assert {panel.get_xlabel() for panel in figure.axes} == {label}
+    for name, panel in zip(PANELS, figure.axes, strict=True):
+        for index, line in enumerate(panel.lines[:2]):
+            np.testing.assert_array_equal(line.get_xdata(), values)
+            np.testing.assert_array_equal(line.get_ydata(), data[name][index].values.ravel())
+    texts = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert texts[0].startswith("Fₜ* = 10⁻⁷ (") and len(texts) == 2
+
+
+def test_one_curve_over_another_axis_has_no_key(grid):
+    data = grid(load=[1e-6])
+    figure = tb.plot(data, over="viscosity")
+    assert not figure.legends
+    np.testing.assert_array_equal(figure.axes[0].lines[0].get_xdata(), AXES["viscosity"])
+
+
+def test_what_would_be_drawn_wrongly_or_not_at_all_is_refused(grid):
+    for data, options in (
+        (grid(load=1e-5), {}),  # a curve of one point
+        (grid(), {"over": "roughness"}),
+        (grid(particle_diameter=[1e-7, 3e-7]), {}),  # curves that one key cannot name
+        (grid(["separation"]), {}),
+    ):
+        with pytest.raises(ValueError, match="allowed"):
+            tb.plot(data, **options)
+
+
+def test_a_solution_is_drawn_as_its_dataset_and_some_variables_alone(parameters):
+    loads = np.geomspace(1e-7, 1e-4, 5)
+    given = {"particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11}
+    found = tb.solve(load=loads[:, None], viscosity=[0.0, 9e-5], **given, parameters=parameters)
+    figure, other = tb.plot(found), tb.plot(found.to_dataset())
+    assert len(figure.axes) == len(other.axes)
+    one = tb.plot(found, variables="solid_load_fraction")
+    assert [panel.y for panel in one.panels] == ["solid_load_fraction"]
+
+
+def test_packed_numbers_are_decoded_wherever_a_dataset_is_from(grid, tmp_path):
+    data, path = grid(), tmp_path / "packed.nc"
+    packing = {"dtype": "i2", "scale_factor": 1e-4, "add_offset": 0.5, "_FillValue": -32768}
+    data.to_netcdf(path, encoding={"solid_load_fraction": packing})
+    packed = xr.open_dataset(path, mask_and_scale=False)
+    assert packed["solid_load_fraction"].attrs["scale_factor"] == 1e-4
+    expected = curves(tb.plot(path))
+    for chosen in (packed, packed.stack(point=["load", "viscosity"])):
+        for drawn, lines in zip(curves(tb.plot(chosen)), expected, strict=True):
+            np.testing.assert_array_equal(drawn, lines)
+
+
+def test_other_shapes_of_the_same_data_are_drawn_alike(grid):
+    data = grid()
+    expected = curves(tb.plot(data))
+    table = data.to_dataframe()
+    for other in (
+        table.to_xarray(),
+        table,
+        table.reset_index(),
+        data.squeeze(),
+        data.transpose(),
+        data.stack(point=["load", "viscosity"]),
+        data.stack(point=["load", "viscosity"]).reset_index("point"),
+        data.swap_dims(load="normal_load"),
+    ):
+        found = curves(tb.plot(other))
+        for drawn, lines in zip(found, expected, strict=True):
+            np.testing.assert_allclose(drawn, lines)
+
+
+def test_pairs_of_conditions_are_no_curves(parameters):
+    given = {"particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11}
+    pairs = tb.solve(load=[1e-6, 1e-5], viscosity=[0.0, 9e-5], **given, parameters=parameters)
+    with pytest.raises(ValueError, match="data has the dimension 'point', with points that are"):
+        tb.plot(pairs)
+
+
+def test_a_load_in_newtons_is_drawn_in_newtons(grid):
+    rest = dict(viscosity_cSt=90, particle_diameter_nm=300, roughness_nm=300)
+    loads = [1.0, 2.0, 5.0]
+    found = tb.solve(load_N=loads, **rest, particle_density_per_m2=1e11)
+    for figure in (tb.plot(found), tb.plot(found.to_dataset(), over="load_N")):
+        for axes in figure.axes:
+            assert axes.get_xlabel() == SCALES["normal_load"].axis
+            np.testing.assert_allclose(axes.lines[0].get_xdata(), loads)
+    assert tb.plot(found, over="load").axes[0].get_xlabel() == SCALES["load"].axis
+    with pytest.raises(ValueError, match="nothing to draw"):
+        tb.plot(found.to_dataset().drop_vars("normal_load"), over="load_N")
+
+
+def test_a_grid_of_loads_in_newtons_is_drawn_in_newtons(tmp_path):
+    rest = dict(viscosity_cSt=90, particle_diameter_nm=300, roughness_nm=300)
+    rest |= dict(particle_density_per_m2=1e11, load_N=[1.0, 2.0, 5.0])
+    data = tb.grid(**rest)
+    tb.stream(tmp_path / "grid.nc", **rest)
+    for given in (
+        data,
+        data.isel(load=[0, 2]),
+        tmp_path / "grid.nc",
+        tb.solve(**rest).to_dataset(),
+    ):
+        axes = tb.plot(given).axes[0]
+        assert axes.get_xlabel() == SCALES["normal_load"].axis
+        np.testing.assert_allclose(axes.lines[0].get_xdata()[[0, -1]], [1.0, 5.0])
+    assert tb.plot(data, over="load").axes[0].get_xlabel() == SCALES["load"].axis
+
+
+@pytest.mark.parametrize(("along", "unit"), [("load_N", 1.0), ("viscosity_cSt", 1e-6)])
+def test_a_curve_of_one_interface_is_drawn_with_its_range(along, unit):
+    x = np.geomspace(1.0, 100.0, 5)
+    ratio = np.linspace(0.2, 0.6, 5)
+    table = pd.DataFrame({along: x, "solid_load_fraction": ratio, "film_thickness": 1e-4 * ratio})
+    table = table.assign(solid_load_fraction_low=ratio - 0.1, solid_load_fraction_high=ratio + 0.1)
+    figure = plot_curve(table, along, ["solid_load_fraction", "film_thickness"])
+    assert panels(figure) == ["solid_load_fraction", "film_thickness"]
+    first, second = figure.axes
+    np.testing.assert_allclose(first.lines[0].get_xdata(), unit * x, rtol=1e-12)
+    np.testing.assert_array_equal(first.lines[0].get_ydata(), ratio)
+    (outline,) = first.collections[0].get_paths()
+    assert outline.vertices[:, 1].max() == pytest.approx(0.7)
+    np.testing.assert_array_equal(second.lines[0].get_ydata(), 1e-4 * ratio)
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    own, one = pyplot.subplots()
+    assert plot_curve(table, along, ["solid_load_fraction"], [one]) is own
+    pyplot.close("all")
+
+
+@pytest.mark.parametrize("between", [True, False], ids=["a curve", "marks"])
+def test_measurements_are_drawn_beside_the_model(between):
+    measured = pd.DataFrame(
+        {"load_N": [20.0, 5.0, 10.0], "friction_coefficient": [0.1, 0.06, 0.08]}
+    )
+    model = {f"friction_coefficient_{end}": [0.09, 0.08, 0.07] for end in ("model", "low", "high")}
+    table = measured.assign(**model)
+    curve = table.sort_values("load_N") if between else table.iloc[:0]
+    (axes,) = plot_comparison(table, curve, "load_N", ["friction_coefficient"]).axes
+    computed, points = axes.lines
+    assert computed.get_marker() == ("None" if between else "+")
+    np.testing.assert_array_equal(computed.get_ydata(), [0.08, 0.07, 0.09])
+    np.testing.assert_array_equal(points.get_xdata(), [5.0, 10.0, 20.0])
+    np.testing.assert_array_equal(points.get_ydata(), [0.06, 0.08, 0.1])
+
+
+def test_a_band_is_drawn_over_newtons(grid):
+    data = grid(viscosity=9e-5)
+    ends = {f"solid_load_fraction_{end}": data["solid_load_fraction"] for end in ("low", "high")}
+    chosen = dict(variables="solid_load_fraction", band=data.assign(ends))
+    (axes,) = tb.plot(data, over="load_N", **chosen).axes
+    (outline,) = axes.collections[-1].get_paths()
+    newtons = data["normal_load"].values
+    np.testing.assert_allclose([outline.vertices[:, 0].max()], newtons.max())
+
+
+def test_a_solution_without_its_status_is_drawn(parameters):
+    given = {"particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11}
+    chosen = dict(variables="solid_load_fraction", parameters=parameters)
+    found = tb.solve(load=LOADS, viscosity=9e-5, **given, **chosen)
+    assert panels(tb.plot(found)) == ["solid_load_fraction"]
+
+
+def test_it_draws_on_axes_of_ones_own(grid):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    data = grid()
+    own, (left, right) = pyplot.subplots(1, 2)
+    assert tb.plot(data, variables="solid_load_fraction", ax=right) is own
+    assert not left.lines and len(right.lines) == 3
+    assert [text.get_text() for text in right.get_legend().get_texts()] == ["dry", "50", "90"]
+    tb.plot(data, variables=PANELS[:2], over="viscosity", ax=pyplot.subplots(1, 2)[1])
+    with pytest.raises(ValueError):  # two panels on one
+        tb.plot(data, variables=PANELS[:2], ax=left)
+    pyplot.close("all")
+
+
+@pytest.mark.parametrize("over", ["load", "particle_diameter"])
+def test_a_key_of_many_curves_is_within_the_figure(parameters, over):
+    axes = {
+        "load": dict(viscosity=np.linspace(1e-5, 1e-4, 27), particle_diameter=3e-7),
+        "particle_diameter": dict(
+            viscosity=np.linspace(1e-5, 1e-4, 8), particle_diameter=[3e-7, 5e-7]
+        ),
+    }
+    loads = LOADS if over == "load" else LOADS[:3]
+    given = AXES | {"load": loads} | axes[over]
+    figure = tb.plot(tb.grid(**given, parameters=parameters, rtol=1e-3), over=over)
+    figure.canvas.draw()
+    (key,) = figure.legends
+    assert len(key.get_texts()) > 20
+    inner, outer = key.get_window_extent(), figure.bbox
+    assert inner.x0 >= outer.x0 and inner.x1 <= outer.x1 and inner.y0 >= outer.y0
