@@ -1,5 +1,6 @@
 """``compare``: measurements beside the model, with the range of the ensemble and residuals."""
 
+from collections.abc import Iterable, Mapping
 from os import PathLike
 from typing import Any
 
@@ -19,7 +20,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
 from thirdbody.lab.estimates import MEASURED, fitted_coefficients, measurable
 from thirdbody.lab.reading import SPEED, UNITS, read_measured
-from thirdbody.points import solve
+from thirdbody.points import Solution, solve
 from thirdbody.ranges import ranges
 from thirdbody.variables import BY_ALIAS, decimal
 
@@ -100,21 +101,14 @@ def compare(
     boundary_friction is 0.109 with a standard error of 0.00087, fitted to the measurements
     """
     parameters = or_calibrated(parameters)
-    columns, notes = read_measured(measured)
-    names = [name for name in columns if name in MEASURED]
-    speeds = {} if speed_m_per_s is None else {SPEED: speed_m_per_s}
-    # dict refuses a key that is given twice
-    arguments = dict(**columns.drop(columns=names), **speeds, **conditions)
-    try:
-        table = _conditions(arguments, parameters, columns.index)
-    except ValueError as error:
-        error.add_note("; ".join(notes))  # perhaps the condition is among the columns left out
-        raise
-    density = _density(oil_density_kg_per_m3, SPEED in table)
+    if speed_m_per_s is not None:
+        conditions = dict(**conditions, **{SPEED: speed_m_per_s})
+    observed, table, notes = read_runs(measured, parameters, conditions)
+    density = oil_density(oil_density_kg_per_m3, SPEED in table)
     inputs = parameters, *parameters.members
-    solutions = _solutions(table, inputs, density)
+    solutions = solve_runs(table, inputs, density)
     coefficients, fits = fitted_coefficients(
-        columns[names],
+        observed,
         solutions[0],
         parameters,
         {
@@ -124,8 +118,8 @@ def compare(
         },
     )
     models = _models(solutions, inputs, coefficients)
-    for name in names:
-        table[name] = columns[name]
+    for name in observed:
+        table[name] = observed[name]
         table = table.assign(**_model_columns(name, models))
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
     notes += fits
@@ -140,13 +134,13 @@ def compare(
         if count
         else "no range: the inputs have no members"
     )
-    unsolved = int(table[f"{names[0]}_model"].isna().sum())
+    unsolved = int(np.isnan(solutions[0].separation).sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
     table.attrs = {
         "notes": notes,
         "along": _varying(table)[0],
-        "summary": [_summary(table, name) for name in names],
+        "summary": [_summary(table, name) for name in observed],
         "coefficients": coefficients,
         "inputs": parameters.as_dict(),
         "oil_density_kg_per_m3": density,
@@ -185,7 +179,7 @@ def model_curve(comparison: pd.DataFrame, parameters: Parameters | None = None) 
         points = (np.geomspace if ends[0] > 0.0 else np.linspace)(*ends, CURVE)
         table = pd.DataFrame(comparison[table.columns].iloc[0].to_dict() | {along: points})
     inputs = parameters, *parameters.members
-    solutions = _solutions(table, inputs, comparison.attrs["oil_density_kg_per_m3"])
+    solutions = solve_runs(table, inputs, comparison.attrs["oil_density_kg_per_m3"])
     models = _models(solutions, inputs, comparison.attrs["coefficients"])
     for summary in comparison.attrs["summary"]:
         table = table.assign(**_model_columns(summary["quantity"], models))
@@ -219,11 +213,21 @@ def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = No
     return plot.plot_comparison(comparison, curve, along, names)
 
 
-def _conditions(arguments, parameters, index):
-    """The conditions of each measurement, with the speed if there is one."""
+def read_runs(
+    measured: str | PathLike | pd.DataFrame, parameters: Parameters, conditions: Mapping[str, Any]
+) -> tuple[pd.DataFrame, pd.DataFrame, list[str]]:
+    """The measured quantities, their conditions, with the speed if there is one, and notes."""
+    columns, notes = read_measured(measured)
+    observed = columns[[name for name in columns if name in MEASURED]]
+    # dict refuses a condition that is a column and an argument
+    arguments = dict(**columns.drop(columns=observed.columns), **conditions)
     speed = arguments.pop(SPEED, None)
-    read = read_conditions(arguments, parameters)
-    if read.index is not None and not read.index.equals(index):
+    try:
+        read = read_conditions(arguments, parameters)
+    except ValueError as error:
+        error.add_note("; ".join(notes))  # perhaps the condition is among the columns left out
+        raise
+    if read.index is not None and not read.index.equals(observed.index):
         message = "conditions and measured have different indexes"
         raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
     table = {
@@ -232,11 +236,11 @@ def _conditions(arguments, parameters, index):
     }
     if speed is not None:
         table[SPEED] = numbers_in(SPEED, speed, UNITS[SPEED])
-    return pd.DataFrame(table, index).astype(float)
+    return observed, pd.DataFrame(table, observed.index).astype(float), notes
 
 
-def _density(density, has_speeds):
-    """The density of the oil [kg m-3] for speeds."""
+def oil_density(density: float | None, has_speeds: bool) -> float:
+    """The density of the oil [kg m-3], for speeds."""
     if density is None:
         return USUAL_DENSITY
     if not has_speeds:
@@ -244,7 +248,7 @@ def _density(density, has_speeds):
     return checked_number("oil_density_kg_per_m3", density, unit="kg m-3")
 
 
-def _solutions(table, inputs, density):
+def solve_runs(table: pd.DataFrame, inputs: Iterable[Parameters], density: float) -> list[Solution]:
     """The solutions of conditions for each of several inputs; the film depends on speed times viscosity."""
     conditions = {key: table[key].to_numpy() for key in BY_ALIAS}
     viscosity = conditions.pop("viscosity_cSt")
