@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.bearings import USUAL_DENSITY, implied_speed
+from thirdbody.bearings import USUAL_DENSITY, implied_speed, speed_note
 from thirdbody.conditions import (
     checked_number,
     from_si,
@@ -126,8 +126,7 @@ def compare(
     if SPEED in table:
         notes.append(f"speeds are those in an oil of {density:g} kg/m3")
     elif table["viscosity_cSt"].any():
-        speed = f"{implied_speed(parameters):.3g} m/s in an oil of {USUAL_DENSITY:g} kg/m3"
-        notes.append(f"the film is that of a speed of {speed}")
+        notes.append(speed_note(parameters))
     count = len(parameters.members)
     notes.append(
         f"ranges are 5 to 95 % over {count} sets of inputs that explain the paper about equally well"

@@ -132,7 +132,7 @@ def fit(
             "unit": [LIMITS[name][2] for name in unknowns],
             "told_by_data": np.maximum(1.0 - (deviation / known) ** 2, 0.0),
         },
-        index=pd.Index(unknowns, name="unknown"),
+        index=[*unknowns],
     )
     size = float(np.sqrt(np.mean(misfit.of_data(logarithms) ** 2)))
     result.attrs = {
