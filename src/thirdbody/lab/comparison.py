@@ -122,7 +122,10 @@ def compare(
         table[name] = observed[name]
         table = table.assign(**_model_columns(name, models))
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
-    notes += fits
+    notes += [
+        *fits,
+        f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2",
+    ]
     if SPEED in table:
         notes.append(f"speeds are those in an oil of {density:g} kg/m3")
     elif table["viscosity_cSt"].any():
