@@ -1,6 +1,6 @@
-"""Laboratory data: oils, topographies, and measurements compared with the model.
+"""Laboratory data: oils, debris, topographies, and measurements beside the model.
 
-``oil`` converts codes of standards to conditions of the model, ``topography`` a measured surface to
-its summits; ``comparison`` compares a file of measurements with the model, and ``estimates`` has
-the friction and contact resistance for it.
+``oil`` and ``debris`` convert codes of standards and data sheets to conditions of the model, ``topography``
+and ``roughness`` measured surfaces.  ``comparison`` compares measurements with the model, ``fitting``
+calibrates inputs to them, and ``estimates`` has friction and contact resistance for both.
 """
