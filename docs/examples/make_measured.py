@@ -1,6 +1,6 @@
 """Writes ``measured.csv``: no measurement, but a member of the ensemble with errors of a laboratory.
 
-Friction and contact resistance come from the same estimates as in ``thirdbody.compare``.
+Friction and contact resistance come from the same estimates as in ``thirdbody.lab.compare``.
 """
 
 from pathlib import Path
@@ -22,12 +22,12 @@ points = tb.solve(
     parameters=truth,
 )
 scatter = 1.0 + SCATTER * np.random.default_rng(1).standard_normal((2, loads.size))
-friction = tb.friction(points, boundary_friction=0.11, film_friction=0.035)
+friction = tb.lab.friction(points, boundary_friction=0.11, film_friction=0.035)
 table = pd.DataFrame(
     {
         "load [N]": loads.round(2),
         "friction coefficient": friction * scatter[0],
-        "contact resistance [mohm]": 1e3 * tb.contact_resistance(points, truth) * scatter[1],
+        "contact resistance [mohm]": 1e3 * tb.lab.contact_resistance(points, truth) * scatter[1],
     }
 )
 table.to_csv(Path(__file__).with_name("measured.csv"), index=False, float_format="%.4g")

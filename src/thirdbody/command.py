@@ -239,19 +239,40 @@ def compare_data(
     particle_diameter_nm: Size = None,
     roughness_nm: Roughness = None,
     particle_density_per_m2: Density = None,
-    speed_m_per_s: _option("speed-m-per-s", "entrainment speed of the inputs [m/s]") = None,
-    oil_density_kg_per_m3: _option("oil-density-kg-per-m3", "density of the oil [kg m-3]") = None,
-    ball_radius_mm: _option("ball-radius-mm", "radius R_x [mm]") = None,
-    boundary_friction: _option("boundary-friction", "friction of the solids [1]") = None,
-    film_friction: _option("film-friction", "friction of the film [1]") = None,
-    resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies [ohm m]") = None,
+    speed_m_per_s: _option("speed-m-per-s", "entrainment speed, if not a column [m/s]") = None,
+    oil_density_kg_per_m3: _option("oil-density-kg-per-m3", "for speeds, 850 [kg m-3]") = None,
+    boundary_friction: _option("boundary-friction", "of the solids, else fitted [1]") = None,
+    film_friction: _option("film-friction", "of the film, else fitted [1]") = None,
+    resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies, else fitted [ohm m]") = None,
     csv: Csv = None,
     plot: Plot = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
     """Your measurements beside the model, with residuals."""
-    raise NotImplementedError
+    from thirdbody.lab import comparison
+
+    given = locals()
+    _check_files(csv, plot)
+    parameters = _parameters(inputs)
+    names = "speed_m_per_s", "oil_density_kg_per_m3"
+    names += "boundary_friction", "film_friction", "resistivity_ohm_m"
+    arguments = {name: given[name] for name in names}
+    conditions = {key: given[key] for key in BY_ALIAS if given[key] is not None}
+    table = comparison.compare(file, parameters=parameters, **arguments, **conditions)
+    if plot is not None:
+        _save(comparison.plot_comparison(table, parameters), plot)
+    if csv is not None:
+        _write_csv(table, csv)
+    answer = {name: table.attrs[name] for name in ("summary", "coefficients", "notes")}
+    if as_json:
+        print(json.dumps(answer))
+    elif csv != "-":
+        import pandas as pd
+
+        print(pd.DataFrame(answer["summary"]).to_string(index=False, float_format="{:.4g}".format))
+        print("", *answer["notes"], sep="\n  ")
+    return ANSWERED
 
 
 @app.command(

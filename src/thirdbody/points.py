@@ -62,7 +62,7 @@ def solve(
     particle_diameter_nm : array_like
         The same [nm].
     roughness : array_like
-        Equivalent root mean square roughness sigma [m], of two surfaces from ``thirdbody.equivalent_roughness``.
+        Equivalent root mean square roughness sigma [m], of two surfaces from ``thirdbody.lab.equivalent_roughness``.
     roughness_nm : array_like
         The same [nm].
     particle_density, particle_density_per_m2 : array_like

@@ -109,11 +109,10 @@ def find(
     >>> import thirdbody as tb
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
     >>> table = tb.find("solid_load_fraction", [0.9, 0.5], "viscosity_cSt", load_N=10, **layer)
-    >>> table[["level", "viscosity_cSt"]].round(1)
-           level  viscosity_cSt
-    query
-    0        0.9           82.4
-    1        0.5          107.6
+    >>> print(table[["level", "viscosity_cSt"]].round(1).to_string(index=False))
+     level  viscosity_cSt
+       0.9           78.8
+       0.5          117.3
     """
     parameters = or_calibrated(parameters)
     check_rtol(rtol)
@@ -159,13 +158,11 @@ def transitions(
     >>> import thirdbody as tb
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
     >>> table = tb.transitions("viscosity_cSt", load_N=10, **layer)
-    >>> table[["before", "after", "viscosity_cSt"]].round(1)
-                     before            after  viscosity_cSt
-    query
-    0              boundary            mixed           82.4
-    0      particle_surface           hybrid           99.1
-    0                hybrid  surface_surface          132.3
-    0                 mixed        full_film          139.6
+    >>> print(table[["before", "after", "viscosity_cSt"]].round(1).to_string(index=False))
+      before            after  viscosity_cSt
+    boundary            mixed           78.8
+      hybrid particle_surface          167.9
+       mixed        full_film          313.8
     """
     parameters = or_calibrated(parameters)
     check_rtol(rtol)
@@ -230,11 +227,8 @@ def turning_point(
     --------
     >>> import thirdbody as tb
     >>> layer = dict(particle_diameter_nm=[20, 300], particle_density_per_m2=1e11, roughness_nm=300)
-    >>> tb.turning_point(viscosity_cSt=0, **layer)[["particle_diameter_nm", "exists"]]
-           particle_diameter_nm  exists
-    query
-    0                      20.0   False
-    1                     300.0    True
+    >>> tb.turning_point(viscosity_cSt=0, **layer)["exists"].tolist()
+    [False, True]
     """
     parameters = or_calibrated(parameters)
     check_rtol(rtol)

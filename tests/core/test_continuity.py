@@ -13,6 +13,7 @@ import thirdbody as tb
 from benchmarks.points import VARIABLES, relative_error
 from thirdbody.attributes import model_attribute
 from thirdbody.core.asperity import SummitPopulation
+from thirdbody.core.parameters import mccool_summits
 from thirdbody.core.regimes import SOLUTION_STATUSES, has_values
 from thirdbody.core.solve import TABLE_WORTH
 from thirdbody.core.summits import pieces_for
@@ -72,7 +73,7 @@ def test_no_jump_at_the_limits_of_regimes_and_modes(parameters, name, level, end
 @pytest.mark.parametrize("method", ["tables"], indirect=True)
 def test_no_jump_between_the_pieces_of_the_tables(parameters, rtol, method):
     inputs = replace(parameters, summit_parameter=0.05, summit_parameter_exponent=0.0)
-    inputs = replace(inputs, **tb.mccool_summits(0.05))
+    inputs = replace(inputs, **mccool_summits(0.05))
     population = SummitPopulation.of(inputs.surface(POINT["roughness"]), inputs)
     for pieces in (45, 90, 180, 360, 720):
         edges = np.linspace(-5.0, 40.0, pieces + 1)
@@ -88,7 +89,7 @@ def test_no_jump_between_the_pieces_of_the_tables(parameters, rtol, method):
 def test_no_jump_at_the_ends_of_tables_and_of_branches(parameters, rtol, t, method):
     """A film sets the separation t from the summits' plane; there the quadrature changes too."""
     inputs = replace(parameters, summit_parameter=0.0195, summit_parameter_exponent=0.0)
-    inputs = replace(inputs, **tb.mccool_summits(0.0195))
+    inputs = replace(inputs, **mccool_summits(0.0195))
     surface = inputs.surface(POINT["roughness"])
     load = np.float64(1e-14 if t > 0.0 else 1e-2)
     low, high = 1e-9, 1.0

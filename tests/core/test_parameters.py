@@ -15,7 +15,7 @@ import thirdbody as tb
 from benchmarks.points import parameters_on_one_surface
 from thirdbody.attributes import model_attribute
 from thirdbody.command import BAD_INPUT, main
-from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
+from thirdbody.core.parameters import BOUNDS, WORDS, Parameters, mccool_summits
 from thirdbody.messages import format_value
 from thirdbody.paper.configuration.settings import workflow_settings
 from thirdbody.plain_yaml import config_directory, read_yaml
@@ -148,7 +148,7 @@ def test_summits_follow_their_laws_about_the_reference_roughness(parameters, sca
 
 
 def test_summits_after_mccool_lie_above_the_mean_plane_and_scatter_less(parameters):
-    summits = tb.mccool_summits(0.05)
+    summits = mccool_summits(0.05)
     surface = replace(parameters, **summits, summit_parameter=0.05).surface(300e-9)
     length = 1.0 / (surface.summit_density * surface.summit_radius)
     assert_allclose(surface.summit_offset, 0.045944 * length, rtol=1e-14)
@@ -159,7 +159,7 @@ def test_summits_after_mccool_lie_above_the_mean_plane_and_scatter_less(paramete
 @pytest.mark.parametrize("bad", [0.0192, 0.0, -1.0, math.nan])
 def test_no_surface_has_fewer_or_sharper_summits(bad):
     with pytest.raises(ValueError, match=r"summit_parameter is .*; allowed: above 0\.01928$"):
-        tb.mccool_summits(bad)
+        mccool_summits(bad)
 
 
 def test_equal_inputs_are_equal_whatever_their_numbers_are_made_of(parameters):

@@ -11,29 +11,29 @@ from thirdbody.lab.estimates import COEFFICIENTS, fitted_coefficients
 
 def test_friction_is_what_both_carry(solved):
     expected = 0.2 * solved.solid_load_fraction + 0.05 * solved.fluid_load_fraction
-    np.testing.assert_allclose(tb.friction(solved, 0.2, 0.05), expected, rtol=1e-15)
+    np.testing.assert_allclose(tb.lab.friction(solved, 0.2, 0.05), expected, rtol=1e-15)
 
 
 def test_resistance_is_that_of_one_spot_of_the_area(solved, defaults):
     radius = np.sqrt(solved.total_contact_area * defaults.apparent_area / np.pi)
-    found = tb.contact_resistance(solved, defaults, pint.Quantity(10.0, "uohm cm"))
+    found = tb.lab.contact_resistance(solved, defaults, pint.Quantity(10.0, "uohm cm"))
     np.testing.assert_allclose(found, 1e-7 / (2.0 * radius), rtol=1e-12)
 
 
 def test_named_dimensions_and_points_without_solution_are_kept(rest):
     xr = pytest.importorskip("xarray")
     sizes = xr.DataArray([500.0, 9e5], dims="size")
-    found = tb.friction(tb.solve(load_N=10, **rest | {"particle_diameter_nm": sizes}))
+    found = tb.lab.friction(tb.solve(load_N=10, **rest | {"particle_diameter_nm": sizes}))
     assert found.dims == ("size",) and np.isnan(found.values).tolist() == [False, True]
 
 
 def test_inputs_of_another_solution_are_refused(solved, defaults):
     with pytest.raises(ValueError):
-        tb.contact_resistance(solved, defaults.changed(apparent_area=1e-6))
+        tb.lab.contact_resistance(solved, defaults.changed(apparent_area=1e-6))
     with pytest.raises(ValueError):
-        tb.friction(solved, boundary_friction=-0.1)
+        tb.lab.friction(solved, boundary_friction=-0.1)
     with pytest.warns(tb.OutOfRangeWarning):
-        tb.friction(solved, boundary_friction=12)
+        tb.lab.friction(solved, boundary_friction=12)
 
 
 @pytest.fixture
@@ -48,8 +48,8 @@ def fitted(measured, points, parameters, **known):
 def test_coefficients_are_fitted(points, defaults):
     scatter = 1.0 + 0.02 * np.random.default_rng(3).standard_normal((2, 9))
     measured = {
-        "friction_coefficient": tb.friction(points, 0.15, 0.05) * scatter[0],
-        "contact_resistance_ohm": tb.contact_resistance(points, defaults, 4e-7) * scatter[1],
+        "friction_coefficient": tb.lab.friction(points, 0.15, 0.05) * scatter[0],
+        "contact_resistance_ohm": tb.lab.contact_resistance(points, defaults, 4e-7) * scatter[1],
     }
     found, notes = fitted(measured, points, defaults)
     assert found["boundary_friction"] == pytest.approx(0.15, rel=0.03)
@@ -77,7 +77,7 @@ def test_standard_errors_are_those_of_many_repetitions(points, defaults):
 
 
 def test_given_coefficients_are_kept(points, defaults):
-    friction = tb.friction(points, 0.15, 0.05)
+    friction = tb.lab.friction(points, 0.15, 0.05)
     found, _ = fitted({"friction_coefficient": friction}, points, defaults, film_friction=0.05)
     assert found["film_friction"] == 0.05
     assert found["boundary_friction"] == pytest.approx(0.15)

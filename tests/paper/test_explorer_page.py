@@ -85,6 +85,6 @@ def test_the_charting_library_is_the_one_that_is_named():
     library = (HERE / "vendor" / "d3.min.js").read_bytes()
     assert hashlib.sha256(library).hexdigest() in notice
     version = re.search(rb"d3js\.org v([\d.]+)", library)[1].decode()
-    makefile = (HERE.parents[2] / "Makefile").read_text(encoding="utf-8")
+    makefile = (HERE.parents[3] / "Makefile").read_text(encoding="utf-8")
     assert f"version {version}" in notice and f"D3 := {version}\n" in makefile
     assert f"D3 {version}" in (HERE / "page" / "index.html").read_text(encoding="utf-8")

@@ -357,6 +357,7 @@ def mccool_summits(summit_parameter: float) -> dict[str, float]:
     Examples
     --------
     >>> import thirdbody
+    >>> from thirdbody.core.parameters import mccool_summits
     >>> inputs = thirdbody.load_parameters(summit_parameter=0.05)
     >>> round(inputs.changed(**mccool_summits(0.05)).summit_offset_ratio, 5)
     0.91888

@@ -52,7 +52,7 @@ def compare(
     parameters : Parameters, optional
         Inputs of the model, by default the calibrated ones.
     boundary_friction, film_friction, resistivity_ohm_m : float or quantity, optional
-        Coefficients [1], [1] and [ohm m] of ``thirdbody.friction`` and ``thirdbody.contact_resistance``.
+        Coefficients [1], [1] and [ohm m] of ``thirdbody.lab.friction`` and ``thirdbody.lab.contact_resistance``.
         Those that are not given are fitted to the measurements by linear least squares.  Where the
         measurements do not tell them, they are 0.12, 0.03 and 2.2e-7, for steel in oil.
     speed_m_per_s : array_like, optional
@@ -94,7 +94,7 @@ def compare(
     >>> import thirdbody as tb
     >>> data = {"load [N]": [5, 10, 20, 40], "friction coefficient": [0.106, 0.093, 0.074, 0.06]}
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
-    >>> table = tb.compare(pd.DataFrame(data), viscosity_cSt=90, **layer)
+    >>> table = tb.lab.compare(pd.DataFrame(data), viscosity_cSt=90, **layer)
     >>> table["friction_coefficient_model"].round(3).tolist()
     [0.107, 0.092, 0.074, 0.06]
     >>> print(table.attrs["notes"][0])
@@ -156,7 +156,7 @@ def model_curve(comparison: pd.DataFrame, parameters: Parameters | None = None) 
     Parameters
     ----------
     comparison : pandas.DataFrame
-        The result of ``thirdbody.compare``.
+        The result of ``thirdbody.lab.compare``.
     parameters : Parameters, optional
         The inputs of the comparison, by default the calibrated ones.
 
@@ -194,7 +194,7 @@ def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = No
     Parameters
     ----------
     comparison : pandas.DataFrame
-        The result of ``thirdbody.compare``.
+        The result of ``thirdbody.lab.compare``.
     parameters : Parameters, optional
         The inputs of the comparison, by default the calibrated ones.
 

@@ -54,7 +54,7 @@ def cleanliness(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> tb.cleanliness("18/16/13", gap_nm=1000)
+    >>> tb.lab.cleanliness("18/16/13", gap_nm=1000)
        size_um  least_per_m2  most_per_m2
     0        4        1300.0       2500.0
     1        6         320.0        640.0
@@ -147,7 +147,7 @@ def debris_density(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> debris = tb.debris_density(mg_per_L=100, particle_diameter_nm=500, gap_nm=1000)
+    >>> debris = tb.lab.debris_density(mg_per_L=100, particle_diameter_nm=500, gap_nm=1000)
     >>> debris["particle_density_per_m2"].round(-6).tolist()
     [195000000.0]
     >>> print(debris.attrs["notes"][0])

@@ -83,7 +83,7 @@ def friction(
     >>> import thirdbody as tb
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
     >>> points = tb.solve(load_N=[1, 10, 50], viscosity_cSt=90, **layer)
-    >>> tb.friction(points, boundary_friction=0.11).round(3)
+    >>> tb.lab.friction(points, boundary_friction=0.11).round(3)
     array([0.11 , 0.091, 0.053])
     """
     numbers = _checked(boundary_friction=boundary_friction, film_friction=film_friction)
@@ -126,7 +126,7 @@ def contact_resistance(
     >>> inputs = tb.load_parameters()
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
     >>> points = tb.solve(load_N=[1, 50], viscosity_cSt=90, parameters=inputs, **layer)
-    >>> (1e3 * tb.contact_resistance(points, inputs)).round(1)  # [mohm]
+    >>> (1e3 * tb.lab.contact_resistance(points, inputs)).round(1)  # [mohm]
     array([13.8,  2.6])
     """
     if parameters.newtons_per_load != solution.newtons_per_load:

@@ -52,7 +52,7 @@ def fit(
     Parameters
     ----------
     measured : path or pandas.DataFrame
-        As in ``thirdbody.compare``.
+        As in ``thirdbody.lab.compare``.
     unknowns : sequence of str
         Positive inputs, by the field names of ``Parameters``; also the three coefficients below.
     parameters : Parameters, optional
@@ -61,9 +61,9 @@ def fit(
         Standard deviation of the measurements, relative to each value; of ratios, such as friction, to the
         root mean square of the column.
     boundary_friction, film_friction, resistivity_ohm_m : float or quantity
-        Coefficients of ``thirdbody.friction`` [1] and ``thirdbody.contact_resistance`` [ohm m].
+        Coefficients of ``thirdbody.lab.friction`` [1] and ``thirdbody.lab.contact_resistance`` [ohm m].
     speed_m_per_s, oil_density_kg_per_m3, **conditions
-        As in ``thirdbody.compare``.
+        As in ``thirdbody.lab.compare``.
 
     Returns
     -------
@@ -77,7 +77,7 @@ def fit(
     Raises
     ------
     ValueError
-        For an unknown that is no positive input, and as in ``thirdbody.compare``.
+        For an unknown that is no positive input, and as in ``thirdbody.lab.compare``.
 
     Examples
     --------
@@ -89,7 +89,7 @@ def fit(
     >>> truth = tb.load_parameters(participation=0.5)
     >>> points = tb.solve(load_N=[2, 5, 10, 20, 40], parameters=truth, **interface)
     >>> data = pd.DataFrame({"load [N]": [2, 5, 10, 20, 40], "separation [nm]": 1e9 * points.separation})
-    >>> table = tb.fit(data, ["participation"], relative_error=0.01, **interface)
+    >>> table = tb.lab.fit(data, ["participation"], relative_error=0.01, **interface)
     >>> table["value"].round(2).to_dict()
     {'participation': 0.5}
     >>> fitted = table.attrs["parameters"]

@@ -69,9 +69,9 @@ def oil_viscosity(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> tb.oil_viscosity([40, 80], grade=46, viscosity_index=100).round(1)
+    >>> tb.lab.oil_viscosity([40, 80], grade=46, viscosity_index=100).round(1)
     array([46. , 11.1])
-    >>> tb.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
+    >>> tb.lab.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
     array([38.5])
     """
     if common_index({"temperature_C": temperature_C}) is not None:
@@ -155,7 +155,7 @@ def oil_grade(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> tb.oil_grade(73.5, 75).round(1)
+    >>> tb.lab.oil_grade(73.5, 75).round(1)
        grade  viscosity_cSt  is_least_enough
     0    320           56.4            False
     1    460           74.5             True

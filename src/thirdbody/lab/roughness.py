@@ -34,7 +34,7 @@ def equivalent_roughness(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> sigma_nm = tb.equivalent_roughness(Rq=(240, 180))
+    >>> sigma_nm = tb.lab.equivalent_roughness(Rq=(240, 180))
     >>> sigma_nm
     300.0
     """

@@ -84,10 +84,10 @@ def surface(
     >>> import numpy as np
     >>> import thirdbody as tb
     >>> rough = 100.0 * np.random.default_rng(1).standard_normal((64, 64))  # [nm]
-    >>> table = tb.surface(rough, rough, spacing_nm=1000)
+    >>> table = tb.lab.surface(rough, rough, spacing_nm=1000)
     >>> (1e9 * table["roughness"]).round(1).to_dict()  # [nm]
     {'surface 1': 100.3, 'surface 2': 100.3, 'equivalent': 141.8}
-    >>> inputs = tb.surface_parameters(table)
+    >>> inputs = tb.lab.surface_parameters(table)
     """
     require("topography", "SurfaceTopography")
     if len(surfaces) not in (1, 2):
@@ -132,7 +132,7 @@ def surface_parameters(table: pd.DataFrame, parameters: Parameters | None = None
     Parameters
     ----------
     table : pandas.DataFrame
-        The result of ``thirdbody.surface``, of which the row ``equivalent`` is used.
+        The result of ``thirdbody.lab.surface``, of which the row ``equivalent`` is used.
     parameters : Parameters, optional
         The other inputs, by default the calibrated ones.
 
@@ -151,9 +151,9 @@ def surface_parameters(table: pd.DataFrame, parameters: Parameters | None = None
     >>> import numpy as np
     >>> import thirdbody as tb
     >>> rough = 100.0 * np.random.default_rng(1).standard_normal((64, 64))  # [nm]
-    >>> table = tb.surface(rough, spacing_nm=1000)
+    >>> table = tb.lab.surface(rough, spacing_nm=1000)
     >>> roughness = table.loc["equivalent", "roughness"]
-    >>> summits = tb.surface_parameters(table).surface(roughness)
+    >>> summits = tb.lab.surface_parameters(table).surface(roughness)
     >>> bool(np.isclose(summits.summit_radius, table.loc["equivalent", "summit_radius"]))
     True
     """
