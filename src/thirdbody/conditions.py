@@ -18,14 +18,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.variables import AXES, BY_ALIAS, Axis, decimal
+from thirdbody.variables import AXES, CONDITIONS, Axis, decimal
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
 KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
-NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
+NEVER_ZERO = "load", "roughness", "speed"  # the others are 0 without oil or particles
+_BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 LARGEST_DIAMETER = 1e100  # whose square float64 holds
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # least and most usual value of numbers by name, and their unit
@@ -71,7 +72,8 @@ class Conditions(NamedTuple):
 def read_conditions(
     arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
 ) -> Conditions:
-    """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``.
+    """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``;
+    and the speed, if it is among them.
 
     Raises
     ------
@@ -98,7 +100,7 @@ def read_conditions(
         names = f"{missing[0].name} or {missing[0].alias}"
         raise ValueError(f"{missing[0].name} is missing; allowed: {names}")
     arrays, keys, labelled, unusual = {}, {}, {}, []
-    for name, axis in AXES.items():
+    for name, axis in CONDITIONS.items():
         if name in values:
             key, value = values[name]
             typed = _Typed.of(key, value)
@@ -113,11 +115,19 @@ def read_conditions(
 
 def axis_of(key: str) -> Axis:
     """The axis of a name or an alias; ``TypeError`` if there is none."""
-    if key in AXES:
-        return AXES[key]
-    if key not in BY_ALIAS:
-        raise TypeError(f"unknown condition {key!r}; allowed: {', '.join((*AXES, *BY_ALIAS))}")
-    return BY_ALIAS[key]
+    if key not in _BY_NAME:
+        raise TypeError(f"unknown condition {key!r}; allowed: {', '.join(_BY_NAME)}")
+    return _BY_NAME[key]
+
+
+def without_speed(arrays: Mapping[str, NDArray], parameters: Parameters) -> dict[str, NDArray]:
+    """The five conditions that are solved for six: U in Eq. 8 has only the product of viscosity and speed, so that a
+    viscosity at a speed is another one at the speed of ``parameters``."""
+    solved = dict(arrays)
+    speed = solved.pop("speed", None)
+    if speed is not None:
+        solved["viscosity"] = solved["viscosity"] * (speed / parameters.entrainment_speed())
+    return solved
 
 
 def to_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
