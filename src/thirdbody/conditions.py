@@ -78,9 +78,9 @@ def read_conditions(
     Raises
     ------
     TypeError
-        For an unknown name, and a value of another kind than ``KINDS``.
+        For an unknown name.
     ValueError
-        For a condition that is missing or given twice, a quantity of another dimension, a number that is
+        For a value of another kind than ``KINDS``, a condition that is missing or given twice, a quantity of another dimension, a number that is
         not finite or negative, a load or roughness of 0, and columns with different indexes.
 
     Warns
@@ -256,7 +256,7 @@ def numbers_in(name: str, value: Any, unit: str) -> NDArray:
 
 
 def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
-    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None; ``TypeError`` for others."""
+    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None; ``ValueError`` for others."""
     if _is_a(value, "pint", "Quantity"):
         return _numbers(name, value.magnitude), value.units
     if _is_a(value, "xarray", "DataArray", "Variable"):
@@ -266,26 +266,26 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
             raise ValueError(f"{message}; allowed: decoded ones (xarray.decode_cf)")
         numbers, unit = _numbers_and_unit(name, value.data)
         text = value.attrs.get("units")
-        return numbers, registry().Unit(text) if unit is None and text is not None else unit
+        return numbers, unit_of(name, text) if unit is None and text is not None else unit
     if _is_a(value, "pandas", "Series"):
         dtype = value.dtype
         package = type(dtype).__module__.partition(".")[0]  # other packages have types with units
         if package not in ("numpy", "pandas") or dtype.kind not in "iuf":
-            raise TypeError(f"{name} is a column of {dtype}; allowed: {KINDS}")
+            raise ValueError(f"{name} is a column of {dtype}; allowed: {KINDS}")
         return value.to_numpy(float, na_value=np.nan), None
     return _numbers(name, value), None
 
 
 def _numbers(name, value):
-    """Numbers, an array of numpy or a list of numbers as float64; ``TypeError`` for anything else."""
+    """Numbers, an array of numpy or a list of numbers as float64; ``ValueError`` for anything else."""
     if isinstance(value, list | tuple):
         if all(map(_is_number, _flat(value))):
             return np.array(value, float)
         kinds = sorted({_kind(item) for item in _flat(value) if not _is_number(item)})
-        raise TypeError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
+        raise ValueError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
     if _is_number(value) or (type(value) is np.ndarray and value.dtype.kind in "iuf"):
         return np.array(value, float)
-    raise TypeError(f"{name} is of type {_kind(value)}; allowed: {KINDS}")
+    raise ValueError(f"{name} is of type {_kind(value)}; allowed: {KINDS}")
 
 
 def _flat(values):
@@ -311,6 +311,20 @@ def _is_a(value, package, *kinds):
     """Whether a value is of a class of a package, which is not imported for that."""
     module = sys.modules.get(package)
     return module is not None and isinstance(value, tuple(getattr(module, kind) for kind in kinds))
+
+
+# names, powers and products: pint would evaluate any other text
+TERM = r"(?:[^\W\d]|[%⁻])+(?:(?:\*\*|\^)?-?\d)?"
+UNIT = rf"(?:1\s*/\s*)?{TERM}(?:(?:\s*[*/]\s*|\s+){TERM})*|1|-"
+
+
+def unit_of(name: str, text: str) -> Any:
+    """The unit of pint in a ``text``, the attribute or heading of a condition."""
+    if text in ("1", "-"):
+        return registry().Unit("dimensionless")
+    if not re.fullmatch(UNIT, str(text)):
+        raise ValueError(f"{name} is in {text!r}; allowed: units, their powers and products")
+    return registry().Unit(text)
 
 
 @cache

@@ -5,6 +5,8 @@ import glob
 import hashlib
 import os
 import secrets
+import shutil
+import stat
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -19,11 +21,18 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
     an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
     # temporary names have the process, by which what a killed one leaves is known
+    places = [*map(_place, paths)]
+    if len(places) == 1 and _is_device(places[0]):
+        yield places[0]
+        return
+    # temporary names have the process, by which what a killed one leaves is known
+    if len(paths) == 1 and Path(paths[0]).exists() and not Path(paths[0]).is_file():
+        if Path(paths[0]).is_dir():
+            raise OSError(errno.EISDIR, f"{format_path(paths[0])} is a folder")
+        yield Path(paths[0])  # a device or a pipe
+        return
     mark = f"partial{os.getpid()}-{secrets.token_hex(4)}"
-    parts = {
-        place: place.with_name(f".{place.stem}.{mark}{place.suffix}")
-        for place in map(_place, paths)
-    }
+    parts = {place: place.with_name(f".{place.stem}.{mark}{place.suffix}") for place in places}
     try:
         for place, part in parts.items():
             _prepare(place, part)
@@ -33,6 +42,8 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
             with open(part, "rb") as stream:
                 os.fsync(stream.fileno())
         for place, part in parts.items():
+            if place.exists():
+                shutil.copymode(place, part)
             os.replace(part, place)
     except OSError as error:
         elsewhere = error.filename and Path(error.filename) not in (*parts, *parts.values())
@@ -44,6 +55,14 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
         for part in parts.values():
             with suppress(OSError):
                 part.unlink()
+
+
+def _is_device(place):
+    """Whether a place is a pipe or a device, which is written and never replaced."""
+    try:
+        return stat.S_ISFIFO(mode := place.stat().st_mode) or stat.S_ISCHR(mode)
+    except OSError:
+        return False
 
 
 def _prepare(place, part):
@@ -58,6 +77,8 @@ def _prepare(place, part):
     if place.exists() and not place.is_file():  # a device must not be replaced
         kind = "Is a directory" if place.is_dir() else "Not a regular file"
         raise OSError(errno.EINVAL, kind, part)
+    if place.exists() and not os.access(place, os.W_OK):
+        raise OSError(errno.EACCES, "Permission denied", part)
     part.touch()
     part.unlink()
 

@@ -96,10 +96,8 @@ def solve(
 
     Raises
     ------
-    TypeError
-        For a condition of another kind.
     ValueError
-        For a condition that is missing or given twice, a negative, infinite or missing number, a load or
+        For a condition of another kind, one that is missing or given twice, a negative, infinite or missing number, a load or
         roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
         outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft
         that the ``elastic_factor`` of ``parameters`` is above 1.

@@ -216,10 +216,13 @@ def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = No
 
 
 def read_runs(
-    measured: str | PathLike | pd.DataFrame, parameters: Parameters, conditions: Mapping[str, Any]
+    measured: str | PathLike | pd.DataFrame,
+    parameters: Parameters,
+    conditions: Mapping[str, Any],
+    is_measured: bool = True,
 ) -> tuple[pd.DataFrame, pd.DataFrame, list[str]]:
-    """The measured quantities, their conditions, with the speed if there is one, and notes."""
-    columns, notes = read_measured(measured)
+    """The measured quantities, if there are to be some, their conditions, with the speed if there is one, and notes."""
+    columns, notes = read_measured(measured, is_measured)
     observed = columns[[name for name in columns if name in MEASURED]]
     # dict refuses a condition that is a column and an argument
     arguments = dict(**columns.drop(columns=observed.columns), **conditions)
@@ -250,8 +253,11 @@ def oil_density(density: float | None, has_speeds: bool) -> float:
     return checked_number("oil_density_kg_per_m3", density, unit="kg m-3")
 
 
-def solve_runs(table: pd.DataFrame, inputs: Iterable[Parameters], density: float) -> list[Solution]:
-    """The solutions of conditions for each of several inputs; the film depends on speed times viscosity."""
+def solve_runs(
+    table: pd.DataFrame, inputs: Iterable[Parameters], density: float | None
+) -> list[Solution]:
+    """The solutions of conditions for each of several inputs; the film depends on speed times viscosity, and on the
+    ``density`` of the oil [kg m-3], by default that of the inputs."""
     conditions = {key: table[key].to_numpy() for key in BY_ALIAS}
     viscosity = conditions.pop("viscosity_cSt")
     solutions = []
