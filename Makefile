@@ -97,7 +97,7 @@ lowest:
 format: $(VENV)/test.done
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
-	$(BIN)/snakefmt workflow
+	$(BIN)/snakefmt Snakefile workflow
 
 clean:
 	rm -rf results logs .snakemake

@@ -1,11 +1,11 @@
-"""Atomic writing of files, the error for damaged files, and SHA-256 sums."""
+"""Atomic writing of files, the error for damaged files, and the SHA-256 of a file."""
 
 import errno
 import glob
 import hashlib
 import os
 import secrets
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -106,22 +106,6 @@ class DamagedFile(OSError):
 def unreadable(path: str | os.PathLike, reason: object) -> DamagedFile:
     """The error for a file that cannot be read."""
     return DamagedFile(path, f"cannot be read ({reason})")
-
-
-def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
-    """A line for each product in the format of ``sha256sum --check``: its sum, and its name in
-    ``folder``."""
-    names = sorted(str(Path(product).relative_to(folder)) for product in products)
-    return "".join(f"{digest(Path(folder, name))}  {name}\n" for name in names)
-
-
-def require_sums(path: str | Path) -> None:
-    """Raise ``DamagedFile`` if a product is missing or differs from its sum in a file of ``sums_text``."""
-    for line in Path(path).read_text(encoding="utf-8").splitlines():
-        expected, name = line.split("  ", 1)
-        product = Path(path).parent / name
-        if not product.is_file() or digest(product) != expected:
-            raise DamagedFile(product, "has changed since it was made")
 
 
 def digest(path: str | os.PathLike) -> str:

@@ -30,7 +30,7 @@ configfile: "config/config.yaml"
 
 module thirdbody:
     snakefile:
-        github("thirdbody/thirdbody", path="workflow/Snakefile", tag="v1")
+        github("thirdbody/thirdbody", path="Snakefile", tag="v1")
     config:
         config
 
@@ -65,7 +65,7 @@ def planned(workspace, *arguments):
 
 
 def test_a_module_without_configuration_computes_the_paper(sources, finished, elsewhere):
-    snakefile = sources.root / "workflow/Snakefile"
+    snakefile = sources.root / "Snakefile"
     wanted = "rules.paper_all.input"
     module = MODULE.format(snakefile=snakefile, given="", wanted=wanted)
     write(elsewhere, "workflow/Snakefile", module)
@@ -77,7 +77,7 @@ def test_a_module_without_configuration_computes_the_paper(sources, finished, el
 
 
 def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, finished, elsewhere):
-    snakefile = sources.root / "workflow/Snakefile"
+    snakefile = sources.root / "Snakefile"
     given = 'config: {"load_axis": {"count": 24}}\n    prefix: "contact"'
     product = f"contact/{DATASET}"
     module = MODULE.format(snakefile=snakefile, given=given, wanted=f'"{product}"')
@@ -91,7 +91,7 @@ def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, finished,
 
 def test_a_run_in_another_folder_makes_the_same_there(sources, finished, elsewhere):
     minimal = sources.root / MINIMAL[1]
-    there = ("--snakefile", str(sources.root / "workflow/Snakefile"), "--configfile", str(minimal))
+    there = ("--snakefile", str(sources.root / "Snakefile"), "--configfile", str(minimal))
     elsewhere.root.mkdir()
     assert "judge_claims" in planned(elsewhere, *there)
     before = set(sources.root.rglob("*"))

@@ -1,5 +1,133 @@
-# Calibration: `snakemake -c2 calibrate`, not part of the default run. The results of the searches are sampled and
-# summarised. The summary goes to config/calibrated/, which is kept in git and read by the default run.
+# Calibration: `snakemake -c2 calibrate`, not part of the default run. Each search for the unprinted inputs is a job
+# that stores its evaluations; their results are sampled and summarised. The summary goes to config/calibrated/, which
+# is kept in git and read by the default run.
+
+
+CALIBRATION = settings["calibration"]
+SEEDS = CALIBRATION["seeds"]
+FOLDS = range(len(CALIBRATION["folds"]))
+SEARCHED_WIDELY = [
+    name for name, entry in CALIBRATION["interpretations"].items() if "nearby" not in entry
+]
+OF_INTERPRETATION = "<results>/calibration/{{interpretation}}"
+
+
+def settings_of(wildcards):
+    """The settings for one interpretation, independent of the others."""
+    names = [wildcards.interpretation, *nearby(wildcards)]
+    return {
+        **CALIBRATION,
+        "interpretations": {name: CALIBRATION["interpretations"][name] for name in names},
+    }
+
+
+def nearby(wildcards):
+    """The interpretation from whose best inputs that of a job is searched, if there is one."""
+    entry = CALIBRATION["interpretations"][wildcards.interpretation]
+    return [entry["nearby"]] if "nearby" in entry else []
+
+
+def start_of(wildcards):
+    """The files with the inputs from which a search starts."""
+    for name in nearby(wildcards):
+        if "fold" in wildcards.keys():
+            return [f"{RESULTS}/calibration/{name}/fold{wildcards.fold}.csv"]
+        return searches_of(name)
+    return [f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"]
+
+
+def searches_of(name):
+    """The files of the searches over all statements of an interpretation."""
+    seeds = SEEDS if name in shortlisted() else SEEDS[:1]
+    return [f"{RESULTS}/calibration/{name}/seed{seed}.csv" for seed in seeds]
+
+
+def shortlisted():
+    chosen = checkpoints.shortlist.get().output.chosen
+    return json.loads(Path(chosen).read_text(encoding="utf-8"))
+
+
+def is_cross_validated(wildcards):
+    """Whether an interpretation, or the one from which its starts come in the end, is on the shortlist."""
+    name = wildcards.interpretation
+    while "nearby" in CALIBRATION["interpretations"][name]:
+        name = CALIBRATION["interpretations"][name]["nearby"]
+    return name in shortlisted()
+
+
+wildcard_constraints:
+    seed="[0-9]+",
+    fold="[0-9]+",
+
+
+rule scatter_inputs:
+    output:
+        scattered="<results>/calibration/{interpretation}/scattered.csv",
+    log:
+        "<logs>/scatter_inputs/{interpretation}.log",
+    resources:
+        runtime=30,
+    params:
+        *sources_of("scatter_inputs.py"),
+        *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
+        settings=settings_of,
+        parameters=settings["uncalibrated"],
+    script:
+        "../scripts/scatter_inputs.py"
+
+
+rule search_inputs:
+    input:
+        start=start_of,
+    output:
+        evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
+    log:
+        "<logs>/search_inputs/{interpretation}_{seed}.log",
+    resources:
+        runtime=30,
+    params:
+        *sources_of("search_inputs.py"),
+        *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
+        settings=settings_of,
+        parameters=settings["uncalibrated"],
+        seeds=lambda wildcards: [int(wildcards.seed)],
+        fold=None,
+    script:
+        "../scripts/search_inputs.py"
+
+
+use rule search_inputs as search_fold with:
+    output:
+        evaluations="<results>/calibration/{interpretation}/fold{fold}.csv",
+    log:
+        "<logs>/search_fold/{interpretation}_{fold}.log",
+    params:
+        seeds=SEEDS,
+        fold=lambda wildcards: int(wildcards.fold),
+
+
+checkpoint shortlist:
+    input:
+        evaluations=expand(
+            "<results>/calibration/{interpretation}/seed{seed}.csv",
+            interpretation=SEARCHED_WIDELY,
+            seed=SEEDS[0],
+        ),
+    output:
+        chosen="<results>/calibration/shortlist.json",
+    log:
+        "<logs>/shortlist.log",
+    localrule: True
+    params:
+        *sources_of("choose_shortlist.py"),
+        within=CALIBRATION["shortlist"]["within"],
+        most=CALIBRATION["shortlist"]["most"],
+    script:
+        "../scripts/choose_shortlist.py"
 
 
 rule sample_inputs:

@@ -9,7 +9,7 @@ import pytest
 from single_node import ACCOUNT, PARTITION, PLUGIN, wait_until
 from workspace import INTERPRETATIONS, MADE_BY_RUNS, MINIMAL, SNAKEMAKE, ended
 
-PROFILE = ("--profile", "workflow/profiles/slurm")
+PROFILE = ("--profile", "profiles/slurm")
 QUICK = ("--slurm-init-seconds-before-status-checks", "1", "--max-status-checks-per-second", "1")
 GIVEN = (f"slurm_account={ACCOUNT}", f"slurm_partition={PARTITION}", "runtime=10")
 FIGURE, TABLE = "results/figures/fig03.png", "results/extracted/table1/all.csv"
