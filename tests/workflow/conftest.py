@@ -1,4 +1,4 @@
-"""Runs on the minimal configuration, each made once; every test gets a copy to harm."""
+"""Runs of each target, made once; every test gets a copy to harm."""
 
 import fcntl
 import json
@@ -8,7 +8,7 @@ import time
 
 import pytest
 import yaml
-from workspace import INTERPRETATIONS, Workspace, start
+from workspace import INTERPRETATIONS, MINIMAL, Workspace, start
 
 BUDGET = {
     "scattered": 4,
@@ -49,16 +49,21 @@ def made_once(sources, tmp_path_factory, worker_id):
     return once
 
 
-def succeed(workspace, *targets):
+def succeed(workspace, *arguments):
     """A run that has to succeed."""
-    run = workspace.snakemake(*targets)
+    run = workspace.snakemake(*arguments)
     assert run.returncode == 0, run.stdout + run.stderr
 
 
 @pytest.fixture(scope="session")
 def finished(made_once):
-    """The repository after a full minimal run."""
-    return made_once("finished", succeed)
+    """The repository after a run, which takes from the repository what is up to date."""
+    return made_once("finished", _finish)
+
+
+def _finish(workspace):
+    workspace.take_products()
+    succeed(workspace)
 
 
 @pytest.fixture(scope="session")
@@ -70,7 +75,7 @@ def charted(made_once):
 
 
 def _make_atlas(workspace):
-    first = start(workspace, "atlas", "-c1")
+    first = start(workspace, "atlas", "-c1", *MINIMAL)
     chunks = workspace.root / "results" / "atlas" / "chunks"
     while len(list(chunks.glob("[0-9]*.nc"))) < 2:  # then Snakemake has recorded the first
         assert first.poll() is None, "it ended before"
@@ -78,7 +83,7 @@ def _make_atlas(workspace):
     os.killpg(first.pid, signal.SIGKILL)
     first.communicate()
     (workspace.root / KEPT).write_text(json.dumps(workspace.stamps()), encoding="utf-8")
-    succeed(workspace, "atlas")
+    succeed(workspace, "atlas", *MINIMAL)
 
 
 @pytest.fixture(scope="session")
@@ -100,10 +105,10 @@ def _calibrate(workspace):
         return yaml.safe_dump(settings)
 
     workspace.rewrite("config/calibration.yaml", smaller)
-    succeed(workspace, "calibrate")
+    succeed(workspace, "calibrate", *MINIMAL)
 
 
 @pytest.fixture
 def workspace(finished, tmp_path):
-    """The repository after a full minimal run, for one test to change."""
+    """The repository after a run, for one test to change."""
     return finished.copied_to(tmp_path / "thirdbody")

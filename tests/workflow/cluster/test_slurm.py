@@ -28,7 +28,7 @@ def submit(workspace, *targets):
     """A run on the cluster, under way."""
     folders = (*workspace.packages, PLUGIN)
     return subprocess.Popen(
-        [SNAKEMAKE[0], *targets, *PROFILE, *QUICK, *MINIMAL, "--default-resources", *GIVEN],
+        [SNAKEMAKE[0], *targets, *PROFILE, *QUICK, "--default-resources", *GIVEN],
         cwd=workspace.root,
         env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, folders))},
         stdout=subprocess.PIPE,
@@ -87,6 +87,7 @@ def kill(run):
     run.communicate()
 
 
+@long
 def test_the_bytes_are_those_of_one_machine(cluster, fresh, finished):
     before = cluster.jobs("all")
     complete(submit(fresh, FIGURE))
@@ -106,7 +107,7 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_interpretation_and_s
     shutil.copytree(sources.root / "config/calibrated", there.root / "config/calibrated")
     before = cluster.jobs("all")
     adopted = f"results/calibration/{INTERPRETATIONS[0]}.yaml"
-    complete(submit(there, "results/atlas/catalogue.json", adopted))
+    complete(submit(there, "results/atlas/catalogue.json", adopted, *MINIMAL))
     # a search from the first seed of each interpretation, and the other seed of the one on the shortlist
     wanted = {"solve_chunk": 3, "search_inputs": 3, "search_fold": 2}
     wanted |= {"sample_inputs": 2, "summarise_inputs": 1}

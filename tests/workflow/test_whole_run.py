@@ -1,4 +1,4 @@
-"""The whole workflow on few loads, from sources to every product."""
+"""The whole workflow: every product, its sums, its pages and its report."""
 
 import json
 import re
@@ -32,7 +32,7 @@ scenes:
 """
 
 
-def test_a_minimal_run_makes_every_product(finished):
+def test_a_run_makes_every_product(finished):
     made = {name for name in finished.stamps() if (finished.root / "results" / name).stat().st_size}
     assert made >= PRODUCTS
 
