@@ -119,7 +119,6 @@ def test_another_layout_of_tables_writes_them_and_solves_nothing(workspace):
 
 
 CONFIG, FIRST = "config/config.yaml", ("schematics/fig01.nc", "figures/fig01.*", *TABLES_SHOWN)
-INPUT = "yield_pressure_ratio/value"  # one that no calibrated file gives
 SHOWN_WINDOWS = (*WINDOWS, *SHOWING_WINDOWS, *PAGE)
 STATEMENT = ("config/claims.yaml", "0/statement", "Particles matter.")
 
@@ -131,7 +130,7 @@ STATEMENT = ("config/claims.yaml", "0/statement", "Particles matter.")
         (CONFIG, "windows/roughness_nm", [100, 300], SHOWN_WINDOWS),
         (*STATEMENT, (*JUDGED, *PRINTED, *PAGE)),
         (CONFIG, "schematics/fig01/0/load_N", 21.0, FIRST),
-        ("config/inputs.yaml", INPUT, 0.41, ALL),
+        (CONFIG, "inputs", {"yield_pressure_ratio": 0.41}, ALL),
         (DEFAULT, "inputs/truncation", 1.8, ALL),
     ],
     ids=["rtol", "windows", "a statement", "a drawing", "an input", "calibrated"],
