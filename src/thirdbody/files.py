@@ -1,4 +1,4 @@
-"""Atomic writing of files, the error for damaged files, and SHA-256 sums."""
+"""Atomic writing of files, the error for damaged files, and the SHA-256 of a file."""
 
 import errno
 import glob
@@ -7,7 +7,7 @@ import os
 import secrets
 import shutil
 import stat
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -20,17 +20,11 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files under temporary names beside the ``paths``, which are yielded, and move them into
     place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
     an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
-    # temporary names have the process, by which what a killed one leaves is known
     places = [*map(_place, paths)]
     if len(places) == 1 and _is_device(places[0]):
         yield places[0]
         return
     # temporary names have the process, by which what a killed one leaves is known
-    if len(paths) == 1 and Path(paths[0]).exists() and not Path(paths[0]).is_file():
-        if Path(paths[0]).is_dir():
-            raise OSError(errno.EISDIR, f"{format_path(paths[0])} is a folder")
-        yield Path(paths[0])  # a device or a pipe
-        return
     mark = f"partial{os.getpid()}-{secrets.token_hex(4)}"
     parts = {place: place.with_name(f".{place.stem}.{mark}{place.suffix}") for place in places}
     try:
@@ -127,22 +121,6 @@ class DamagedFile(OSError):
 def unreadable(path: str | os.PathLike, reason: object) -> DamagedFile:
     """The error for a file that cannot be read."""
     return DamagedFile(path, f"cannot be read ({reason})")
-
-
-def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
-    """A line for each product in the format of ``sha256sum --check``: its sum, and its name in
-    ``folder``."""
-    names = sorted(str(Path(product).relative_to(folder)) for product in products)
-    return "".join(f"{digest(Path(folder, name))}  {name}\n" for name in names)
-
-
-def require_sums(path: str | Path) -> None:
-    """Raise ``DamagedFile`` if a product is missing or differs from its sum in a file of ``sums_text``."""
-    for line in Path(path).read_text(encoding="utf-8").splitlines():
-        expected, name = line.split("  ", 1)
-        product = Path(path).parent / name
-        if not product.is_file() or digest(product) != expected:
-            raise DamagedFile(product, "has changed since it was made")
 
 
 def digest(path: str | os.PathLike) -> str:
