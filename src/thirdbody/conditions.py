@@ -28,6 +28,7 @@ KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arra
 NEVER_ZERO = "load", "roughness", "speed"  # the others are 0 without oil or particles
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 LARGEST_DIAMETER = 1e100  # whose square float64 holds
+LEAST = {"particle_diameter": 1e-90, "particle_density": 1e-100}  # whose coverage float64 holds, [m] and [m-2]
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # least and most usual value of numbers by name, and their unit
 Usual = Mapping[str, tuple[float, float, str]]
@@ -208,6 +209,7 @@ class _Typed(NamedTuple):
         allowed = ((si > 0.0) if never_zero else (si >= 0.0)) & np.isfinite(si)
         if self.axis.name == "particle_diameter":
             allowed &= si <= LARGEST_DIAMETER
+        allowed &= (si == 0.0) | (si >= LEAST.get(self.axis.name, 0.0))
         if not allowed.all():
             sign = "positive" if never_zero else "zero or positive"
             message = f"{self.key} is {self.numbers[~allowed][0]:g}"
