@@ -28,7 +28,10 @@ KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arra
 NEVER_ZERO = "load", "roughness", "speed"  # the others are 0 without oil or particles
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 LARGEST_DIAMETER = 1e100  # whose square float64 holds
-LEAST = {"particle_diameter": 1e-90, "particle_density": 1e-100}  # whose coverage float64 holds, [m] and [m-2]
+LEAST = {
+    "particle_diameter": 1e-90,
+    "particle_density": 1e-100,
+}  # whose coverage float64 holds, [m] and [m-2]
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # least and most usual value of numbers by name, and their unit
 Usual = Mapping[str, tuple[float, float, str]]

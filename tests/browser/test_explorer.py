@@ -86,7 +86,9 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
         of_panel = [row for row in rows if row["panel"] == panel]
         over_load = of_panel[0]["x_name"] != "diameter_ratio"
         curves = {row["curve"] for row in of_panel if row["curve"].startswith("nu =")}
-        printed = [row for row in of_panel if row["curve"].startswith("printed; ")]
+        printed = [
+            row for row in of_panel if row["curve"].startswith(("printed; ", "printed along x; "))
+        ]
         shown = explorer.all("#charts figure")[place]
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
         assert len(shown.find_elements("css selector", "g:has(> title), .limit")) == len(printed)
