@@ -1,7 +1,6 @@
 """Writes ``measured.csv``: no measurement, but a member of the ensemble with errors of a laboratory.
 
-Friction and contact resistance come from the same estimates as in ``thirdbody.compare``, with other
-coefficients, so that both residuals and agreement can be seen.
+Friction and contact resistance come from the same estimates as in ``thirdbody.lab.compare``.
 """
 
 from pathlib import Path
@@ -10,12 +9,11 @@ import numpy as np
 import pandas as pd
 
 import thirdbody as tb
-from thirdbody.lab.estimates import Assumed, measurable
 
 SCATTER = 0.03  # relative
 loads = np.geomspace(1.0, 50.0, 9)
 truth = tb.ensemble()[4]
-found = tb.solve(
+points = tb.solve(
     load_N=loads,
     viscosity_cSt=90,
     particle_diameter_nm=500,
@@ -23,13 +21,13 @@ found = tb.solve(
     particle_density_per_m2=1e11,
     parameters=truth,
 )
-true = measurable(found, truth, Assumed(boundary_friction=0.11, film_friction=0.035))
 scatter = 1.0 + SCATTER * np.random.default_rng(1).standard_normal((2, loads.size))
+friction = tb.lab.friction(points, boundary_friction=0.11, film_friction=0.035)
 table = pd.DataFrame(
     {
         "load [N]": loads.round(2),
-        "friction coefficient": true["friction_coefficient"] * scatter[0],
-        "contact resistance [mohm]": 1e3 * true["contact_resistance_ohm"] * scatter[1],
+        "friction coefficient": friction * scatter[0],
+        "contact resistance [mohm]": 1e3 * tb.lab.contact_resistance(points, truth) * scatter[1],
     }
 )
 table.to_csv(Path(__file__).with_name("measured.csv"), index=False, float_format="%.4g")

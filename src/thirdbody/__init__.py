@@ -15,8 +15,9 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 0.250 of the load is carried by solids
 
 ``solve`` also takes arrays.  ``grid`` returns a dataset over five axes, ``plot`` draws it, and
-``stream`` writes datasets larger than memory.  The equations and the force balance are in
-``thirdbody.core``, which needs only numpy and scipy.  The other packages name the extra that they need.
+``stream`` writes datasets larger than memory.  ``find``, ``transitions``, ``turning_point`` and
+``turning_window`` search along an axis and return tables.  ``lab`` has what a test rig needs.  The equations
+and the force balance are in ``thirdbody.core``, which needs only numpy and scipy.
 """
 
 import re
@@ -39,9 +40,11 @@ def __getattr__(name: str):
         raise AttributeError(f"module 'thirdbody' has no attribute {name!r}")
     from importlib import import_module
 
-    found = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = found  # cached, so that this function is not called again
-    return found
+    if _MODULES[name] == __name__:
+        return import_module(f"{__name__}.{name}")
+    public = getattr(import_module(_MODULES[name]), name)
+    globals()[name] = public  # cached, so that this function is not called again
+    return public
 
 
 def __dir__() -> list[str]:

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import NO_FLAG
-from thirdbody.netcdf import PlainDataset, Variable
-from thirdbody.ranges import FILL_FLAG, FILL_FLOAT
+from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, Variable
 from thirdbody.variables import AXES, DIMENSIONS, NORMAL_LOAD, NUMBERS, STATUS, VARIABLES
 from thirdbody.variables import Variable as Described
 

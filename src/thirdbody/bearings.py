@@ -8,37 +8,76 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 
-from thirdbody.answers.answer import Answer, Row
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike, NDArray
+
 from thirdbody.conditions import checked_number, checked_numbers
-from thirdbody.core.parameters import Parameters
-from thirdbody.inputs import check_ball, or_calibrated
-from thirdbody.printed import POISSON_RATIO, STEEL_MODULUS
-from thirdbody.toml_tables import toml_beside
-from thirdbody.variables import AXES
+from thirdbody.core.parameters import OIL_DENSITY, Parameters
+from thirdbody.inputs import or_calibrated
 
-TABLES = toml_beside(__file__)
-USUAL_BEARING, USUAL_MATERIAL = TABLES["usual"], TABLES["usual_material"]
-BODIES = "ball", "flat", "particle"
+STEEL_MODULUS = 205e9  # [Pa], not printed: E_ss of Table 1 follows from it
+POISSON_RATIO = 0.29  # of all bodies, Table 1
 GIGA = 1e9
-USUAL_DENSITY = 850.0  # of mineral oils [kg m-3]
-LUBRICANT_DENSITIES = 700.0, 1100.0  # [kg m-3]
+# least and most usual value of the numbers of ``bearing``, and their unit
+USUAL_BEARING = {
+    "ball_radius_mm": (0.1, 1000.0, "mm"),
+    "speed_m_per_s": (1e-6, 200.0, "m s-1"),
+    "oil_density_kg_per_m3": (500.0, 3000.0, "kg m-3"),
+    "pressure_viscosity_per_GPa": (1.0, 100.0, "GPa-1"),
+    "apparent_area_mm2": (1e-4, 1e6, "mm2"),
+    "ellipticity": (0.1, 10.0, "1"),
+}
+USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
+# unit of each derived input, and its formula
+FORMULAS = {
+    "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
+    "elastic_modulus_particle": ("Pa", "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body"),
+    "hardness_surface_1": ("Pa", "H_s1, hardness of the ball"),
+    "hardness_surface_2": ("Pa", "H_s2, hardness of the flat"),
+    "ball_radius": ("m", "R_x, radius of the ball"),
+    "material_parameter": ("1", "G = alpha E_ss (below Eq. 8)"),
+    "hardness_parameter": ("1", "V = v_h/E_ss, softer body (below Eq. 8)"),
+    "speed_per_viscosity": ("s m-2", "U/nu = rho u/(E_ss R_x) (below Eq. 8)"),
+    "ellipticity": ("1", "kappa of the contact, 1 for a ball on a flat (Eq. 7)"),
+    "apparent_area": ("m2", "A_n, the nominal area, an input of its own"),
+}
 
 
 @dataclass(frozen=True)
 class Material:
-    """Young's modulus [GPa], Poisson's ratio [1] and hardness [GPa] of a body; numbers or quantities."""
+    """A body: its modulus, Poisson's ratio and hardness, as numbers or quantities.
+
+    Parameters
+    ----------
+    modulus_GPa : float
+        Young's modulus E [GPa].
+    poisson_ratio : float
+        Poisson's ratio v [1], 0 to 0.5.
+    hardness_GPa : float
+        Hardness H [GPa].
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> bronze = tb.Material(modulus_GPa=110, poisson_ratio=0.34, hardness_GPa=1.5)
+    >>> inputs = tb.bearing(flat=bronze)
+    >>> inputs.hardness_surface_2
+    1500000000.0
+    """
 
     modulus_GPa: float
     poisson_ratio: float
     hardness_GPa: float
 
     def __post_init__(self):
-        given = {name: getattr(self, name) for name in USUAL_MATERIAL}
+        numbers = {name: getattr(self, name) for name in USUAL_MATERIAL}
         ratio = checked_number("poisson_ratio", self.poisson_ratio, positive=False)
         for name, number in (
-            checked_numbers(given, USUAL_MATERIAL) | {"poisson_ratio": ratio}
+            checked_numbers(numbers, USUAL_MATERIAL) | {"poisson_ratio": ratio}
         ).items():
             object.__setattr__(self, name, number)
         if self.poisson_ratio > 0.5:
@@ -63,33 +102,40 @@ MATERIALS = {
     # common values of dense alumina
     "alumina": Material(380.0, 0.22, 16.0),
 }
+STEEL = MATERIALS["steel"]
 
 
-def _material(name: str, given: Material | str) -> Material:
-    """A material, or the one of this name."""
-    if isinstance(given, Material):
-        return given
-    word = str(given).replace("-", " ").lower()
-    if word not in MATERIALS:
-        raise ValueError(f"{name} is {given!r}; allowed: a Material, {', '.join(MATERIALS)}")
-    return MATERIALS[word]
+@dataclass(frozen=True, kw_only=True)
+class Rig:
+    """The materials and the density of the oil from which inputs were derived."""
+
+    ball: Material = STEEL
+    flat: Material = STEEL
+    particle: Material = STEEL
+    oil_density_kg_per_m3: float = OIL_DENSITY
+
+    @property
+    def moduli(self) -> tuple[float, float]:
+        """E_ss and E_sa [Pa]; a particle is in contact with the more compliant of ball and flat."""
+        surface = max(self.ball, self.flat, key=lambda body: body.compliance)
+        return _hertz_modulus(self.ball, self.flat), _hertz_modulus(self.particle, surface)
 
 
-def implied_speed(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_DENSITY) -> float:
-    """The rolling speed u [m/s] that U over the viscosity stands for, with an oil of this density."""
-    stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
-    return parameters.speed_per_viscosity * stiffness / oil_density_kg_per_m3
-
-
-def speed_note(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_DENSITY) -> str:
-    """The speed of the inputs with an oil of this density, in words."""
-    speed = implied_speed(parameters, oil_density_kg_per_m3)
-    oil = f"an oil of {oil_density_kg_per_m3:.4g} kg/m3"
-    return f"with {oil}, U/nu is for a speed of {speed:.3g} m/s"
+BODIES = "ball", "flat", "particle"
 
 
 def _hertz_modulus(one: Material, other: Material) -> float:
     return 1.0 / (one.compliance + other.compliance)
+
+
+def _material(name: str, material: Material | str) -> Material:
+    """A material, or the one of this name."""
+    if isinstance(material, Material):
+        return material
+    word = str(material).replace("-", " ").lower()
+    if word not in MATERIALS:
+        raise ValueError(f"{name} is {material!r}; allowed: a Material, {', '.join(MATERIALS)}")
+    return MATERIALS[word]
 
 
 def bearing(
@@ -98,37 +144,53 @@ def bearing(
     ball_radius_mm: float | None = None,
     speed_m_per_s: float | None = None,
     oil_density_kg_per_m3: float | None = None,
-    dynamic_viscosity_mPa_s: float | None = None,
-    viscosity_cSt: float | None = None,
     pressure_viscosity_per_GPa: float | None = None,
     ball: Material | str | None = None,
     flat: Material | str | None = None,
     particle: Material | str | None = None,
     apparent_area_mm2: float | None = None,
+    ellipticity: float | None = None,
 ) -> Parameters:
     """Derive the inputs of the model for another ball, speed, oil or material.
 
-    Inputs that are not given are kept from ``parameters``, including the product of density and
-    speed and the pressure-viscosity coefficient implied by U and G.  Raises ``ValueError`` for a
-    number that is not positive, a speed without a density or the reverse, a body that is not a
-    ``Material``, a particle softer than a surface, an A_n larger than the ball, and inputs out of
-    bounds.  Unusual numbers cause an ``OutOfRangeWarning``.
+    What is not given stays as it is in ``parameters``, also the product of density and speed and the
+    pressure-viscosity coefficient that U and G stand for, the materials of the other bodies, and A_n.
 
     Parameters
     ----------
     parameters : Parameters, optional
         Inputs to start from, by default the calibrated ones.
-    ball_radius_mm, speed_m_per_s : float, optional
-        R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls; and the rolling speed u [m/s].
-    oil_density_kg_per_m3, dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
-        For the speed: rho of the oil [kg m-3], or mu_0 [mPa s] and nu [cSt], with rho = mu_0/nu.
+    ball_radius_mm : float, optional
+        R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls.
+    speed_m_per_s, oil_density_kg_per_m3 : float, optional
+        Entrainment speed u = (u_1 + u_2)/2 [m/s] and density rho of the oil [kg m-3], both or neither.  Where a
+        disc turns under a ball that does not, its speed is twice u.
     pressure_viscosity_per_GPa : float, optional
-        alpha [GPa-1].
+        alpha of the oil [GPa-1].
     ball, flat, particle : Material or str, optional
-        Materials of both bodies and of the particles, or their names: "steel", "silicon nitride",
-        "alumina"; if one is given, the others are steel.
+        Materials or their names: "steel", "silicon nitride", "alumina".  The ball is surface 1, on which Eq. 5
+        counts the contact area of particles, so that ball and flat cannot be exchanged.
     apparent_area_mm2 : float, optional
-        A_n [mm2], the reference area of loads: at most the cross-section of the ball.
+        A_n [mm2], the nominal area of loads and areas: at most the cross-section of the ball.
+    ellipticity : float, optional
+        kappa of the contact in Eq. 7 [1], 1 for a ball on a flat; a roller or a gear has up to 10.
+
+    Returns
+    -------
+    Parameters
+        All inputs, SI; its members have the same changes.
+
+    Raises
+    ------
+    ValueError
+        For a number that is not positive, a speed without a density or the reverse, a particle softer than a
+        surface, an A_n larger than the ball, inputs out of bounds, and some of the bodies where those of
+        ``parameters`` are not known.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        For unusual numbers.
 
     Examples
     --------
@@ -145,81 +207,102 @@ def bearing(
     numbers = checked_numbers(
         {name: arguments[name] for name in USUAL_BEARING if name in arguments}, USUAL_BEARING
     )
-    bodies = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
-    changes = _of_bodies(bodies) if bodies else {}
+    materials = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
+    rig, changes = _of_materials(parameters, materials)
     modulus = changes.get("elastic_modulus_surfaces", parameters.elastic_modulus_surfaces)
-    radius = 1e-3 * numbers.get("ball_radius_mm", 1e3 * parameters.ball_radius)
+    radius = (
+        1e-3 * numbers["ball_radius_mm"] if "ball_radius_mm" in numbers else parameters.ball_radius
+    )
     stiffer, larger = modulus / parameters.elastic_modulus_surfaces, radius / parameters.ball_radius
     changes |= {
         "ball_radius": radius,
         "speed_per_viscosity": parameters.speed_per_viscosity / (stiffer * larger),
         "material_parameter": parameters.material_parameter * stiffer,
     }
-    flow = _density_times_speed(numbers)
-    if flow is not None:
-        changes["speed_per_viscosity"] = flow / (modulus * radius)
+    speed, density = numbers.get("speed_m_per_s"), numbers.get("oil_density_kg_per_m3")
+    if (speed is None) != (density is None):
+        texts = ("None" if each is None else f"{each:g}" for each in (speed, density))
+        message = "speed_m_per_s is {} and oil_density_kg_per_m3 {}; allowed: both, or neither"
+        raise ValueError(message.format(*texts))
+    if speed is not None:
+        changes["speed_per_viscosity"] = density * speed / (modulus * radius)
+        rig = replace(rig or Rig(), oil_density_kg_per_m3=density)
     if "pressure_viscosity_per_GPa" in numbers:
         changes["material_parameter"] = numbers["pressure_viscosity_per_GPa"] * modulus / GIGA
     if "apparent_area_mm2" in numbers:
         changes["apparent_area"] = 1e-6 * numbers["apparent_area_mm2"]
-    try:
-        found = parameters.changed(**changes)
-        if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
-            check_ball(found.as_dict(), "bearing")
-        return found
-    except ValueError as error:
-        raise ValueError(f"derived from {', '.join([*numbers, *bodies])}: {error}") from None
+    if "ellipticity" in numbers:
+        changes["ellipticity"] = numbers["ellipticity"]
+    inputs = parameters.changed(**changes).with_rig(rig)
+    if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
+        inputs.check_ball()
+    return inputs
 
 
-def _of_bodies(given):
-    """The inputs that follow from the materials by body; those that are not ``given`` are steel."""
-    ball, flat, particle = (given.get(name, MATERIALS["steel"]) for name in BODIES)
-    softer, harder = sorted((ball.hardness, flat.hardness))
-    if "particle" in given and particle.hardness < harder:
+def _of_materials(parameters, materials):
+    """The rig of ``parameters`` with other ``materials`` by name, and the inputs that follow from these."""
+    rig = parameters.rig
+    if rig is None and _are_of(Rig(), parameters):
+        rig = Rig()
+    if not materials:
+        return rig, {}
+    if (rig is None or not _are_of(rig, parameters)) and len(materials) < len(BODIES):
+        missing = ", ".join(name for name in BODIES if name not in materials)
         raise ValueError(
-            f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least "
-            f"{1e-9 * harder:g} GPa, the harder surface, as particles keep their shape"
+            f"{missing}: not given, and not known from the moduli of the inputs; "
+            f"allowed: {', '.join(BODIES)} together"
         )
-    modulus = _hertz_modulus(ball, flat)
-    surface = max(ball, flat, key=lambda body: body.compliance)
-    return {
-        "elastic_modulus_surfaces": modulus,
-        "elastic_modulus_particle": _hertz_modulus(particle, surface),
-        "hardness_surface_1": ball.hardness,
-        "hardness_surface_2": flat.hardness,
-        "hardness_parameter": softer / modulus,
-    }
-
-
-def _density_times_speed(numbers):
-    """rho u [kg m-2 s-1]; None if neither is among the ``numbers``."""
-    speed, density = numbers.get("speed_m_per_s"), numbers.get("oil_density_kg_per_m3")
-    if {"dynamic_viscosity_mPa_s", "viscosity_cSt"} <= numbers.keys():
-        density = 1e3 * numbers["dynamic_viscosity_mPa_s"] / numbers["viscosity_cSt"]
-    if (speed is None) != (density is None):
-        texts = ("None" if each is None else f"{each:g}" for each in (speed, density))
+    rig = replace(rig or Rig(), **materials)
+    one = materials["ball"].hardness if "ball" in materials else parameters.hardness_surface_1
+    two = materials["flat"].hardness if "flat" in materials else parameters.hardness_surface_2
+    if "particle" in materials and rig.particle.hardness < max(one, two):
         raise ValueError(
-            "speed_m_per_s is {} and the oil's density {}; allowed: both, or neither (a density, "
-            "or dynamic_viscosity_mPa_s with viscosity_cSt)".format(*texts)
+            f"particle has a hardness of {1e-9 * rig.particle.hardness:g} GPa; allowed: at least "
+            f"{1e-9 * max(one, two):g} GPa, the harder surface, as particles keep their shape"
         )
-    return None if speed is None else density * speed
+    surfaces, particle = rig.moduli
+    changes = {"elastic_modulus_particle": particle}
+    if materials.keys() - {"particle"}:
+        changes |= {
+            "elastic_modulus_surfaces": surfaces,
+            "hardness_surface_1": one,
+            "hardness_surface_2": two,
+            "hardness_parameter": min(one, two) / surfaces,
+        }
+    return rig, changes
 
 
-def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answer:
-    """Answer to question 8: the inputs derived by ``bearing``, each with its formula, and U for an
-    oil of ``viscosity_cSt`` if given.
-    """
-    parameters = or_calibrated(parameters)
-    rows = [
-        Row(name, formula, getattr(parameters, name), unit)
-        for name, (unit, formula) in TABLES["formulas"].items()
-    ]
-    if viscosity_cSt is not None:
-        viscosity_cSt = checked_number("viscosity_cSt", viscosity_cSt, positive=False)
-        speed = parameters.speed_per_viscosity * float(AXES["viscosity"].to_si(viscosity_cSt))
-        rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
-    notes = (
-        speed_note(parameters),
-        f"A_n = {parameters.apparent_area:.4g} m2 is an input of its own and stays",
+def _are_of(rig, parameters):
+    """Whether the moduli of ``parameters`` are those of a rig, to the digits of Table 1."""
+    moduli = parameters.elastic_modulus_surfaces, parameters.elastic_modulus_particle
+    return bool(np.allclose(rig.moduli, moduli, rtol=2e-3, atol=0.0))
+
+
+def speed_note(parameters: Parameters, oil_density_kg_per_m3: float | None = None) -> str:
+    """The speed that the inputs stand for, in words."""
+    density = oil_density_kg_per_m3 or getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
+    speed = parameters.entrainment_speed(density)
+    return (
+        f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {speed:.3g} m/s"
     )
-    return Answer("Inputs derived from ball, speed, oil and materials", tuple(rows), notes)
+
+
+def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, NDArray]:
+    """Area [m2] and mean pressure [Pa] of the smooth ball on a flat under a load [N] (Hertz)."""
+    cube = 0.75 * np.asarray(load_N, float) * parameters.ball_radius
+    area = math.pi * (cube / parameters.elastic_modulus_surfaces) ** (2.0 / 3.0)
+    return area, load_N / area
+
+
+def derived_inputs(parameters: Parameters | None = None) -> pd.DataFrame:
+    """The inputs that ``bearing`` derives: a row for each, with its value, unit and formula, and notes in
+    ``attrs``."""
+    parameters = or_calibrated(parameters)
+    table = pd.DataFrame(
+        [
+            {"input": name, "value": getattr(parameters, name), "unit": unit, "formula": formula}
+            for name, (unit, formula) in FORMULAS.items()
+        ]
+    ).set_index("input")
+    table.attrs["notes"] = [speed_note(parameters)]
+    return table

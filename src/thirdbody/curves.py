@@ -1,9 +1,13 @@
-"""Conditions of a curve over the load, in tables and keys of the configuration."""
+"""Curves over the load: their conditions, in tables and keys of the configuration, and those of a dataset."""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple, Self
 
-from thirdbody.variables import AXES, CONDITION_AXES
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.netcdf import FILL_FLAG, PlainDataset
+from thirdbody.variables import AXES, CONDITION_AXES, STATUS
 
 
 class Condition(NamedTuple):
@@ -46,3 +50,15 @@ def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:
 def row_key(row: Mapping) -> tuple[str, ...]:
     """The ``condition_key`` of the curve in a row of a table."""
     return condition_key(row[axis.column] for axis in CONDITION_AXES)
+
+
+def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The curves of a dataset, with at least one point with a status: their conditions, SI, in the
+    order of ``Condition``, shape (4, curves); and their index in a variable after its load axis,
+    ``values[:, index]``."""
+    status = dataset[STATUS].values
+    # nan where xarray has masked points, which it converts to floats
+    shown = (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
+    axes = [dataset[name].values for name in Condition._fields]
+    conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
+    return conditions, shown

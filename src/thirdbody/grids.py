@@ -1,5 +1,4 @@
-"""Solved points as a dataset with names and units over the five axes: a grid, in memory or block by
-block in a file, or a scene (the curves of one figure)."""
+"""``grid`` and ``stream``: every combination of five axes as a dataset, in memory or block by block in a file."""
 
 from __future__ import annotations
 
@@ -10,39 +9,25 @@ from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from shutil import disk_usage
-from typing import TYPE_CHECKING
 
 import netCDF4
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.attributes import described_grid
-from thirdbody.conditions import check_rtol, checked_variables, read_conditions
+from thirdbody.attributes import coordinate_attributes, described_grid
+from thirdbody.conditions import check_rtol, checked_variables, read_conditions, without_speed
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import type_of
 from thirdbody.core.sweep import is_worthwhile, sweep
-from thirdbody.curves import Condition
 from thirdbody.files import atomic_write
 from thirdbody.inputs import or_calibrated
 from thirdbody.messages import format_path, format_value
-from thirdbody.netcdf import PlainDataset, declare
+from thirdbody.netcdf import declare
 from thirdbody.progress import Progress
-from thirdbody.ranges import FILL_FLAG, FILL_FLOAT
-from thirdbody.variables import (
-    CONDITION_AXES,
-    DIMENSIONS,
-    FLAGS,
-    NUMBERS,
-    STATUS,
-    VARIABLES,
-    decimal,
-)
+from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
 
-if TYPE_CHECKING:
-    import xarray as xr
-
-RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
@@ -71,12 +56,13 @@ def grid(
         Whether a long call reports its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities, by any of their names in
-        ``thirdbody.solve``.  Viscosity 0 is dry contact; diameter or density 0 is two-body contact.
+        ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact; diameter or
+        density 0 is two-body contact.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions are the five axes.  ``solution_status`` is the status of each point; points
+        Dimensions are the axes.  ``solution_status`` is the status of each point; points
         without values are nan.
 
     Raises
@@ -103,13 +89,36 @@ def grid(
     array([1., 1.])
     """
     parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    speeds = axes.pop("speed", None)
+    if speeds is None:
+        return _solved_grid(axes, axes, parameters, rtol, names, load_key, progress)
+    films = without_speed({"viscosity": axes["viscosity"][:, None], "speed": speeds}, parameters)
+    viscosities, places = np.unique(films["viscosity"], return_inverse=True)
+    films = axes | {"viscosity": viscosities}
+    request = axes | {"speed": speeds}
+    solved = _solved_grid(films, request, parameters, rtol, names, load_key, progress)
+    shape = axes["viscosity"].size, speeds.size
+    places = xr.DataArray(places.reshape(shape), dims=("film", "speed"))
+    placed = solved.isel(viscosity=places).drop_vars("viscosity").rename(film="viscosity")
+    return placed.assign_coords(
+        {
+            name: (name, request[name], coordinate_attributes(CONDITIONS[name]))
+            for name in ("viscosity", "speed")
+        }
+    )
+
+
+def _solved_grid(axes, request, parameters, rtol, names, load_key, progress) -> xr.Dataset:
+    """The dataset of five axes, for a ``request`` by name."""
     points = prod(axis.size for axis in axes.values())
     with Progress(points, "points", progress) as bar:
         if is_worthwhile(axes, rtol):
             values = sweep(axes, parameters, rtol, names, bar.add)
         else:
             values = solve_points(crossed(axes), parameters, rtol, names, bar.add)
-    return described_grid(axes, values, parameters, rtol, load_key=load_key).to_xarray()
+    listed = {name: axis.tolist() for name, axis in request.items()}
+    described = described_grid(axes, values, parameters, rtol, request=listed, load_key=load_key)
+    return described.to_xarray()
 
 
 def stream(
@@ -159,6 +168,8 @@ def stream(
     if not isinstance(compression, Integral) or compression not in range(10):
         raise ValueError(f"compression is {format_value(compression)}; allowed: 0 to 9")
     parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    if "speed" in axes:
+        raise ValueError("speed_m_per_s is no axis of a file; allowed: other viscosities instead")
     shape = tuple(axis.size for axis in axes.values())
     lengths = [*shape]
     while prod(lengths) > POINTS_PER_BLOCK:
@@ -211,51 +222,3 @@ def _read_grid(parameters, rtol, variables, conditions):
 def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
     """The axes ``sides`` of a grid as arrays that broadcast to all points."""
     return dict(zip(sides, np.ix_(*sides.values()), strict=True))
-
-
-def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
-    """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
-    of five axes, with the same loads: logarithmically spaced, plus those named in the text between
-    the ends.  Diameters relative to the roughness make a group for each roughness.
-    """
-    axis = scene["load_axis"]
-    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load)
-    named = [load for load in scene.get("named_loads", []) if first <= load <= last]
-    load = np.unique([*np.geomspace(first, last, axis["count"]), *named])
-    entries = []
-    for entry in scene["curves"]:
-        if RELATIVE_DIAMETER not in entry:
-            entries.append(entry)
-            continue
-        for sigma in entry["roughness_nm"]:
-            diameters = [ratio * sigma for ratio in entry[RELATIVE_DIAMETER]]
-            entries.append(entry | {"roughness_nm": [sigma], "particle_diameter_nm": diameters})
-    return [
-        {"load": load} | {axis.name: axis.values(entry[axis.alias]) for axis in CONDITION_AXES}
-        for entry in entries
-    ]
-
-
-def scene_dataset(
-    scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
-) -> PlainDataset:
-    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables
-    over the five axes.  Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
-    """
-    groups = scene_groups(scene, parameters.newtons_per_load)
-    axes = {
-        name: np.unique(np.concatenate([group[name] for group in groups])) for name in DIMENSIONS
-    }
-    shape = tuple(axis.size for axis in axes.values())
-    values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
-    values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
-    for group in groups:
-        place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
-        solved = solve_points(crossed(group), parameters, rtol)
-        for name in values:
-            values[name][place] = solved[name]
-    request = {
-        "load": axes["load"].tolist(),
-        "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
-    }
-    return described_grid(axes, values, parameters, rtol, scene["title"], request)

@@ -1,10 +1,4 @@
-"""Inputs of the model: the sources of their values, and which source takes precedence.
-
-Later values override earlier ones: those in ``config/inputs.yaml``, which describes each input; in
-a calibrated file, named by ``calibrated`` in ``config/config.yaml`` or given in its place; and
-overrides: ``inputs`` in ``config/config.yaml`` and its changes, a file with some inputs, plain or
-in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
-"""
+"""The calibrated inputs of the model, and those of a user laid over them."""
 
 import math
 import warnings
@@ -14,32 +8,21 @@ from pathlib import Path
 from typing import Any
 
 from thirdbody.conditions import numbers_in
-from thirdbody.core.parameters import BOUNDS, Parameters
-from thirdbody.messages import format_path
-from thirdbody.paper.configuration import schema
+from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
 from thirdbody.plain_yaml import config_directory, read_yaml
 
-Entries = Mapping[str, Mapping]
-Values = dict[str, float | bool | str]
-CLOSED = {"type": "object", "additionalProperties": False}  # in a JSON Schema
-CALIBRATED_FILE = {
-    "required": ["interpretation", "inputs", "ensemble"],
-    "properties": {
-        "inputs": {"$ref": "input_values"},
-        "ensemble": {"type": "array", "minItems": 1, "items": {"$ref": "input_values"}},
-    },
-}
+DEFAULT = "half_free"  # the file of config/calibrated/ that is the default
 
 
-def load_parameters(path: str | Path | None = None, **inputs: float | bool | str) -> Parameters:
-    """The calibrated inputs of the model, overridden by the given ones.
+def load_parameters(path: str | Path | None = None, **inputs: float | str) -> Parameters:
+    """The calibrated inputs of the model, with others laid over them.
 
     Parameters
     ----------
     path : str or Path, optional
-        A YAML file with some inputs, plain or in the layout of ``config/inputs.yaml``, that
-        overrides the calibrated ones; or a calibrated file of your own, which replaces them.
-    **inputs : float, bool or str
+        A YAML file with some inputs, SI, that override the calibrated ones; or a calibrated file, with
+        ``inputs`` and ``ensemble``, that replaces them.
+    **inputs : float, str or quantity
         Inputs by the field names of ``Parameters``, SI or quantities; they override the file.
 
     Returns
@@ -50,7 +33,8 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     Raises
     ------
     ValueError
-        One line with the file or argument, the wrong key, its value and what is allowed.
+        For an unknown input, a number out of bounds, an unknown word, a quantity of another dimension, and an
+        A_n larger than the ball.
 
     Warns
     -----
@@ -68,25 +52,36 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     >>> sparse.participation, sparse.truncation == parameters.truncation
     (0.5, True)
     """
-    directory = config_directory()
-    settings = read_yaml(directory / "config.yaml")
-    entries = read_entries()
-    calibrated = directory.parent / settings["calibrated"]
-    chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
-    inputs = {
-        name: numbers_in(name, value, entries[name]["unit"]).tolist()
-        if "unit" in entries.get(name, {})
-        else value
-        for name, value in inputs.items()
+    calibrated, changes = _default_content(), {}
+    if path is not None:
+        content = read_yaml(path)
+        calibrated, changes = (content, {}) if "inputs" in content else (calibrated, content)
+    changes = changed_inputs(changes | inputs)
+    parameters = parameters_of(calibrated)
+    changed = parameters.changed(**changes)
+    changed.check_ball()
+    _warn_of_what_stays(changes, parameters)
+    return changed
+
+
+def changed_inputs(changes: Mapping[str, Any]) -> dict[str, float | str]:
+    """Some inputs as floats in SI and words; ``ValueError`` for a name that is none."""
+    for name in changes:
+        if name not in Parameters.names():
+            raise ValueError(f"{name} is no input; allowed: {', '.join(Parameters.names())}")
+    return {
+        name: value
+        if isinstance(value, str) and name in WORDS
+        else float(numbers_in(name, value, BOUNDS[name].unit))
+        for name, value in changes.items()
     }
-    schema.validate(inputs, values_schema(entries), "load_parameters")
-    inputs = plain_values(inputs)
-    check_ball(chosen["parameters"] | inputs, "load_parameters")
-    changed = chosen["inputs"] | inputs
-    if BELONGS_TO.keys() & changed.keys():
-        _warn_of_what_stays(changed, choose_inputs(entries, chosen["calibrated"], {})["parameters"])
-    members = [Parameters(**chosen["parameters"] | member) for member in chosen["ensemble"]]
-    return Parameters(**chosen["parameters"]).with_members(members).changed(**inputs)
+
+
+def parameters_of(calibrated: Mapping[str, Any]) -> Parameters:
+    """The inputs in the ``calibrated`` content of a file, and their ensemble, if its members differ."""
+    values = calibrated["inputs"]
+    members = [Parameters(**values | member) for member in calibrated["ensemble"]]
+    return Parameters(**values).with_members(members).changed()
 
 
 def or_calibrated(parameters: Parameters | None) -> Parameters:
@@ -96,8 +91,13 @@ def or_calibrated(parameters: Parameters | None) -> Parameters:
 
 @cache
 def _calibrated():
-    """Cached: reading the files takes longer than solving one point."""
     return load_parameters()
+
+
+@cache
+def _default_content():
+    """Cached: reading the file takes longer than solving one point."""
+    return read_yaml(config_directory() / "calibrated" / f"{DEFAULT}.yaml")
 
 
 def ensemble(parameters: Parameters | None = None) -> tuple[Parameters, ...]:
@@ -152,102 +152,13 @@ BELONGS_TO = {
 }
 
 
-def _warn_of_what_stays(changed, before):
+def _warn_of_what_stays(changes, before):
     """Warn of inputs that differ from ``before`` without those that belong to their value."""
-    for name in BELONGS_TO.keys() & changed.keys():
+    for name in BELONGS_TO.keys() & changes.keys():
         dependents, reason = BELONGS_TO[name]
-        stay = ", ".join(other for other in dependents if other not in changed)
-        value, old = changed[name], before[name]
+        stay = ", ".join(other for other in dependents if other not in changes)
+        value, old = changes[name], getattr(before, name)
         same = value == old if isinstance(value, str) else math.isclose(value, old)
         if stay and not same:
             message = f"{name} is changed without {stay}; {reason}"
             warnings.warn(message, UserWarning, stacklevel=3)
-
-
-def read_entries(directory: Path | None = None) -> Entries:
-    """Entries of the file ``inputs.yaml`` in a folder, by default ``config/``."""
-    path = (directory or config_directory()) / "inputs.yaml"
-    entries = schema.read_valid(path, "inputs")
-    schema.validate(entries, values_schema(entries), str(path))
-    return entries
-
-
-def plain_values(given: Mapping) -> Values:
-    """The values of entries that have one, and plain values; numbers as ``float``."""
-    values = {}
-    for name, each in given.items():
-        value = each.get("value") if isinstance(each, Mapping) else each
-        if value is not None:
-            values[name] = value if isinstance(value, bool | str) else float(value)
-    return values
-
-
-def choose_inputs(
-    entries: Entries, calibrated: str | Path, given: str | Path | Mapping
-) -> dict[str, Any]:
-    """Values of all inputs, by the precedence in the docstring of this module.
-
-    ``given``, values or a file of them, overrides the inputs of the file ``calibrated``, or is a
-    calibrated file that replaces it.  Returns ``parameters``, the value of each input, SI;
-    ``calibrated``, the path of the calibrated file; ``ensemble``, its members with the overrides;
-    and ``inputs``, the overrides.
-    """
-    content, place = given, "inputs"
-    if not isinstance(given, Mapping):
-        content, place = read_yaml(given), format_path(given)
-        if "inputs" in content:
-            calibrated, content = given, {}
-    schema.validate(content, values_schema(entries), place)
-    laid_over = plain_values(content)
-    found = read_calibrated(calibrated, entries)
-    values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
-    schema.validate(values, {"required": [*entries]}, f"{format_path(calibrated)}: inputs")
-    check_ball(values, place)
-    return {
-        "parameters": values,
-        "calibrated": str(calibrated),
-        "ensemble": ensemble_of(found, laid_over),
-        "inputs": laid_over,
-    }
-
-
-def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
-    """The ensemble members of a calibrated file, all with the same overrides; none if they do not
-    differ."""
-    members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
-    return members if any(member != members[0] for member in members) else []
-
-
-def check_ball(values: Values, place: str) -> None:
-    """Raise ``ValueError`` if the cross-section of the ball is smaller than A_n."""
-    section = math.pi * values["ball_radius"] ** 2
-    if values["apparent_area"] > section:
-        raise ValueError(
-            f"{place}: apparent_area is {values['apparent_area']:g}; allowed: at most {section:.3g} m2, "
-            f"the cross-section of a ball of ball_radius {values['ball_radius']:g} m"
-        )
-
-
-def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
-    """The content of a file of ``config/calibrated/``; ``ValueError`` in one line."""
-    content = read_yaml(path)
-    values = values_schema(entries or read_entries())
-    schema.validate(content, CALIBRATED_FILE, format_path(path), input_values=values)
-    return content
-
-
-def values_schema(entries: Entries) -> dict:
-    """JSON Schema of some inputs: plain values, or entries as in ``config/inputs.yaml`` in the same
-    unit; its ``$defs/name`` is the schema of their names."""
-    given = {}
-    for name, entry in entries.items():
-        if "allowed" in entry:
-            value, unit = {"enum": entry["allowed"]}, {}
-        else:
-            bounds, unit = BOUNDS[name], {"unit": {"const": entry["unit"]}}
-            allowed = f"{bounds}" if entry["unit"] == "1" else f"{bounds} {entry['unit']}"
-            limits = {"minimum": bounds.least, "maximum": bounds.most, "allowed": allowed}
-            value = {"type": "number", **limits}
-        whole = CLOSED | {"properties": dict.fromkeys(entry, True) | unit | {"value": value}}
-        given[name] = {"if": {"type": "object"}, "then": whole, "else": value}
-    return CLOSED | {"properties": given, "$defs": {"name": {"enum": list(entries)}}}

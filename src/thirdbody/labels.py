@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pandas as pd
 import xarray as xr
+from numpy.typing import ArrayLike
 
 from thirdbody.attributes import coordinate_attributes, variable_attributes
-from thirdbody.conditions import from_si, unit_text
-from thirdbody.core.regimes import FLAG_MEANINGS, codes_to_name
-from thirdbody.tabular import indexed, with_rows
-from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES, decimal
+from thirdbody.conditions import from_si
+from thirdbody.core.regimes import FLAG_MEANINGS, STATES, codes_to_name
+from thirdbody.variables import CONDITIONS, NORMAL_LOAD, VARIABLES, decimal
 
 if TYPE_CHECKING:
     from thirdbody.points import Solution
 
-RATIOS = "load", "film_thickness"  # dimensionless, unlike others of this name
 POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
@@ -26,7 +25,7 @@ def labelled_dataset(solution: Solution) -> xr.Dataset:
 
     A dimension has the name of the only condition that varies along it.
     """
-    return with_rows(_labelled(solution), solution.index)
+    return _with_rows(_labelled(solution), solution.index)
 
 
 def _labelled(solution) -> xr.Dataset:
@@ -39,12 +38,12 @@ def _labelled(solution) -> xr.Dataset:
     coordinates = dict(first.coords) if labelled else {}
     for name, values in conditions.items():
         if name not in coordinates:
-            attributes = coordinate_attributes(AXES[name], solution.keys[name])
+            attributes = coordinate_attributes(CONDITIONS[name], solution.keys[name])
             coordinates[name] = *_placed(values, dimensions, shape), attributes
-    described = {
-        name: (dimensions, np.asarray(values), variable_attributes(VARIABLES[name]))
-        for name, values in variables.items()
-    }
+    described = {}
+    for name, values in variables.items():
+        array = np.asarray(values).astype(np.int8 if name in STATES else float)
+        described[name] = dimensions, array, variable_attributes(VARIABLES[name])
     dataset = xr.Dataset(described, coordinates)
     newtons = dataset["load"].variable * solution.newtons_per_load
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)
@@ -54,7 +53,7 @@ def _labelled(solution) -> xr.Dataset:
 def labelled_frame(solution: Solution) -> pd.DataFrame:
     """A solution as a table: one row per point, flags by name.
 
-    Headings have units: of conditions those in which they were given, of variables SI.
+    Conditions have the names by which they were given, variables their SI unit behind their name.
     """
     dataset = _labelled(solution)
     flat = dataset if dataset.sizes else dataset.expand_dims(POINT)
@@ -63,19 +62,43 @@ def labelled_frame(solution: Solution) -> pd.DataFrame:
     frame = flat.to_dataframe().reset_index()[[*labels, *others, *flat.data_vars]]
     for name, codes in codes_to_name({name: frame[name] for name in flat.data_vars}).items():
         frame[name] = pd.Categorical.from_codes(codes, FLAG_MEANINGS[name])
-    headings = {name: flat[name].attrs.get("units") for name in frame.columns}
+    headings = {name: column_name(name) for name in flat.data_vars} | solution.keys
     for name, key in solution.keys.items():
-        headings[name] = unit_text(key)
         frame[name] = decimal(from_si(key, frame[name], solution.newtons_per_load))
+    headings[NORMAL_LOAD.name] = "load_N"
     if solution.keys["load"] == "load_N":
         frame = frame.drop(columns=NORMAL_LOAD.name)
-    headings = {
-        name: f"{name} [{unit}]"
-        for name, unit in headings.items()
-        if unit and (unit != "1" or name in RATIOS)
-    }
-    frame = frame.rename(columns=headings)
-    return indexed(frame, solution.index, range(len(frame)))
+    return indexed(frame.rename(columns=headings), solution.index, range(len(frame)))
+
+
+def column_name(variable: str) -> str:
+    """The name of a variable in tables: with its unit, if it has one."""
+    unit = VARIABLES[variable].unit
+    return variable if unit == "1" else f"{variable}_{unit}"
+
+
+def indexed(table: pd.DataFrame, index: pd.Index | None, points: ArrayLike) -> pd.DataFrame:
+    """A table whose rows belong to ``points``, flat indices into an array with the rows of ``index``
+    along its last axis, with the labels of these rows; unchanged if ``index`` is None."""
+    if index is None:
+        return table
+    return table.set_index(index.take(np.asarray(points, int) % max(len(index), 1)))
+
+
+def _with_rows(dataset, index):
+    """A dataset with the ``index`` of the points along its last dimension as a coordinate, one for each level, of
+    its name or else ``row``; as text where netCDF has no such type.  Unchanged if ``index`` is None."""
+    if index is None:
+        return dataset
+    dimension, size = [*dataset.sizes.items()][-1]
+    rows = index.take(np.arange(size) % max(len(index), 1))
+    labels = {}
+    for level, name in enumerate(rows.names):
+        if name is None or name in (*dataset.variables, *labels):
+            name = "row" if rows.nlevels == 1 else f"row_{level}"
+        values = np.asarray(rows.get_level_values(level))
+        labels[str(name)] = dimension, values.astype(str) if values.dtype == object else values
+    return dataset.assign_coords(labels)
 
 
 def _dimensions(shape, conditions) -> list[str]:
@@ -84,8 +107,10 @@ def _dimensions(shape, conditions) -> list[str]:
         [name for name, values in conditions.items() if axis in _axes(np.shape(values), shape)]
         for axis in range(-len(shape), 0)
     ]
-    owners = [names[0] if len(names) == 1 else None for names in varying]
-    owners = [name if owners.count(name) == 1 else None for name in owners]
+    along = [name for names in varying for name in names]
+    owners = [
+        names[0] if len(names) == 1 and along.count(names[0]) == 1 else None for names in varying
+    ]
     if owners.count(None) == 1:
         return [name or POINT for name in owners]
     return [name or f"{POINT}_{axis}" for axis, name in enumerate(owners)]

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# Values of points that a figure does not show: the fill values of NetCDF.  For a flag it is a value
+# with a meaning, not_shown, because xarray converts integers with missing values to floats.
+FILL_FLOAT = 9.969209968386869e36
+FILL_FLAG = np.int8(-127)
 # attributes that say how a file stores numbers
 OF_THE_FILE = "_FillValue", "missing_value", "scale_factor", "add_offset", "_Unsigned"
 

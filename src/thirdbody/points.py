@@ -9,9 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import broadcast_by_name, check_rtol, checked_variables, read_conditions
+from thirdbody.conditions import (
+    broadcast_by_name,
+    check_rtol,
+    checked_variables,
+    read_conditions,
+    without_speed,
+)
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.regimes import FLAG_MEANINGS, codes_to_name
+from thirdbody.core.regimes import STATES, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import VARIABLES
 from thirdbody.inputs import or_calibrated
@@ -34,6 +40,7 @@ def solve(
     roughness_nm: ArrayLike | None = None,
     particle_density: ArrayLike | None = None,
     particle_density_per_m2: ArrayLike | None = None,
+    speed_m_per_s: ArrayLike | None = None,
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
@@ -62,11 +69,15 @@ def solve(
     particle_diameter_nm : array_like
         The same [nm].
     roughness : array_like
-        Equivalent root mean square roughness sigma [m], of two surfaces from ``thirdbody.equivalent_roughness``.
+        Equivalent root mean square roughness sigma [m], of two surfaces from ``thirdbody.lab.equivalent_roughness``.
     roughness_nm : array_like
         The same [nm].
     particle_density, particle_density_per_m2 : array_like
         Number eta_a of particles per area [m-2]; 0 for two-body contact.
+    speed_m_per_s : array_like, optional
+        Entrainment speed u = (u_1 + u_2)/2 [m/s], by default that of ``parameters``; the speed of a disc under a
+        ball that does not turn is twice that.  The density of the oil is that given to ``thirdbody.bearing``,
+        or else 850 kg/m3.
     parameters : Parameters, optional
         Materials, geometry and interpretations of the model, by default the calibrated ones.
     rtol : float
@@ -85,10 +96,8 @@ def solve(
 
     Raises
     ------
-    TypeError
-        For a condition of another kind.
     ValueError
-        For a condition that is missing or given twice, a negative, infinite or missing number, a load or
+        For a condition of another kind, one that is missing or given twice, a negative, infinite or missing number, a load or
         roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
         outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft
         that the ``elastic_factor`` of ``parameters`` is above 1.
@@ -131,6 +140,7 @@ def solve(
         "roughness_nm": roughness_nm,
         "particle_density": particle_density,
         "particle_density_per_m2": particle_density_per_m2,
+        "speed_m_per_s": speed_m_per_s,
     }
     return _solve(conditions, or_calibrated(parameters), rtol, variables, progress)
 
@@ -142,9 +152,11 @@ def _solve(conditions, parameters, rtol, variables, progress) -> Solution:
     arguments = {key: value for key, value in conditions.items() if value is not None}
     read = read_conditions(arguments, parameters)
     arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
+    arrays = without_speed(arrays, parameters)
     points = np.broadcast(*arrays.values()).size
     with Progress(points, "points", progress) as bar:
         values = solve_points(arrays, parameters, rtol, names, bar.add)
+    values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
     if pattern is not None:
         values = {name: pattern.copy(data=array).rename(name) for name, array in values.items()}
     return Solution(
@@ -161,9 +173,9 @@ class Solution:
     """Solved points: what ``solve`` returns.
 
     Every variable is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
-    one of them is), or None if it was not requested.  Points without solution hold nan, or -1 for
-    regime and mode.  The printed form lists the variables, with regimes, modes and statuses by name;
-    ``to_dataset`` and ``to_dataframe`` return all of them with labels.  A full film has no name of a mode.
+    one of them is), or None if it was not requested.  Points without solution hold nan, and ``without_values``
+    for regime and mode.  In a full film hardly anything touches, and the mode says little: the printed form
+    and tables have none.
 
     Attributes
     ----------
@@ -177,14 +189,15 @@ class Solution:
         Mean separation d [m].
     film_thickness : array
         H_c = d/R_x [1] (Eq. 7); in dry contact the separation alone.
-    lubrication_regime, contact_mode, solution_status : array of int8
-        Codes: indices into the names in ``thirdbody.core.regimes``.
+    lubrication_regime, contact_mode, solution_status : array of object
+        ``LubricationRegime``, ``ContactMode`` and ``SolutionStatus`` of ``thirdbody.core.regimes``, integers
+        that are equal to their names: ``solution.contact_mode == "hybrid"``.
     error_bound : array
         Bound on the relative error of every quantity [1], if the quantity is above 2.2e-308: the change of
         loads and areas between two separations at which the forces are too large and too small, plus
         rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
     conditions : mapping
-        The five conditions by name, SI: arrays that broadcast to the shape.
+        The conditions by name, SI: arrays that broadcast to the shape.
     keys : mapping
         The name of each condition in tables: the one it was given by, for a quantity the one with an
         engineering unit.
@@ -256,9 +269,10 @@ class Solution:
         Returns
         -------
         pandas.DataFrame
-            Headings have units: conditions are in those in which they were given, variables in SI.
-            Flags are categories by name, nan where a point has none.  The index is that of the
-            columns of a table, if conditions are such.
+            Conditions have the names by which they were given, such as ``load_N``, variables those of
+            ``Solution``, with the SI unit behind them if they have one: ``separation_m``.  Flags are categories
+            by name, nan where a point has none.  The index is that of the columns of a table, if conditions
+            are such.
 
         Examples
         --------
@@ -272,8 +286,8 @@ class Solution:
         ...     parameters=tb.load_parameters(),
         ... )
         >>> table = points.to_dataframe()
-        >>> table[["load [1]", "lubrication_regime"]].to_dict("list")
-        {'load [1]': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
+        >>> table[["load", "lubrication_regime"]].to_dict("list")
+        {'load': [1e-06, 0.0001], 'lubrication_regime': ['boundary', 'mixed']}
         """
         from thirdbody.labels import labelled_frame
 
@@ -281,7 +295,6 @@ class Solution:
 
     def __repr__(self) -> str:
         arrays = {name: np.asarray(array) for name, array in self.variables.items()}
-        arrays |= codes_to_name(arrays)
         shape = next(iter(arrays.values())).shape if arrays else ()
         lines = [f"{name:<28}{_in_words(name, array)}" for name, array in arrays.items()]
         return "\n".join([f"Solution of shape {shape}", *lines])
@@ -294,12 +307,12 @@ class Solution:
 
 def _in_words(name, values) -> str:
     """A number, or the range of numbers; for a flag the names with their counts."""
-    if name in FLAG_MEANINGS:
-        words = *FLAG_MEANINGS[name], "none"  # NO_FLAG indexes the last
+    if name in STATES:
+        states, counts = np.unique(values.astype(int), return_counts=True)
+        names = states_of(name, states)
         if values.size == 1:
-            return words[values.item()]
-        counts = zip(*np.unique(values, return_counts=True), strict=True)
-        return ", ".join(f"{words[code]} ({count})" for code, count in counts)
+            return str(names.item())
+        return ", ".join(f"{state} ({count})" for state, count in zip(names, counts, strict=True))
     numbers = values[~np.isnan(values)]
     if numbers.size == 0:
         return "none"

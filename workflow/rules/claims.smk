@@ -28,13 +28,13 @@ rule judge_claims:
         *SOFTWARE,
         *CALIBRATED_TEXTS,
         settings_text(CLAIMS, list),
-        settings_text(INPUTS),
         claims=CLAIMS,
         default=DEFAULT,
         calibrated=CALIBRATED,
         settings=settings["calibration"],
-        parameters=settings["uncalibrated"],
-        laid_over=settings["inputs"],
+        base=settings["uncalibrated"],
+        parameters=settings["parameters"],
+        ensemble=settings["ensemble"],
     script:
         "../scripts/judge_claims.py"
 

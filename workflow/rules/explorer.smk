@@ -26,6 +26,7 @@ rule build_explorer:
         *CALIBRATED_TEXTS,
         settings_text(INPUTS),
         settings_text(PAPER_TABLES),
+        entries=INPUTS,
         tables=PAPER_TABLES,
         parameters=settings["parameters"],
         calibration=settings["calibration"],

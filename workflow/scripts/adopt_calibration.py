@@ -26,6 +26,7 @@ with job(snakemake) as output:
             continue
         if content["interpretation"] == default["interpretation"]:
             content |= default
+        content["inputs"] = {**snakemake.params.base, **content["inputs"]}
         with open(PLACE / source.name, "w", encoding="utf-8") as stream:
             stream.write(HEADER)
             yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)

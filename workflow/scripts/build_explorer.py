@@ -6,7 +6,6 @@ from pathlib import Path
 
 from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, USUAL_DENSITY, bearing
 from thirdbody.core.parameters import Parameters
-from thirdbody.inputs import read_entries
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
 from thirdbody.paper.figures.captions import read_caption
 from thirdbody.paper.figures.curves import CURVE_FIGURES
@@ -48,7 +47,7 @@ with job(snakemake) as output:
     parameters = snakemake.params.parameters
     settings = snakemake.params.calibration
     unknowns = settings["unknowns"]
-    entries = read_entries()
+    entries = read_yaml(snakemake.params.entries)
     titles = {name: each["title"] for name, each in settings["interpretations"].items()}
     interpretations = [
         {"name": name, "title": titles[name], "inputs": each["inputs"]}

@@ -2,7 +2,7 @@
 
 import matplotlib.style
 
-from thirdbody.answers.sizes import sizes_note
+from thirdbody.answers import sizes_note
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain
 from thirdbody.paper.figures.captions import caption

@@ -1,9 +1,9 @@
 """Solve one scene: the dataset of a figure."""
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.grids import scene_dataset
 from thirdbody.netcdf import write_dataset
 from thirdbody.paper.job_log import job
+from thirdbody.paper.scenes import scene_dataset
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene

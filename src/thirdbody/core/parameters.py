@@ -19,14 +19,16 @@ MATERIALS = (  # of which the elastic factor consists
 )
 # ASSUME: what the paper leaves open. X_min is 0, the film fills the separation of the mean planes
 WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
+OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
 
 class Bounds(NamedTuple):
-    """A closed interval of numbers, in SI."""
+    """A closed interval of numbers, and their SI unit."""
 
     least: float
     most: float
+    unit: str
 
     def hold(self, value: object) -> bool:
         """Whether ``value`` is a number in the interval."""
@@ -34,36 +36,37 @@ class Bounds(NamedTuple):
         return is_number and self.least <= value <= self.most
 
     def __str__(self) -> str:
-        return f"a number from {self.least:g} to {self.most:g}"
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        return f"a number from {self.least:g} to {self.most:g}{unit}"
 
 
 # within which the model is known to be computed correctly: much wider than real materials and surfaces
 BOUNDS = {
-    "elastic_modulus_surfaces": Bounds(1e8, 1e13),
-    "elastic_modulus_particle": Bounds(1e8, 1e13),
-    "hardness_surface_1": Bounds(1e6, 1e14),
-    "hardness_surface_2": Bounds(1e6, 1e14),
-    "yield_pressure_ratio": Bounds(0.1, 1.0),
-    "plastic_interference_ratio": Bounds(1.0, 1e5),
-    "ball_radius": Bounds(1e-6, 1.0),
-    "material_parameter": Bounds(1.0, 1e5),
-    "hardness_parameter": Bounds(1e-4, 1.0),
-    "speed_per_viscosity": Bounds(1e-10, 1.0),
-    "ellipticity": Bounds(0.1, 10.0),
-    "apparent_area": Bounds(1e-12, 1e-2),
-    "reference_roughness": Bounds(1e-12, 1e-2),
-    "summit_parameter": Bounds(0.0193, 100.0),
-    "summit_parameter_exponent": Bounds(-2.0, 2.0),
-    "summit_radius": Bounds(1e-7, 1e-2),
-    "summit_radius_exponent": Bounds(-2.0, 2.0),
-    "summit_deviation_ratio": Bounds(0.05, 5.0),
-    "summit_offset_ratio": Bounds(0.0, 5.0),
-    "mean_ratio": Bounds(0.0, 2.0),
+    "elastic_modulus_surfaces": Bounds(1e8, 1e13, "Pa"),
+    "elastic_modulus_particle": Bounds(1e8, 1e13, "Pa"),
+    "hardness_surface_1": Bounds(1e6, 1e14, "Pa"),
+    "hardness_surface_2": Bounds(1e6, 1e14, "Pa"),
+    "yield_pressure_ratio": Bounds(0.1, 1.0, "1"),
+    "plastic_interference_ratio": Bounds(1.0, 1e5, "1"),
+    "ball_radius": Bounds(1e-6, 1.0, "m"),
+    "material_parameter": Bounds(1.0, 1e5, "1"),
+    "hardness_parameter": Bounds(1e-4, 1.0, "1"),
+    "speed_per_viscosity": Bounds(1e-10, 1.0, "s m-2"),
+    "ellipticity": Bounds(0.1, 10.0, "1"),
+    "apparent_area": Bounds(1e-12, 1e-2, "m2"),
+    "reference_roughness": Bounds(1e-12, 1e-2, "m"),
+    "summit_parameter": Bounds(0.0193, 100.0, "1"),
+    "summit_parameter_exponent": Bounds(-2.0, 2.0, "1"),
+    "summit_radius": Bounds(1e-7, 1e-2, "m"),
+    "summit_radius_exponent": Bounds(-2.0, 2.0, "1"),
+    "summit_deviation_ratio": Bounds(0.05, 5.0, "1"),
+    "summit_offset_ratio": Bounds(0.0, 5.0, "1"),
+    "mean_ratio": Bounds(0.0, 2.0, "1"),
     # narrower sizes make a step in the load that float64 cannot resolve to 1e-9
-    "spread_ratio": Bounds(1e-6, 10.0),
-    "truncation": Bounds(0.5, 10.0),
-    "participation": Bounds(1e-6, 1.0),
-    "elastic_depth_ratio": Bounds(0.0, 5.0),
+    "spread_ratio": Bounds(1e-6, 10.0, "1"),
+    "truncation": Bounds(0.5, 10.0, "1"),
+    "participation": Bounds(1e-6, 1.0, "1"),
+    "elastic_depth_ratio": Bounds(0.0, 5.0, "1"),
 }
 
 
@@ -113,7 +116,7 @@ class Parameters:
     >>> replace(parameters, hardness_surface_1=-1e9)
     Traceback (most recent call last):
     ...
-    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+14 (SI)
+    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+14 Pa
     >>> replace(parameters, film_load="solid")
     Traceback (most recent call last):
     ...
@@ -152,8 +155,10 @@ class Parameters:
     particle_plane: str  # from which particles meet the separation
     # force balance
     film_load: str  # the load in W of Eq. 8
-    # other sets of inputs that explain the paper about equally well; ``dataclasses.replace`` drops them
+    # other sets of inputs that explain the paper about equally well, and what inputs were derived from: materials and
+    # an oil; ``dataclasses.replace`` drops both
     members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
+    rig: object = field(default=None, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         for name, words in WORDS.items():
@@ -163,7 +168,7 @@ class Parameters:
         for name, bounds in BOUNDS.items():
             number = getattr(self, name)
             if not bounds.hold(number):
-                raise ValueError(f"{name} is {number!r}; allowed: {bounds} (SI)")
+                raise ValueError(f"{name} is {number!r}; allowed: {bounds}")
 
     @property
     def film_shares_load(self) -> bool:
@@ -200,6 +205,23 @@ class Parameters:
             raise ValueError(
                 f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {materials}; "
                 f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
+            )
+
+    def entrainment_speed(self, oil_density: float | None = None) -> float:
+        """The speed u = (u_1 + u_2)/2 [m/s] that U over the viscosity stands for, in an oil of this density [kg m-3],
+        by default that of the rig, or else 850: U/nu = rho u/(E_ss R_x)."""
+        if oil_density is None:
+            oil_density = getattr(self.rig, "oil_density_kg_per_m3", OIL_DENSITY)
+        stiffness = self.elastic_modulus_surfaces * self.ball_radius
+        return self.speed_per_viscosity * stiffness / oil_density
+
+    def check_ball(self) -> None:
+        """Raise ``ValueError`` if the cross-section of the ball is smaller than A_n."""
+        section = math.pi * self.ball_radius**2
+        if self.apparent_area > section:
+            raise ValueError(
+                f"apparent_area is {self.apparent_area:g}; allowed: at most {section:.3g} m2, the "
+                f"cross-section of a ball of ball_radius {self.ball_radius:g} m"
             )
 
     def sizes(self, diameter: ArrayLike) -> tuple[ArrayLike, ArrayLike]:
@@ -284,19 +306,33 @@ class Parameters:
             summit_offset=offset * roughness,
         )
 
+    @classmethod
+    def names(cls) -> list[str]:
+        """The names of all inputs."""
+        return [field.name for field in fields(cls) if field.init]
+
     def as_dict(self) -> dict:
         """All inputs as a dict, without the members."""
-        return {input_.name: getattr(self, input_.name) for input_ in fields(self) if input_.init}
+        return {name: getattr(self, name) for name in self.names()}
 
     def changed(self, **inputs: float | str) -> "Parameters":
-        """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too."""
+        """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too.  Members
+        that no longer differ are no ensemble, and are dropped."""
         members = [replace(member, **inputs) for member in self.members]
-        return replace(self, **inputs).with_members(members)
+        if all(member == members[0] for member in members):
+            members = []
+        return replace(self, **inputs).with_members(members).with_rig(self.rig)
 
     def with_members(self, members: Iterable["Parameters"]) -> "Parameters":
         """The same inputs with other ``members``."""
         inputs = replace(self)
         object.__setattr__(inputs, "members", tuple(members))
+        return inputs
+
+    def with_rig(self, rig: object) -> "Parameters":
+        """The same inputs and members, derived from this ``rig``."""
+        inputs = self.with_members(self.members)
+        object.__setattr__(inputs, "rig", rig)
         return inputs
 
 
@@ -330,6 +366,7 @@ def mccool_summits(summit_parameter: float) -> dict[str, float]:
     Examples
     --------
     >>> import thirdbody
+    >>> from thirdbody.core.parameters import mccool_summits
     >>> inputs = thirdbody.load_parameters(summit_parameter=0.05)
     >>> round(inputs.changed(**mccool_summits(0.05)).summit_offset_ratio, 5)
     0.91888

@@ -1,6 +1,7 @@
-"""Names for the state of an interface: lubrication regime and contact mode (sections 3.1, 3.2)."""
+"""Lubrication regime and contact mode of an interface (sections 3.1, 3.2), and the status of a solution."""
 
 from collections.abc import Mapping
+from enum import IntEnum
 from typing import Any
 
 import numpy as np
@@ -11,26 +12,87 @@ FULL_FILM_LIMIT = 0.03  # of L_s
 PARTICLE_LIMIT = 0.95  # of A_sa,t*
 SURFACE_LIMIT = 0.05  # of A_sa,t*
 
-LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
-BOUNDARY, MIXED, FULL_FILM = range(3)
-CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
-TWO_BODY, SURFACE_SURFACE, HYBRID, PARTICLE_SURFACE = range(4)
-# in the order of their codes in data files; ``MILDEST_FIRST`` has them by gravity
-SOLUTION_STATUSES = (
-    "converged",
-    "outside_film_formula",
-    "coverage_exceeded",
-    "not_converged",
-    "area_exceeded",
-    "load_exceeded",
-)
-FLAG_MEANINGS = {  # what the values 0, 1, ... of each flag stand for
-    "lubrication_regime": LUBRICATION_REGIMES,
-    "contact_mode": CONTACT_MODES,
-    "solution_status": SOLUTION_STATUSES,
+
+class State(IntEnum):
+    """A state, equal to its code in data files and to its name; ``ValueError`` for a text that is no name.
+
+    Examples
+    --------
+    >>> ContactMode.hybrid == "hybrid", ContactMode.hybrid == 2
+    (True, True)
+    """
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):
+            return int(self) == int(type(self).of(other))
+        return int(self) == other
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(int(self))
+
+    def __str__(self) -> str:
+        return self.name
+
+    __repr__ = __str__
+
+    @classmethod
+    def of(cls, name: str) -> "State":
+        """The state of a name."""
+        if name not in cls.__members__:
+            raise ValueError(f"{cls.__name__} is {name!r}; allowed: {', '.join(cls.__members__)}")
+        return cls[name]
+
+    @classmethod
+    def names(cls) -> tuple[str, ...]:
+        """The names of the codes 0, 1, ..."""
+        return tuple(state.name for state in cls if state >= 0)
+
+
+class LubricationRegime(State):
+    """Regime by the fraction of the load that the solids carry."""
+
+    boundary = 0
+    mixed = 1
+    full_film = 2
+    without_values = -1
+
+
+class ContactMode(State):
+    """Mode by the fraction of the contact area that the particles have."""
+
+    two_body = 0
+    surface_surface = 1
+    hybrid = 2
+    particle_surface = 3
+    without_values = -1
+
+
+class SolutionStatus(State):
+    """Whether the equations hold, in the order of the codes in data files; ``MILDEST_FIRST`` is by gravity."""
+
+    converged = 0
+    outside_film_formula = 1
+    coverage_exceeded = 2
+    not_converged = 3
+    area_exceeded = 4
+    load_exceeded = 5
+
+
+STATES = {
+    "lubrication_regime": LubricationRegime,
+    "contact_mode": ContactMode,
+    "solution_status": SolutionStatus,
 }
+# states by code; -1 is the last, if there is one
+_BY_CODE = {name: np.array([*states], object) for name, states in STATES.items()}
+# what the values 0, 1, ... of each flag stand for
+FLAG_MEANINGS = {name: states.names() for name, states in STATES.items()}
+LUBRICATION_REGIMES, CONTACT_MODES, SOLUTION_STATUSES = FLAG_MEANINGS.values()
 WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")  # nan, and NO_FLAG for regime and mode
-NO_FLAG = np.int8(-1)
+NO_FLAG = np.int8(-1)  # ``without_values``
 # Where several apply, the last of these is the status.
 MILDEST_FIRST = (
     "outside_film_formula",
@@ -53,8 +115,10 @@ def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
     ['boundary', 'mixed', 'full_film']
     """
     fraction = np.asarray(solid_load_fraction)
-    thick, thin = fraction < FULL_FILM_LIMIT, fraction > BOUNDARY_LIMIT
-    return np.where(thick, FULL_FILM, np.where(thin, BOUNDARY, MIXED)).astype(np.int8)
+    regime = np.full(fraction.shape, LubricationRegime.mixed, np.int8)
+    regime[fraction < FULL_FILM_LIMIT] = LubricationRegime.full_film
+    regime[fraction > BOUNDARY_LIMIT] = LubricationRegime.boundary
+    return regime
 
 
 def contact_mode(
@@ -74,8 +138,10 @@ def contact_mode(
     """
     ratio = np.asarray(particle_contact_area_ratio)
     alone, beside = ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT
-    mode = np.where(alone, PARTICLE_SURFACE, np.where(beside, SURFACE_SURFACE, HYBRID))
-    return np.where(has_particles, mode, TWO_BODY).astype(np.int8)
+    mode = np.full(ratio.shape, ContactMode.hybrid, np.int8)
+    mode[beside] = ContactMode.surface_surface
+    mode[alone] = ContactMode.particle_surface
+    return np.where(has_particles, mode, np.int8(ContactMode.two_body))
 
 
 def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
@@ -90,9 +156,14 @@ def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
     """
     codes = {name: np.asarray(variables[name]) for name in FLAG_MEANINGS if name in variables}
     if {"lubrication_regime", "contact_mode"} <= codes.keys():
-        is_full = codes["lubrication_regime"] == FULL_FILM
+        is_full = codes["lubrication_regime"] == LubricationRegime.full_film
         codes["contact_mode"] = np.where(is_full, NO_FLAG, codes["contact_mode"])
     return codes
+
+
+def states_of(name: str, codes: ArrayLike) -> NDArray[np.object_]:
+    """The states of a flag called ``name`` for its codes, of the same shape."""
+    return np.asarray(_BY_CODE[name][np.asarray(codes)], object)
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:

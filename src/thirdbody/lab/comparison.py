@@ -1,8 +1,6 @@
-"""``compare``: measurements compared with the model, with ensemble ranges and residuals."""
+"""``compare``: measurements beside the model, with the range of the ensemble and residuals."""
 
-from __future__ import annotations
-
-from dataclasses import asdict, dataclass
+from collections.abc import Iterable, Mapping
 from os import PathLike
 from typing import Any
 
@@ -10,252 +8,300 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.answer import Answer, Row, range_note
-from thirdbody.bearings import (
-    LUBRICANT_DENSITIES,
-    USUAL_BEARING,
-    USUAL_DENSITY,
-    bearing,
-    implied_speed,
-    speed_note,
-)
+from thirdbody.bearings import speed_note
 from thirdbody.conditions import (
-    axis_of,
-    checked_numbers,
+    checked_number,
     from_si,
+    numbers_in,
     read_conditions,
     without_warnings,
 )
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.inputs import or_calibrated
-from thirdbody.lab.estimates import FORMULAS, MEASURED, Assumed, measurable
-from thirdbody.lab.reading import read_measured
-from thirdbody.points import solve
+from thirdbody.lab.estimates import MEASURED, fitted_coefficients, measurable
+from thirdbody.lab.reading import SPEED, UNITS, read_measured
+from thirdbody.points import Solution, solve
 from thirdbody.ranges import ranges
-from thirdbody.tabular import Tabular
-from thirdbody.variables import AXES, BY_ALIAS, decimal
+from thirdbody.variables import BY_ALIAS, decimal
 
-UNITS_OF = {column: unit for column, unit, *_ in MEASURED.values()}
-CURVE = 80  # points of the model's curve where one condition varies
-
-
-@dataclass(frozen=True, eq=False)
-class Comparison(Tabular):
-    """Measurements compared with the model.
-
-    ``table`` has one row per measurement, with the index of the measurements: its conditions and,
-    for each of the measured ``variables``, the measured value, ``_model``, ``_low`` and ``_high`` of the ensemble (if there
-    is one) and ``_residual``, measured minus model.  ``curve`` is the model between the
-    measurements, in the same columns, if one condition varies; otherwise empty.  ``along`` is the
-    column that varies most, the abscissa of ``plot``; ``notes`` state the assumptions of the
-    estimates, and what was not compared.
-    """
-
-    table: pd.DataFrame
-    curve: pd.DataFrame
-    along: str
-    variables: tuple[str, ...]
-    notes: tuple[str, ...]
-
-    @property
-    def answer(self) -> Answer:
-        """Mean and root mean square residuals, and numbers of measurements within the ensemble range."""
-        rows, notes = [], []
-        for name in self.variables:
-            known = self.table[np.isfinite(self.table[f"{name}_residual"])]
-            residual = known[f"{name}_residual"]
-            unit = UNITS_OF[name].replace("dimensionless", "1")
-            sizes = float(residual.mean()), float(np.sqrt((residual**2).mean()))
-            mean, size = sizes if len(known) else (None, None)
-            rows.append(Row(f"{name}_mean", f"{name}: mean residual", mean, unit))
-            rows.append(Row(f"{name}_rms", f"{name}: root mean square residual", size, unit))
-            if f"{name}_low" in known:
-                inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"])
-                count = f"{inside.sum()} of {len(known)}"
-                notes.append(f"{name} is within the range in {count} measurements")
-        title = f"{len(self.table)} measurements beside the model, along {self.along}"
-        found = any(row.value is not None for row in rows)
-        return Answer(title, tuple(rows), (*notes, *self.notes), found)
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """``table``."""
-        return self.table
-
-    def plot(self) -> Any:
-        """A matplotlib figure: measurements, the model and its range, a panel for each variable."""
-        from thirdbody.plotting.plot import plot_comparison
-
-        return plot_comparison(self.table, self.curve, self.along, self.variables)
-
-    def __str__(self) -> str:
-        return str(self.answer)
+CURVE = 80  # points of the model between the measurements
 
 
 def compare(
     measured: str | PathLike | pd.DataFrame,
     *,
     parameters: Parameters | None = None,
-    speed_m_per_s: float | None = None,
+    boundary_friction: float | None = None,
+    film_friction: float | None = None,
+    resistivity_ohm_m: float | None = None,
+    speed_m_per_s: ArrayLike | None = None,
     oil_density_kg_per_m3: float | None = None,
-    ball_radius_mm: float | None = None,
-    assumed: Assumed | None = None,
     **conditions: ArrayLike,
-) -> Comparison:
+) -> pd.DataFrame:
     """Compare measurements with the model and with the range of its calibrated ensemble.
-
-    Raises ``ValueError`` for an unknown heading or unit, a cell that is not a number, a file without
-    measurements, and a condition that is missing, given twice or refused by ``solve``; ``OSError`` if
-    the file cannot be read.
 
     Parameters
     ----------
     measured : path or pandas.DataFrame
-        CSV separated by commas, semicolons or tabs, also with decimal commas and with lines above the
-        headings.  Headings have units, as ``load [N]``, ``load (N)``, ``load / N`` or in a row below
-        them: ``viscosity [cSt]``, ``speed [m/s]``, ``particle diameter [um]``, ``roughness [nm]``,
-        ``particle density [1/mm^2]``; and the measured quantities of ``estimates.toml``, such as
-        ``friction coefficient`` and ``film thickness [nm]``; or are names such as ``load_N``.  A cell of
-        a measured quantity without digits is a missing value.  ``notes`` name these, and other columns,
-        which are left out, such as H_c, ``film thickness [1]``.
-    speed_m_per_s, oil_density_kg_per_m3, ball_radius_mm : float or quantity, optional
-        With the density of the oil [kg m-3], the inputs are derived for this rolling speed [m/s] and ball
-        by ``bearing``; a column of speeds then needs no other one.  Without it, such a column requires the
-        speed of ``parameters``, at which they stand for an oil of 700 to 1100 kg/m3; ``notes`` state both.
-    assumed : Assumed, optional
-        Assumptions of the estimates of friction and contact resistance (``estimates.Assumed``).
-    parameters, **conditions
-        As in ``thirdbody.solve``: inputs, and conditions that are not columns.
+        One row a measurement; a CSV file may have commas, semicolons or tabs, decimal commas, and lines
+        above the headings.  Headings have units, as ``load [N]``, ``load (N)`` or ``load / N``, or are keys
+        such as ``load_N``.  Conditions are load, viscosity, particle diameter, roughness, particle density
+        and speed; measured quantities friction coefficient, contact resistance, film thickness, separation,
+        real contact area, real contact area fraction, solid load fraction and fluid load fraction.  Other
+        columns are left out.
+    parameters : Parameters, optional
+        Inputs of the model, by default the calibrated ones.
+    boundary_friction, film_friction, resistivity_ohm_m : float or quantity, optional
+        Coefficients [1], [1] and [ohm m] of ``thirdbody.lab.friction`` and ``thirdbody.lab.contact_resistance``.
+        Those that are not given are fitted to the measurements by linear least squares.  Where the
+        measurements do not tell them, they are 0.12, 0.03 and 2.2e-7, for steel in oil.
+    speed_m_per_s : array_like, optional
+        Entrainment speed [m/s], the mean of both surface speeds, if it is not a column; by default that of
+        ``parameters``.
+    oil_density_kg_per_m3 : float or quantity, optional
+        For speeds, the density of the oil [kg m-3], by default 850.
+    **conditions
+        Conditions that are not columns, as in ``thirdbody.solve``.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each measurement, with the index of the measurements.  Columns are the conditions; and for
+        each measured quantity its value, the model's (``_model``), the range over the members of
+        ``parameters``, 5 to 95 % (``_low``, ``_high``), and measured minus model (``_residual``).
+        ``attrs`` has ``notes``; ``along``, the condition that varies most; ``summary``, a mapping for each
+        quantity with the count, mean and root mean square of the residuals, and how many measurements are
+        inside the range; ``coefficients``; and ``inputs``, the values of ``parameters``.
+
+    Raises
+    ------
+    TypeError
+        For a condition that is a column and an argument, and an unknown one.
+    ValueError
+        For a condition that is missing or that ``solve`` refuses, a column without a unit, two columns of
+        one quantity, a table without measured quantities, and a density of the oil without speeds.
+    OSError
+        If the file cannot be read.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        For numbers that are probably in another unit.
 
     Examples
     --------
     >>> import pandas as pd
     >>> import thirdbody as tb
-    >>> data = {"load [N]": [5, 10, 20], "friction coefficient": [0.06, 0.08, 0.10]}
+    >>> data = {"load [N]": [5, 10, 20, 40], "friction coefficient": [0.106, 0.093, 0.074, 0.06]}
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
-    >>> found = tb.compare(pd.DataFrame(data), viscosity_cSt=90, **layer)
-    >>> found.table["friction_coefficient_model"].round(3).tolist()
-    [0.117, 0.099, 0.077]
+    >>> table = tb.lab.compare(pd.DataFrame(data), viscosity_cSt=90, **layer)
+    >>> table["friction_coefficient_model"].round(3).tolist()
+    [0.107, 0.092, 0.074, 0.06]
+    >>> print(table.attrs["notes"][0])
+    boundary_friction is 0.109 with a standard error of 0.00087, fitted to the measurements
     """
     parameters = or_calibrated(parameters)
-    assumed = Assumed() if assumed is None else assumed
-    columns, notes = read_measured(measured)
-    observed = {MEASURED[name][0]: each for name, each in columns.items() if name in MEASURED}
-    bearing_given = {
-        "speed_m_per_s": speed_m_per_s,
-        "oil_density_kg_per_m3": oil_density_kg_per_m3,
-        "ball_radius_mm": ball_radius_mm,
-    }
-    parameters, speed, density = _of_bearing(parameters, "speed" in columns, bearing_given)
-    rows = len(next(iter(columns.values())))
-    index = measured.index if isinstance(measured, pd.DataFrame) else pd.RangeIndex(rows)
-    try:
-        table = _conditions(columns, conditions, parameters, index)
-    except ValueError as error:  # perhaps a condition is among the columns left out
-        raise ValueError("; ".join([str(error), *notes])) from None
-    along, curve = _curve(table)
-    members = parameters.members
-    table, curve = (
-        _with_model(each, observed, (parameters, *members), speed, assumed)
-        for each in (table, curve)
+    if speed_m_per_s is not None:
+        conditions = dict(**conditions, **{SPEED: speed_m_per_s})
+    observed, table, notes = read_runs(measured, parameters, conditions)
+    density = oil_density(oil_density_kg_per_m3, SPEED in table)
+    inputs = parameters, *parameters.members
+    solutions = solve_runs(table, inputs, density)
+    coefficients, fits = fitted_coefficients(
+        observed,
+        solutions[0],
+        parameters,
+        {
+            "boundary_friction": boundary_friction,
+            "film_friction": film_friction,
+            "resistivity_ohm_m": resistivity_ohm_m,
+        },
     )
-    if table["viscosity_cSt"].any():
-        notes.append(speed_note(parameters, density))
-    for name, quantity in observed.items():
-        table[name] = decimal(quantity.to(UNITS_OF[name]).magnitude)
+    models = _models(solutions, inputs, coefficients)
+    for name in observed:
+        table[name] = observed[name]
+        table = table.assign(**_model_columns(name, models))
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
-        if name in FORMULAS:
-            notes.append(f"{name} is an estimate: {FORMULAS[name].format(**asdict(assumed))}")
-    notes.append(range_note(members))
-    unsolved = int(table[f"{name}_model"].isna().sum())
+    notes += [
+        *fits,
+        f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2",
+    ]
+    if SPEED in table:
+        notes.append(f"speeds are those in an oil of {density:g} kg/m3")
+    elif table["viscosity_cSt"].any():
+        notes.append(speed_note(parameters))
+    count = len(parameters.members)
+    notes.append(
+        f"ranges are 5 to 95 % over {count} sets of inputs that explain the paper about equally well"
+        if count
+        else "no range: the inputs have no members"
+    )
+    unsolved = int(np.isnan(solutions[0].separation).sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
-    return Comparison(table, curve, along, tuple(observed), tuple(notes))
+    table.attrs = {
+        "notes": notes,
+        "along": _varying(table)[0],
+        "summary": [_summary(table, name) for name in observed],
+        "coefficients": coefficients,
+        "inputs": parameters.as_dict(),
+        "oil_density_kg_per_m3": density,
+    }
+    return table
 
 
-def _of_bearing(parameters, has_speeds, given):
-    """The inputs for the ball, speed and oil that are given; and the speed [m/s] and the density of the oil
-    [kg m-3] that they stand for."""
-    given = {name: each for name, each in given.items() if each is not None}
-    numbers = checked_numbers(given, USUAL_BEARING)
-    speed, density = (numbers.get(name) for name in ("speed_m_per_s", "oil_density_kg_per_m3"))
-    if has_speeds and density is None:
-        density = _implied_density(parameters, speed)
-        del numbers["speed_m_per_s"]
-    elif (
-        has_speeds and speed is None
-    ):  # the film depends on the speeds of the column and the density
-        numbers["speed_m_per_s"] = speed = implied_speed(parameters, density)
-    elif speed is not None and density is None:
-        message = f"speed_m_per_s is {speed:g}, without a column of speeds"
-        raise ValueError(f"{message}; allowed: none, or also oil_density_kg_per_m3")
-    with without_warnings():
-        inputs = bearing(parameters, **numbers) if numbers else parameters
-    return inputs, speed, density or USUAL_DENSITY
+def model_curve(comparison: pd.DataFrame, parameters: Parameters | None = None) -> pd.DataFrame:
+    """The model between the measurements of a comparison, along the condition that varies.
+
+    Parameters
+    ----------
+    comparison : pandas.DataFrame
+        The result of ``thirdbody.lab.compare``.
+    parameters : Parameters, optional
+        The inputs of the comparison, by default the calibrated ones.
+
+    Returns
+    -------
+    pandas.DataFrame
+        80 rows with the conditions and, for each measured quantity, the model and its range, in the columns
+        of the comparison; no rows if another condition also varies.
+
+    Raises
+    ------
+    ValueError
+        For other inputs than those of the comparison.
+    """
+    parameters = or_calibrated(parameters)
+    if parameters.as_dict() != comparison.attrs["inputs"]:
+        raise ValueError("parameters are not those of the comparison; allowed: the same")
+    along, *others = _varying(comparison)
+    table = comparison[[name for name in (*BY_ALIAS, SPEED) if name in comparison]].iloc[:0]
+    ends = comparison[along].min(), comparison[along].max()
+    if not others and ends[0] < ends[1]:
+        points = (np.geomspace if ends[0] > 0.0 else np.linspace)(*ends, CURVE)
+        table = pd.DataFrame(comparison[table.columns].iloc[0].to_dict() | {along: points})
+    inputs = parameters, *parameters.members
+    solutions = solve_runs(table, inputs, comparison.attrs["oil_density_kg_per_m3"])
+    models = _models(solutions, inputs, comparison.attrs["coefficients"])
+    for summary in comparison.attrs["summary"]:
+        table = table.assign(**_model_columns(summary["quantity"], models))
+    return table
 
 
-def _implied_density(parameters, speed):
-    """The density of the oil [kg m-3] that the inputs stand for at a ``speed`` [m/s]; ``ValueError`` unless a
-    lubricant has it."""
-    usual = f"{implied_speed(parameters):.3g} m/s (with {USUAL_DENSITY:g} kg/m3)"
-    if speed is None:
-        message = "speed_m_per_s is None, with a column of speeds; allowed: the speed of the inputs"
-        raise ValueError(f"{message}, {usual}, or oil_density_kg_per_m3")
-    density = USUAL_DENSITY * implied_speed(parameters) / speed
-    least, most = LUBRICANT_DENSITIES
-    if not least <= density <= most:
-        message = f"speed_m_per_s is {speed:g}, at which the inputs stand for an oil of"
-        allowed = f"{least:g} to {most:g} kg/m3, as at {usual}, or also oil_density_kg_per_m3"
-        raise ValueError(f"{message} {density:.5g} kg/m3; allowed: {allowed}")
-    return density
+def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = None) -> Any:
+    """Draw a comparison: the measurements, the model and its range, a panel for each measured quantity.
+
+    Parameters
+    ----------
+    comparison : pandas.DataFrame
+        The result of ``thirdbody.lab.compare``.
+    parameters : Parameters, optional
+        The inputs of the comparison, by default the calibrated ones.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Over the condition that varies most, with the curve of the model if no other one varies.
+
+    Raises
+    ------
+    ValueError
+        For other inputs than those of the comparison.
+    """
+    from thirdbody.plotting import plot
+
+    curve, along = model_curve(comparison, parameters), comparison.attrs["along"]
+    names = [summary["quantity"] for summary in comparison.attrs["summary"]]
+    return plot.plot_comparison(comparison, curve, along, names)
 
 
-def _conditions(columns, conditions, parameters, index):
-    """The conditions of each measurement in engineering units, with the speed if there is one."""
-    words = {name: name.replace("_", " ") for name in AXES}
-    given = {name: columns[each] for name, each in words.items() if each in columns}
-    for key in conditions:
-        if axis_of(key).name in given:
-            raise ValueError(f"{key} is given twice; allowed: a column, or one number")
-    read = read_conditions(given | conditions, parameters)
-    if read.index is not None and not read.index.equals(index):
+def read_runs(
+    measured: str | PathLike | pd.DataFrame,
+    parameters: Parameters,
+    conditions: Mapping[str, Any],
+    is_measured: bool = True,
+) -> tuple[pd.DataFrame, pd.DataFrame, list[str]]:
+    """The measured quantities, if there are to be some, their conditions, with the speed if there is one, and notes."""
+    columns, notes = read_measured(measured, is_measured)
+    observed = columns[[name for name in columns if name in MEASURED]]
+    # dict refuses a condition that is a column and an argument
+    arguments = dict(**columns.drop(columns=observed.columns), **conditions)
+    speed = arguments.pop(SPEED, None)
+    try:
+        read = read_conditions(arguments, parameters)
+    except ValueError as error:
+        error.add_note("; ".join(notes))  # perhaps the condition is among the columns left out
+        raise
+    if read.index is not None and not read.index.equals(observed.index):
         message = "conditions and measured have different indexes"
         raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
     table = {
         key: decimal(from_si(key, read.arrays[axis.name], parameters.newtons_per_load))
         for key, axis in BY_ALIAS.items()
     }
-    if "speed" in columns:
-        table["speed_m_per_s"] = columns["speed"].to("m/s").magnitude
-    for key in conditions:
-        shape = read.arrays[axis_of(key).name].shape
-        if shape not in ((), (len(index),)):
-            raise ValueError(f"{key} has shape {shape}; allowed: one number, or {len(index)}")
-    return pd.DataFrame(table, index=index).astype(float)
+    if speed is not None:
+        table[SPEED] = numbers_in(SPEED, speed, UNITS[SPEED])
+    return observed, pd.DataFrame(table, observed.index).astype(float), notes
 
 
-def _curve(table):
-    """The condition that varies most, and conditions along it; none if another one also varies."""
-    varying = table.nunique().sort_values(ascending=False, kind="stable")
-    along = varying.index[0]
-    if len(varying[varying > 1]) != 1:
-        return along, table.iloc[:0]
-    ends = table[along].min(), table[along].max()
-    points = np.geomspace(*ends, CURVE) if ends[0] > 0.0 else np.linspace(*ends, CURVE)
-    return along, pd.DataFrame(table.iloc[0].to_dict() | {along: points})
+def oil_density(density: float | None, has_speeds: bool) -> float:
+    """The density of the oil [kg m-3], for speeds."""
+    if density is None:
+        return OIL_DENSITY
+    if not has_speeds:
+        raise ValueError(f"oil_density_kg_per_m3 is {density}, without speeds; allowed: None")
+    return checked_number("oil_density_kg_per_m3", density, unit="kg m-3")
 
 
-def _with_model(table, columns, inputs, speed, assumed):
-    """Conditions with the model values for the first of the inputs, and the range of the others."""
-    conditions = {name: table[name].to_numpy() for name in BY_ALIAS}
-    if "speed_m_per_s" in table:  # the film depends on the product of speed and viscosity
-        ratio = table["speed_m_per_s"].to_numpy() / speed
-        conditions["viscosity_cSt"] = conditions["viscosity_cSt"] * ratio
+def solve_runs(
+    table: pd.DataFrame, inputs: Iterable[Parameters], density: float | None
+) -> list[Solution]:
+    """The solutions of conditions for each of several inputs; the film depends on speed times viscosity, and on the
+    ``density`` of the oil [kg m-3], by default that of the inputs."""
+    conditions = {key: table[key].to_numpy() for key in BY_ALIAS}
+    viscosity = conditions.pop("viscosity_cSt")
+    solutions = []
     with without_warnings():
-        found = [
-            measurable(solve(**conditions, parameters=each, progress=False), each, assumed)
-            for each in inputs
-        ]
-    for column in columns:
-        mine, *members = (each[column] for each in found)
-        table = table.assign(**{f"{column}_model": mine}, **ranges(column, members))
-    return table
+        for each in inputs:
+            ratio = (
+                table[SPEED].to_numpy() / each.entrainment_speed(density) if SPEED in table else 1.0
+            )
+            film = viscosity * ratio
+            solutions.append(
+                solve(**conditions, viscosity_cSt=film, parameters=each, progress=False)
+            )
+    return solutions
+
+
+def _models(solutions, inputs, coefficients):
+    with without_warnings():
+        return [measurable(*pair, coefficients) for pair in zip(solutions, inputs)]
+
+
+def _model_columns(name, models):
+    """The column ``_model``, of the first of the models, and the range over the others."""
+    first, *members = (model[name] for model in models)
+    return {f"{name}_model": first, **ranges(name, members)}
+
+
+def _varying(table):
+    """The conditions that vary, first the one with most values; the load if none varies."""
+    counts = table[[name for name in (*BY_ALIAS, SPEED) if name in table]].nunique()
+    varying = counts[counts > 1].sort_values(ascending=False, kind="stable")
+    return [*varying.index] or ["load_N"]
+
+
+def _summary(table, name):
+    """How far measurements of a quantity are from the model."""
+    known = table[np.isfinite(table[f"{name}_residual"])]
+    residual = known[f"{name}_residual"]
+    has_range = f"{name}_low" in table
+    inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"]) if has_range else None
+    return {
+        "quantity": name,
+        "unit": MEASURED[name].unit,
+        "count": len(known),
+        "mean_residual": float(residual.mean()),
+        "rms_residual": float(np.sqrt((residual**2).mean())),
+        "inside_range": int(inside.sum()) if has_range else None,
+    }

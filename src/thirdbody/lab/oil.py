@@ -1,12 +1,10 @@
-"""Numbers from data sheets of oils: ``oil_viscosity`` at a temperature, and ``cleanliness``, the
-particles per area of a film, from the ISO 4406 code."""
+"""Viscosities of oils from data sheets: ``oil_viscosity`` at a temperature, and ``oil_grade``, the reverse."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Mapping
-from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,11 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.conditions import checked_number, checked_numbers, common_index, numbers_in
-from thirdbody.core.parameters import Parameters
-from thirdbody.inputs import or_calibrated
-from thirdbody.messages import format_value
+from thirdbody.conditions import checked_number, common_index, numbers_in
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -29,19 +23,10 @@ GRADES |= {grade: float(grade) for grade in (10, 15, 22, 32, 46, 68, 100, 150, 2
 GRADES |= {grade: float(grade) for grade in (680, 1000, 1500, 2200, 3200)}
 USUAL_INDEX = 95.0  # of the mineral oils in ISO 3448
 LEAST, MOST = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
-GRADE = re.compile(r"(?:ISO[ -]*)?(?:VG[ -]*)?(\d+)", re.IGNORECASE)
 COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
 ZERO = 273.15  # K
 # ASTM D2270: rows of seven numbers, described in the file
 INDEX = np.loadtxt(Path(__file__).with_suffix(".csv"), delimiter=",")
-SIZES = 4, 6, 14  # um(c), the sizes counted in a code of ISO 4406:2021
-CODE = re.compile(
-    r"(?:ISO(?: *4406)?(?::\d{4})?:?)? *" + "/".join([r" *(\d\d?|[-*]) *"] * len(SIZES))
-)
-# its Table 1: most particles per mL for scale numbers 0 to 9, times 1000 for each 10 more
-MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
-LARGEST = 28
-USUAL_GAP = {"gap_nm": (1.0, 1e5, "nm")}
 
 
 def oil_viscosity(
@@ -53,30 +38,40 @@ def oil_viscosity(
 ) -> NDArray | pd.Series:
     """Kinematic viscosity [cSt] of an oil at a temperature, from the Walther line through two points.
 
-    log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is valid at
-    ambient pressure, without shear thinning, ageing or fuel dilution.  Raises ``ValueError`` for an
-    unknown grade or impossible index, a number of points other than two, and viscosities below 2 or
-    above 2e7 cSt, where the line is not valid.
+    log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is valid at ambient
+    pressure, without shear thinning, ageing or fuel dilution.
 
     Parameters
     ----------
     temperature_C : array_like
-        Temperatures [C], or a quantity, from -70 to 370 C; the result has the same shape.  A column of
-        pandas gives a column.
+        Temperatures [C], or a quantity, from -70 to 370 C.
     grade : int or str, optional
         ISO viscosity grade, 46 or "ISO VG 46" (ISO 3448): the middle of its range at 40 C, which is +-10 %.
     viscosity_index : float, optional
-        Of the oil of a grade, by default 95, that of mineral oils in ISO 3448; gives the second point,
-        at 100 C (ASTM D2270, ISO 2909).
+        Of the oil of a grade, by default 95, that of mineral oils in ISO 3448; it gives the second point, at
+        100 C (ASTM D2270, ISO 2909).
     points : mapping, optional
         Instead of these, two temperatures [C] with measured viscosities [cSt].
+
+    Returns
+    -------
+    array or pandas.Series
+        Of the shape of the temperatures; a column of pandas gives a column.
+
+    Raises
+    ------
+    ValueError
+        For a grade and points together, points whose viscosity does not fall with temperature, a temperature
+        outside -70 to 370 C, and viscosities below 2 or above 2e7 cSt, where the line is not valid.
+    KeyError
+        For a grade that ISO 3448 does not have.
 
     Examples
     --------
     >>> import thirdbody as tb
-    >>> tb.oil_viscosity([40, 80], grade=46, viscosity_index=100).round(1)
+    >>> tb.lab.oil_viscosity([40, 80], grade=46, viscosity_index=100).round(1)
     array([46. , 11.1])
-    >>> tb.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
+    >>> tb.lab.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
     array([38.5])
     """
     if common_index({"temperature_C": temperature_C}) is not None:
@@ -84,54 +79,30 @@ def oil_viscosity(
         viscosity = oil_viscosity(temperature_C.to_numpy(), **oil)
         return type(temperature_C)(viscosity, temperature_C.index, name="viscosity_cSt")
     temperature = numbers_in("temperature_C", temperature_C, "degC")
-    given = f"temperature_C is {format_value(temperature)}"
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
-        raise ValueError(f"{given}; allowed: {COLDEST:g} to {HOTTEST:g}")
+        message = f"temperature_C is {temperature_C!r}"
+        raise ValueError(f"{message}; allowed: {COLDEST:g} to {HOTTEST:g}")
     if (points is None) == (grade is None) or (grade is None and viscosity_index is not None):
-        raise ValueError(
-            f"grade is {format_value(grade)}, viscosity_index {format_value(viscosity_index)} and "
-            f"points {format_value(points)}; allowed: a grade, also with its viscosity_index, or points"
-        )
+        message = f"grade is {grade!r}, viscosity_index {viscosity_index!r} and points {points!r}"
+        raise ValueError(f"{message}; allowed: a grade, also with its viscosity_index, or points")
     if points is None:
-        if isinstance(grade, str) and (named := GRADE.fullmatch(grade)):
-            grade = int(named[1])
-        if not isinstance(grade, Integral) or grade not in GRADES:
-            allowed = ", ".join(map(str, GRADES))
-            raise ValueError(f"grade is {format_value(grade)}; allowed: ISO VG {allowed}")
+        at_40 = GRADES[int(re.sub(r"(?i)iso|vg|[ -]", "", str(grade)))]
         index = USUAL_INDEX if viscosity_index is None else viscosity_index
-        points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], index)}
-    (cold, thick), (hot, thin) = _checked_points(points)
+        points = {40.0: at_40, 100.0: _at_100(at_40, index)}
+    (cold, thick), (hot, thin) = sorted(
+        (float(numbers_in("points", at, "degC")), float(numbers_in("points", nu, "cSt")))
+        for at, nu in points.items()
+    )
     slope = (_doubled(thick) - _doubled(thin)) / math.log10((hot + ZERO) / (cold + ZERO))
     doubled = _doubled(thick) - slope * np.log10((temperature + ZERO) / (cold + ZERO))
     with np.errstate(over="ignore"):
         viscosity = 10.0 ** (10.0**doubled) - 0.7
-    outside = viscosity[~((viscosity >= LEAST) & (viscosity <= MOST))]
-    if outside.size:
-        raise ValueError(
-            f"{given}, which gives {outside[0]:.3g} cSt; allowed: temperatures that give {LEAST:g} "
-            f"to {MOST:g} cSt, where ASTM D341 is a line"
-        )
+    line = np.append(viscosity, (thick, thin))
+    if not (slope > 0.0 and (line >= LEAST).all() and (line <= MOST).all()):
+        message = f"viscosities are {line.min():.3g} to {line.max():.3g} cSt at {temperature_C!r} C"
+        allowed = f"{LEAST:g} to {MOST:g} cSt, less where it is hotter: there ASTM D341 is a line"
+        raise ValueError(f"{message}; allowed: {allowed}")
     return viscosity
-
-
-def _checked_points(points):
-    """Two temperatures with their viscosities, the colder one first."""
-    try:
-        cold, hot = sorted(
-            (
-                float(numbers_in("points", each, "degC")),
-                float(numbers_in("points", nu, "cSt")),
-            )
-            for each, nu in points.items()
-        )
-        fit = COLDEST <= cold[0] < hot[0] <= HOTTEST and LEAST <= hot[1] < cold[1] <= MOST
-    except (AttributeError, TypeError, ValueError):
-        fit = False
-    if not fit:
-        allowed = f"two temperatures [C], each with {LEAST:g} to {MOST:g} cSt"
-        message = f"points is {format_value(points)}; allowed: {allowed}, less where it is hotter"
-        raise ValueError(message)
-    return cold, hot
 
 
 def _doubled(viscosity):
@@ -150,64 +121,60 @@ def viscosity_index_of(at_40: float, at_100: float) -> float:
 
 
 def _at_100(at_40, index):
-    """Viscosity at 100 C [cSt] of an oil with a viscosity index."""
+    """Viscosity at 100 C [cSt] of an oil with a viscosity index; ``ValueError`` if it is below 2 cSt."""
     index = checked_number("viscosity_index", index, positive=False)
-    try:
-        return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
-    except ValueError:  # no root between the ends
-        allowed = f"one that gives an oil of {at_40:g} cSt at 40 C 2 cSt or more at 100 C"
-        raise ValueError(f"viscosity_index is {index:g}; allowed: {allowed}") from None
+    return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
 
 
-def cleanliness(
-    code: str, *, gap_nm: float, parameters: Parameters | None = None, enrichment: float = 1.0
-) -> Answer:
-    """Particles per area in a film of oil with an ISO 4406 code: the count in the volume of the film.
+def oil_grade(
+    viscosity_cSt: float, temperature_C: float, *, viscosity_index: float = USUAL_INDEX
+) -> pd.DataFrame:
+    """ISO viscosity grades that have about a viscosity at a temperature: the reverse of ``oil_viscosity``.
 
-    The answer has for each size the least and the most particles per m2 of the code's class.  The
-    ``code``, such as "18/16/13", counts particles of more than 4, 6 and 14 um(c) in one millilitre; "-"
-    or "*" means not counted.  Smaller ones, such as those of the paper (20 to 1000 nm), are never
-    counted; there are more of them.  ``gap_nm`` is the thickness of the film, or the separation of the
-    surfaces [nm]; ``enrichment`` the ratio of the concentration in the contact to that in the sample
-    [1]; of ``parameters``, by default the calibrated ones, A_n is used.  Entrainment into the contact,
-    exclusion of large particles, and wear debris are not considered.  Raises ``ValueError`` for an
-    invalid code, and numbers that are not positive.
+    Parameters
+    ----------
+    viscosity_cSt : float or quantity
+        Kinematic viscosity that is needed [cSt].
+    temperature_C : float or quantity
+        Temperature of the oil [C], at which it is needed.
+    viscosity_index : float
+        Of the oils.
 
+    Returns
+    -------
+    pandas.DataFrame
+        Rows for the last grade that is too thin, the least grade that is enough, and the next one, if there
+        are such: ``grade`` (ISO VG); ``viscosity_cSt``, at this temperature, of the middle of the grade,
+        which is +-10 % at 40 C; ``is_least_enough``.
+
+    Raises
+    ------
+    ValueError
+        For a viscosity that is not positive, and a temperature at which ``oil_viscosity`` refuses all grades.
+
+    Examples
+    --------
     >>> import thirdbody as tb
-    >>> print(tb.cleanliness("18/16/13", gap_nm=1000).notes[0])
-    0.014 particles above 4 um in A_n = 5.51e-06 m2: most contacts have none
+    >>> tb.lab.oil_grade(73.5, 75).round(1)
+       grade  viscosity_cSt  is_least_enough
+    0    320           56.4            False
+    1    460           74.5             True
+    2    680          100.5            False
     """
-    parameters = or_calibrated(parameters)
-    enrichment = checked_number("enrichment", enrichment)
-    gap_nm = checked_numbers({"gap_nm": gap_nm}, USUAL_GAP)["gap_nm"]
-    rows, notes = [], []
-    numbers = _scale_numbers(code)
-    for size, number in zip(SIZES, numbers):
-        if number is not None:
-            for end, scale_number in (("least", number - 1), ("most", number)):
-                # per m3, times a height in m
-                density = 1e6 * _most_per_ml(scale_number) * enrichment * 1e-9 * gap_nm
-                text = f"particles of more than {size} um(c), {end} of the class"
-                rows.append(Row(f"{end}_above_{size}_um", text, density, "m-2"))
-            notes += few_particles(density, parameters.apparent_area, f"particles above {size} um")
-    notes.append("particles below 4 um, which ISO 4406 does not count, are more")
-    counted = "/".join("-" if number is None else str(number) for number in numbers)
-    title = f"ISO {counted} in a film of {gap_nm:g} nm"
-    return Answer(title, tuple(rows), tuple(notes), bool(rows))
+    import pandas as pd
 
-
-def _scale_numbers(code):
-    """The three numbers of a code, None for sizes not counted."""
-    found = CODE.fullmatch(code) if isinstance(code, str) else None
-    texts = found.groups() if found else ()
-    numbers = [int(text) if text.isdecimal() else None for text in texts]
-    known = [number for number in numbers if number is not None]
-    if not found or known != sorted(known, reverse=True) or max(known, default=0) > LARGEST:
-        allowed = f"three numbers up to {LARGEST}, none above that of smaller particles"
-        message = f"code is {format_value(code)}; allowed: {allowed}"
-        raise ValueError(f"{message}, as 18/16/13, or - for one")
-    return numbers
-
-
-def _most_per_ml(number):
-    return 0.0 if number < 0 else MOST_PER_ML[number % 10] * 1000.0 ** (number // 10)
+    needed = checked_number("viscosity_cSt", viscosity_cSt, unit="cSt")
+    rows = []
+    for grade in GRADES:
+        try:
+            oil = dict(grade=grade, viscosity_index=viscosity_index)
+            rows.append((grade, float(oil_viscosity(temperature_C, **oil))))
+        except ValueError:  # too thin for ASTM D341
+            continue
+    if not rows:
+        oil = f"temperature_C {temperature_C!r} and viscosity_index {viscosity_index!r}"
+        raise ValueError(f"no grade has {LEAST:g} to {MOST:g} cSt at {oil}")
+    table = pd.DataFrame(rows, columns=["grade", "viscosity_cSt"])
+    enough = int((table["viscosity_cSt"] < needed).sum())
+    table["is_least_enough"] = table.index == enough
+    return table.iloc[max(enough - 1, 0) : enough + 2].reset_index(drop=True)

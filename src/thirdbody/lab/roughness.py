@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from thirdbody.conditions import common_index
 
 
@@ -27,12 +29,12 @@ def equivalent_roughness(
     Raises
     ------
     ValueError
-        Unless exactly one pair is given, and for columns with different indexes.
+        Unless exactly one pair is given; for a negative number, and columns with different indexes.
 
     Examples
     --------
     >>> import thirdbody as tb
-    >>> sigma_nm = tb.equivalent_roughness(Rq=(240, 180))
+    >>> sigma_nm = tb.lab.equivalent_roughness(Rq=(240, 180))
     >>> sigma_nm
     300.0
     """
@@ -40,5 +42,7 @@ def equivalent_roughness(
         raise ValueError("allowed: one of Rq and Ra")
     one, other = Ra if Rq is None else Rq
     common_index({"surface 1": one, "surface 2": other})
-    squares = one**2 + other**2
-    return (math.sqrt(math.pi / 2.0) if Rq is None else 1.0) * squares**0.5
+    if np.any(one < 0) or np.any(other < 0):
+        raise ValueError(f"roughnesses are {one!r} and {other!r}; allowed: zero or positive")
+    factor = math.sqrt(math.pi / 2.0) if Rq is None else 1.0
+    return factor * (one**2 + other**2) ** 0.5

@@ -11,9 +11,9 @@ import numpy as np
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
-from thirdbody.curves import Condition
-from thirdbody.netcdf import PlainDataset, Variable
-from thirdbody.ranges import ENDS, FILL_FLOAT, curves_of
+from thirdbody.curves import Condition, curves_of
+from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable
+from thirdbody.ranges import ENDS
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width

@@ -134,7 +134,7 @@ def page(sheets: Sequence[Sheet]) -> str:
         f"<p><strong>{html(each.title)}.</strong> {html(each.note)}</p>\n{each.html()}"
         for each in sheets
     )
-    template = Template(Path(__file__).with_name("readable.html").read_text(encoding="utf-8"))
+    template = Template(Path(__file__).with_name("sheets.html").read_text(encoding="utf-8"))
     return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
-from thirdbody.curves import Condition, condition_key
+from thirdbody.curves import Condition, condition_key, curves_of
 from thirdbody.netcdf import PlainDataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
@@ -20,7 +20,6 @@ from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
 from thirdbody.plotting.styles import HAIRLINE, Look, curve_styles
-from thirdbody.ranges import curves_of
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]

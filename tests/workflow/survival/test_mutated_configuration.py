@@ -11,9 +11,9 @@ from harm import LONG
 from workspace import ROOT
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.grids import scene_groups
 from thirdbody.paper.configuration import schema
 from thirdbody.paper.configuration.settings import read_settings
+from thirdbody.paper.scenes import scene_groups
 
 FILES = {  # and how many mutations of each
     "config/config.yaml": 110,

@@ -63,7 +63,7 @@ def open_atlas(path: str | PathLike = CATALOGUE) -> xr.Dataset:
     --------
     The probability that 10 N press particles of 500 nm between dry surfaces::
 
-        atlas = tb.open_atlas()
+        atlas = open_atlas()
         dry = atlas["particle_surface_probability"].sel(viscosity=0.0)
         dry.swap_dims(load="normal_load").sel(normal_load=10, particle_diameter=5e-7)
     """

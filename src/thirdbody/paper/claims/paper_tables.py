@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
+from thirdbody.bearings import STEEL_MODULUS
 from thirdbody.core.parameters import Parameters
-from thirdbody.printed import STEEL_MODULUS
 
 
 def _force_unit(inputs: Parameters) -> float:

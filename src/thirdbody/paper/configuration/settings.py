@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.messages import format_value
+from thirdbody.paper.configuration.inputs import choose_inputs, uncalibrated_values
 from thirdbody.paper.configuration.schema import read_schema, validate
 from thirdbody.plain_yaml import read_yaml
 
@@ -60,9 +60,7 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     can change a number; see ``choose_inputs`` for the other inputs.
     """
     folder = Path(folder)
-    entries = read_entries(folder)
-    values = values_schema(entries)
-    validate(config, read_schema("config"), "configuration", input_values=values)
+    validate(config, read_schema("config"), "configuration")
 
     def located(path):
         """A file ``config/...``: in the current folder, otherwise beside the configuration."""
@@ -70,7 +68,7 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
     given = config["inputs"]
     laid_over = located(given) if isinstance(given, str) else given
-    chosen = choose_inputs(entries, located(config["calibrated"]), laid_over)
+    chosen = choose_inputs(folder, located(config["calibrated"]), laid_over)
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     scenes = {name: shared | scene for name, scene in config["scenes"].items()}
     for name, scene in scenes.items():
@@ -86,7 +84,7 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
         "scenes": scenes,
         "calibration": read_yaml(folder / "calibration.yaml"),
         "sensitivity": read_yaml(folder / "sensitivity.yaml"),
-        "uncalibrated": plain_values(entries),
+        "uncalibrated": uncalibrated_values(folder),
         "accuracy": read_yaml(located(config["accuracy"])),
         "atlas": read_yaml(located(config["atlas"])),
         "software": [f"{name} {version(name)}" for name in SOFTWARE],

@@ -1,0 +1,85 @@
+# Every dataset, table and figure of Chen & Horng (2024), from the printed equations: snakemake -c2
+
+from snakemake.utils import min_version
+
+min_version("9.12")
+
+
+# the settings, checked; where files are; what a job depends on
+include: "workflow/rules/common.smk"
+
+
+configfile: f"{CONFIG}/config.yaml"
+configfile: f"{CONFIG}/scenes.yaml"
+
+
+pathvars:
+    results=RESULTS,
+    logs=LOGS,
+
+
+report: "workflow/report/workflow.rst"
+
+
+SCHEMATICS = ["fig01", "fig02"]
+SCENES = [f"fig{number:02d}" for number in range(3, 14)]
+FIGURES = [*SCHEMATICS, *SCENES, "claims", "sensitivity"]
+TABLES = [
+    "table1",
+    "table2",
+    "tpca_loads",
+    "tpca_windows",
+    "transitions",
+    "sensitivity",
+    "deviations",
+    "departures",
+]
+CHARTS = ["largest_particle", "least_viscosity"]  # of the atlas
+FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]
+TABLE_KINDS = ["csv", "html", "tex"]
+
+
+wildcard_constraints:
+    scene="|".join(settings["scenes"]),
+    schematic="|".join(SCHEMATICS),
+
+
+rule all:
+    default_target: True
+    input:
+        expand("<results>/datasets/{figure}.nc", figure=SCENES),
+        expand("<results>/bands/{figure}.nc", figure=SCENES if settings["bands"] else []),
+        expand("<results>/schematics/{figure}.nc", figure=SCHEMATICS),
+        expand("<results>/extracted/tpca_loads/{figure}.csv", figure=SCENES),
+        expand("<results>/extracted/transitions/{figure}.csv", figure=SCENES),
+        "<results>/extracted/tpca_windows/all.csv",
+        "<results>/extracted/sensitivity/all.csv",
+        "<results>/extracted/printed/all.csv",
+        "<results>/extracted/table1/all.csv",
+        "<results>/extracted/table2/all.csv",
+        expand("<results>/figures/{figure}.{kind}", figure=FIGURES, kind=FIGURE_KINDS),
+        expand("<results>/figures/{figure}_wide.csv", figure=SCENES),
+        expand("<results>/tables/{table}.{kind}", table=TABLES, kind=TABLE_KINDS),
+        expand("<results>/claims/claims.{kind}", kind=["csv", "json", "md", "html"]),
+        "<results>/explorer/index.html",
+        "<results>/index.html",
+        "<results>/captions.md",
+        "<results>/SHA256SUMS",
+
+
+include: "workflow/rules/datasets.smk"
+include: "workflow/rules/extract.smk"
+include: "workflow/rules/claims.smk"
+include: "workflow/rules/render.smk"
+include: "workflow/rules/explorer.smk"
+include: "workflow/rules/publish.smk"
+# on demand: snakemake -c2 calibrate, atlas, accuracy, release
+include: "workflow/rules/calibrate.smk"
+include: "workflow/rules/atlas.smk"
+include: "workflow/rules/accuracy.smk"
+
+
+# a release has the sources, which only the repository has
+if Path.cwd() == HOME:
+
+    include: "workflow/rules/archive.smk"

@@ -1,0 +1,401 @@
+"""Answers of the command: tables of quantities with their range over the ensemble.
+
+Each function takes the five conditions of one interface, and returns a table with a row for each quantity.
+Its columns are the ``symbol``, the ``value`` for the inputs, the ends ``low`` and ``high`` of the range, the
+``unit``, the ``quantity`` in words, and how many of the ``members`` of the ensemble ``agree``: also have a number,
+or have the same state.  ``attrs`` has a title, notes, and whether what was asked for is ``found``.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from thirdbody.bearings import hertz_contact
+from thirdbody.conditions import axis_of, check_count, without_warnings
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import ParticleLayer
+from thirdbody.core.turning_points import PROMINENCE
+from thirdbody.lab.comparison import read_runs, solve_runs
+from thirdbody.points import Solution, solve
+from thirdbody.ranges import ranges, spread
+from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
+from thirdbody.variables import FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
+
+COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other rows
+SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
+INVALID = "outside_film_formula", "area_exceeded"  # statuses of changes that are left out
+DIGITS = 4
+COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
+Conditions = Mapping[str, Any]
+
+
+def state(parameters: Parameters, conditions: Conditions) -> pd.DataFrame:
+    """Load sharing, contact area, regime and mode of an interface, and the nominal pressure on it."""
+    values, *of_members = _states(parameters, conditions)
+    rows = [_row(name, values[name], [each[name] for each in of_members]) for name in SHOWN]
+    rows += _nominal_rows(parameters, conditions)
+    notes = _notes(parameters, conditions, values["solution_status"])
+    is_solved = isinstance(values["separation"], float)
+    return _table(f"State at {_words(conditions)}", rows, notes, is_solved)
+
+
+def runs(parameters: Parameters, path: str, conditions: Conditions) -> pd.DataFrame:
+    """The state of each row of a table of conditions, a CSV file with units in its headings; ``conditions`` are those
+    that are no columns.  Variables are in SI, with the ends of their ranges in columns ``_low`` and ``_high``."""
+    _, table, notes = read_runs(path, parameters, conditions, is_measured=False)
+    solutions = solve_runs(table, (parameters, *parameters.members), None)
+    columns = _with_ranges(solutions, [name for name in QUANTITIES if name not in COMPLEMENTS])
+    table = table.assign(**{name: values.to_numpy() for name, values in columns.items()})
+    table.attrs["notes"] = [*notes, range_note(parameters.members)]
+    return table
+
+
+def change(
+    parameters: Parameters, conditions: Conditions, other: Parameters, others: Conditions
+) -> pd.DataFrame:
+    """Two interfaces: ``value`` of the first, ``other`` of the second, and the range of the second minus the first."""
+    values, *of_members = _states(parameters, conditions)
+    other_values, *of_other_members = _states(other, others)
+    rows = []
+    for name in SHOWN:
+        if name in FLAGS:
+            same = [
+                (one[name], two[name]) == (values[name], other_values[name])
+                for one, two in zip(of_members, of_other_members)
+            ]
+            row = _row(name, values[name], []) | {"agree": sum(same), "members": len(same)}
+        else:
+            differences = [
+                two[name] - one[name]
+                for one, two in zip(of_members, of_other_members)
+                if isinstance(one[name], float) and isinstance(two[name], float)
+            ]
+            row = _row(name, values[name], differences)
+        rows.append(row | {"other": other_values[name]})
+    statuses = values["solution_status"], other_values["solution_status"]
+    notes = [f"first: {_words(conditions)}", f"second: {_words(others)}"]
+    for inputs, given, status in zip((parameters, other), (conditions, others), statuses):
+        notes += _notes(inputs, given, status)
+    are_solved = all(isinstance(each["separation"], float) for each in (values, other_values))
+    return _table("Two interfaces", rows, list(dict.fromkeys(notes)), are_solved)
+
+
+def changes(
+    parameters: Parameters,
+    conditions: Conditions,
+    along: str,
+    between: tuple[float, float] | None,
+) -> pd.DataFrame:
+    """The values of a condition, the alias ``along``, at which regime or mode changes."""
+    tables = _of_each(
+        lambda inputs: transitions(
+            along, between=between, parameters=inputs, progress=False, **conditions
+        ),
+        parameters,
+    )
+    invalid = tables[0][tables[0]["solution_status"].isin(INVALID)]
+    places, *of_members = map(_by_border, tables, [along] * len(tables))
+    axis = axis_of(along)
+    rows = []
+    for key in dict.fromkeys([*places, *(key for each in of_members for key in each)]):
+        flag, before, after, number = key
+        row = {
+            "symbol": axis.symbol,
+            "quantity": f"{before} to {after}" + (f", number {number + 1}" if number else ""),
+            "unit": axis.alias_unit,
+        }
+        numbers = [each[key] for each in of_members if key in each]
+        rows.append(_with_range(row, places.get(key, math.nan), numbers, len(of_members)))
+    ends = between or axis.searched
+    notes = [f"searched: {axis.name} {ends[0]:g} to {ends[1]:g} {axis.alias_unit}"]
+    with without_warnings():
+        for end in ends:
+            point = solve(**{**conditions, along: end}, parameters=parameters)
+            states = [getattr(point, name).item() for name in FLAGS]
+            notes.append(f"at {end:g} {axis.alias_unit}: {', '.join(map(str, states))}")
+    notes += [
+        f"left out at {row[along]:.4g} {axis.alias_unit}: {STATUS_MEANINGS[row['solution_status']]}"
+        for _, row in invalid.iterrows()
+    ]
+    notes += _ensemble_notes(parameters, conditions)
+    title = f"Changes along the {axis.name} at {_words(conditions)}"
+    return _table(title, rows, notes, bool(places))
+
+
+def turning(
+    parameters: Parameters, conditions: Conditions, between_N: tuple[float, float] = LOADS
+) -> pd.DataFrame:
+    """The load at which the particle fraction of the contact area turns, and the sizes for which it does."""
+    values, *of_members = _of_each(
+        lambda inputs: _turning_values(inputs, conditions, between_N), parameters
+    )
+    rows = []
+    for name, (symbol, quantity, unit) in TURNING.items():
+        numbers = [each[name] for each in of_members if math.isfinite(each[name])]
+        row = {"symbol": symbol, "quantity": quantity, "unit": unit}
+        rows.append(_with_range(row, values[name], numbers, len(of_members)))
+    notes = [
+        f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
+        f"stands out by {PROMINENCE:g} on both sides",
+        f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
+        *(["A_sa,t* still rises at the last load"] if values["is_cut"] else []),
+        *_ensemble_notes(parameters, conditions),
+    ]
+    title = f"Turning point at {_words(conditions)}"
+    return _table(title, rows, notes, math.isfinite(values["load_N"]))
+
+
+TURNING = {
+    "load_N": ("F_t", "load at the turning point", "N"),
+    "load": ("F_TPCA*", "the same over A_n E_ss", "1"),
+    "peak_ratio": ("A_sa,t*", "contact area of particles over the total there", "1"),
+    "solid_load_fraction": ("L_s", "fraction of the load carried by the solids there", "1"),
+    "low": ("x_a", "least diameter with a turning point (dry)", "nm"),
+    "high": ("x_a", "largest diameter with a turning point (dry)", "nm"),
+}
+
+
+def curve(
+    parameters: Parameters,
+    conditions: Conditions,
+    along: str,
+    between: tuple[float, float],
+    count: int,
+) -> pd.DataFrame:
+    """All variables along one condition, the alias ``along``, with their ranges in columns ``_low`` and ``_high``.
+
+    The first column is the condition; variables are in SI, regime, mode and status by name.
+    """
+    check_count(count)
+    numbers = np.geomspace(*between, count)
+    points, *of_members = _of_each(
+        lambda inputs: solve(**conditions, **{along: numbers}, parameters=inputs, progress=False),
+        parameters,
+    )
+    table = _with_ranges([points, *of_members], QUANTITIES)
+    table.insert(0, along, numbers)
+    return table
+
+
+def table_text(table: pd.DataFrame) -> str:
+    """The title, the rows and the notes of a table, for people."""
+    compares = "other" in table
+    lines = []
+    for _, row in table.iterrows():
+        line = {"symbol": row["symbol"], "value": _value_text(row, "value")}
+        if compares:
+            line = {
+                "symbol": row["symbol"],
+                "first": _value_text(row, "value"),
+                "second": _value_text(row, "other"),
+            }
+        line["range of the change" if compares else "range"] = _range_text(row)
+        lines.append(line | {"unit": row["unit"], "quantity": row["quantity"]})
+    text = "none"
+    if lines:
+        shown = pd.DataFrame(lines)
+        shown["quantity"] = shown["quantity"].str.ljust(shown["quantity"].str.len().max())
+        text = shown.to_string(index=False, justify="left")
+    rows = [line.rstrip() for line in text.splitlines()]
+    notes = [f"  {note}" for note in table.attrs["notes"]]
+    return "\n".join([table.attrs["title"], "", *rows, "", *notes])
+
+
+def _with_ranges(solutions: Sequence[Solution], names: Iterable[str]) -> pd.DataFrame:
+    """Variables of the first of several solutions, with their ranges over the others, and its states."""
+    points, *of_members = solutions
+    columns = {}
+    for name in names:
+        columns[name] = getattr(points, name)
+        columns |= ranges(name, [getattr(each, name) for each in of_members])
+    frame = points.to_dataframe()
+    return pd.DataFrame(columns | {name: frame[name].to_numpy() for name in FLAGS})
+
+
+def _table(title, rows, notes, is_found) -> pd.DataFrame:
+    table = pd.DataFrame(rows, columns=None if rows else COLUMNS)
+    table.attrs = {"title": title, "notes": list(notes), "found": is_found}
+    return table
+
+
+def _row(name, value, of_members) -> dict:
+    """The row of a variable, or of a state by its name."""
+    variable = VARIABLES[name]
+    unit = "nm" if name == "separation" else "" if name in FLAGS else variable.unit
+    symbol = "" if name == STATUS else variable.symbol
+    row = {"name": name, "symbol": symbol, "quantity": variable.label, "unit": unit}
+    if name in FLAGS:
+        same = sum(member == value for member in of_members)
+        return row | {"value": value, "agree": same, "members": len(of_members)}
+    numbers = [member for member in of_members if isinstance(member, float)]
+    return _with_range(row, value, numbers, len(of_members))
+
+
+def _with_range(row, value, numbers, members) -> dict:
+    """A row with a number, and the range of those ``numbers`` of the members that exist."""
+    low, high = spread(numbers) or (math.nan, math.nan)
+    return row | {
+        "value": value,
+        "low": low,
+        "high": high,
+        "agree": len(numbers),
+        "members": members,
+    }
+
+
+def _of_each(call: Callable, parameters: Parameters) -> list:
+    """The result of a call for the inputs and, without warnings of what has been checked, for each member."""
+    result = call(parameters)
+    with without_warnings():
+        return [result, *(call(member) for member in parameters.members)]
+
+
+def _states(parameters, conditions) -> list[dict]:
+    """The variables of one point for the inputs and for each member: numbers, of d in nm, or names of states."""
+
+    def values(inputs):
+        point = solve(**conditions, parameters=inputs)
+        numbers = {name: float(getattr(point, name)) for name in QUANTITIES}
+        numbers["separation"] *= 1e9
+        numbers = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
+        states = {name: str(getattr(point, name).item()) for name in FLAGS}
+        if states["lubrication_regime"] == "full_film":
+            states["contact_mode"] = "none"
+        return numbers | states
+
+    return _of_each(values, parameters)
+
+
+def _nominal_rows(parameters, conditions) -> list[dict]:
+    """A_n and the nominal pressure F_t/A_n; and the Hertz area and pressure of the ball."""
+    load = conditions["load_N"]
+    area, pressure = hertz_contact(load, parameters)
+    numbers = {
+        ("A_n", "nominal area of the model, an input", "mm2"): 1e6 * parameters.apparent_area,
+        ("p_n", "nominal pressure F_t/A_n", "MPa"): 1e-6 * load / parameters.apparent_area,
+        ("A_H", "Hertz area of the smooth ball", "mm2"): 1e6 * area,
+        ("p_H", "mean Hertz pressure on it", "MPa"): 1e-6 * pressure,
+    }
+    of_members = {
+        "A_n": [1e6 * member.apparent_area for member in parameters.members],
+        "p_n": [1e-6 * load / member.apparent_area for member in parameters.members],
+    }
+    return [
+        _with_range(
+            {"symbol": symbol, "quantity": quantity, "unit": unit},
+            value,
+            of_members.get(symbol, []),
+            len(of_members.get(symbol, [])),
+        )
+        for (symbol, quantity, unit), value in numbers.items()
+    ]
+
+
+def _by_border(table, along) -> dict[tuple, float]:
+    """The places of valid changes, by flag, states and how often the same change occurred before."""
+    valid = table[~table["solution_status"].isin(INVALID)]
+    keys = ["flag", "before", "after"]
+    numbers = valid.groupby(keys).cumcount()
+    return {
+        (*row, number): place
+        for row, number, place in zip(
+            valid[keys].itertuples(index=False, name=None), numbers, valid[along], strict=True
+        )
+    }
+
+
+def _turning_values(parameters, conditions, between_N) -> dict:
+    """The rows of ``turning`` for one set of inputs."""
+    layer = {name: conditions[name] for name in ("roughness_nm", "particle_density_per_m2")}
+    others = {key: value for key, value in conditions.items() if key != "load_N"}
+    arguments = {"parameters": parameters, "between_N": between_N}
+    point = turning_point(**arguments, **others, progress=False).iloc[0]
+    window = turning_window(**arguments, **layer).iloc[0]
+    names = "load_N", "load", "peak_ratio", "solid_load_fraction"
+    values = {name: float(point[name]) if point["exists"] else math.nan for name in names}
+    sizes = {end: float(window[end] * conditions["roughness_nm"]) for end in ("low", "high")}
+    return values | sizes | {"is_cut": point["is_cut"]}
+
+
+def _notes(parameters, conditions, status) -> list[str]:
+    """Remarks on a state."""
+    notes = [] if status == "converged" else [f"{status}: {STATUS_MEANINGS[status]}"]
+    count = conditions["particle_density_per_m2"] * parameters.apparent_area
+    if 0.0 < count < 1.0:
+        area = 1e6 * parameters.apparent_area
+        notes.append(f"{count:.2g} particles in A_n = {area:.3g} mm2: most contacts have none")
+    return notes + _ensemble_notes(parameters, conditions)
+
+
+def _ensemble_notes(parameters, conditions) -> list[str]:
+    """What a range is, and the sizes that x_a stands for, if there are particles."""
+    notes = []
+    if conditions.get("particle_diameter_nm") and conditions.get("particle_density_per_m2"):
+        roughness = 1e-9 * conditions.get("roughness_nm", 300.0)
+        notes = [sizes_note(1e-9 * conditions["particle_diameter_nm"], roughness, parameters)]
+    return [*notes, range_note(parameters.members)]
+
+
+def range_note(members: Sequence[Parameters]) -> str:
+    """What a range is, once for an answer with ``members`` of the ensemble."""
+    if not members:
+        return "no range: these inputs have no ensemble"
+    return f"ranges are 5 to 95 % over {len(members)} sets of inputs that explain the paper about equally well"
+
+
+def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
+    """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]: the mean and
+    largest of sizes that are normal from 0 to X_max (Eq. 6), and d below which they carry load."""
+    mean, spread = parameters.sizes(diameter)
+    largest = mean + parameters.truncation * spread
+    normal = NormalDist(mean, spread)
+    part = normal.cdf(largest) - normal.cdf(0.0)
+    mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
+    layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
+    x_a, mean, largest, reach = (
+        f"{1e9 * each:.4g}" for each in (diameter, mean, largest, layer.reach[0])
+    )
+    return (
+        f"x_a = {x_a} nm stands for particles of {mean} nm on average and at most {largest} nm, "
+        f"which carry load at separations d below {reach} nm"
+    )
+
+
+def _words(conditions) -> str:
+    """The conditions in words."""
+    return ", ".join(
+        f"{axis_of(key).name} {value:g} {axis_of(key).alias_unit}"
+        for key, value in conditions.items()
+    )
+
+
+def _value_text(row, column) -> str:
+    """A state, or a number with as many digits as its range allows."""
+    value = row[column]
+    if value is None or (isinstance(value, float) and math.isnan(value)):
+        return "none"
+    return value if isinstance(value, str) else f"{value:.{_digits(value, row)}g}"
+
+
+def _digits(value, row) -> int:
+    width = row.get("high", math.nan) - row.get("low", math.nan)
+    if not width > 0.0 or value == 0.0:
+        return DIGITS
+    return min(
+        DIGITS, max(2, math.floor(math.log10(abs(value))) - math.floor(math.log10(width)) + 2)
+    )
+
+
+def _range_text(row) -> str:
+    """The range over the ensemble."""
+    parts = []
+    if row.get("low") is not None and math.isfinite(row.get("low", math.nan)):
+        ends = (f"{row[end]:.{_digits(row[end], row)}g}" for end in ("low", "high"))
+        parts.append(" to ".join(ends))
+    if row["agree"] < row["members"] or (row["members"] and isinstance(row["value"], str)):
+        parts.append(f"{row['agree']} of {row['members']}")
+    return ", ".join(parts)

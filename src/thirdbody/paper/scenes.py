@@ -1,0 +1,63 @@
+"""The dataset of a figure: the curves of a scene."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from thirdbody.attributes import described_grid
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
+from thirdbody.curves import Condition
+from thirdbody.grids import Axes, crossed
+from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset
+from thirdbody.variables import CONDITION_AXES, DIMENSIONS, FLAGS, NUMBERS, decimal
+
+RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
+
+
+def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
+    """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
+    of five axes, with the same loads: logarithmically spaced, plus those named in the text between
+    the ends.  Diameters relative to the roughness make a group for each roughness.
+    """
+    axis = scene["load_axis"]
+    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load)
+    named = [load for load in scene.get("named_loads", []) if first <= load <= last]
+    load = np.unique([*np.geomspace(first, last, axis["count"]), *named])
+    entries = []
+    for entry in scene["curves"]:
+        if RELATIVE_DIAMETER not in entry:
+            entries.append(entry)
+            continue
+        for sigma in entry["roughness_nm"]:
+            diameters = [ratio * sigma for ratio in entry[RELATIVE_DIAMETER]]
+            entries.append(entry | {"roughness_nm": [sigma], "particle_diameter_nm": diameters})
+    return [
+        {"load": load} | {axis.name: axis.values(entry[axis.alias]) for axis in CONDITION_AXES}
+        for entry in entries
+    ]
+
+
+def scene_dataset(
+    scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
+) -> PlainDataset:
+    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables
+    over the five axes.  Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
+    """
+    groups = scene_groups(scene, parameters.newtons_per_load)
+    axes = {
+        name: np.unique(np.concatenate([group[name] for group in groups])) for name in DIMENSIONS
+    }
+    shape = tuple(axis.size for axis in axes.values())
+    values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
+    values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
+    for group in groups:
+        place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
+        solved = solve_points(crossed(group), parameters, rtol)
+        for name in values:
+            values[name][place] = solved[name]
+    request = {
+        "load": axes["load"].tolist(),
+        "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
+    }
+    return described_grid(axes, values, parameters, rtol, scene["title"], request)

@@ -1,0 +1,154 @@
+"""The answers of the command against solves of one's own."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from methods import ENGINEERING
+
+import thirdbody as tb
+from thirdbody import answers
+from thirdbody.variables import FLAGS, QUANTITIES
+
+LAYER = {name: ENGINEERING[name] for name in ("roughness_nm", "particle_density_per_m2")}
+
+
+@pytest.fixture
+def inputs(defaults):
+    """The default with two members, which are enough here."""
+    return defaults.with_members(defaults.members[:2])
+
+
+def by_name(table):
+    return table.dropna(subset="name").set_index("name")
+
+
+def without(key, **changes):
+    return {name: value for name, value in (ENGINEERING | changes).items() if name != key}
+
+
+def test_the_state_is_what_solve_gives_in_other_units(inputs):
+    table = answers.state(inputs, ENGINEERING)
+    solution = tb.solve(**ENGINEERING, parameters=inputs)
+    assert table.attrs["found"]
+    rows = by_name(table)
+    for name in QUANTITIES.keys() & rows.index:
+        scale = 1e9 if name == "separation" else 1.0
+        assert rows.loc[name, "value"] == pytest.approx(scale * float(getattr(solution, name)))
+    for name in FLAGS:
+        assert getattr(solution, name) == rows.loc[name, "value"]
+
+
+def test_the_range_is_that_of_the_members(defaults):
+    members = tb.ensemble(defaults)
+    shares = [
+        float(tb.solve(**ENGINEERING, parameters=each).solid_load_fraction) for each in members
+    ]
+    table = answers.state(defaults, ENGINEERING)
+    row = by_name(table).loc["solid_load_fraction"]
+    assert (row["low"], row["high"]) == pytest.approx(tuple(np.quantile(shares, [0.05, 0.95])))
+    assert (row["agree"], row["members"]) == (len(members), len(members))
+    assert any(f"5 to 95 % over {len(members)} sets" in note for note in table.attrs["notes"])
+
+
+def test_the_nominal_pressure_and_that_of_hertz_stand_beside_the_state(inputs):
+    rows = answers.state(inputs, ENGINEERING).set_index("symbol")["value"]
+    assert rows["A_n"] == pytest.approx(1e6 * inputs.apparent_area)
+    assert rows["p_n"] == pytest.approx(1e-6 * 10.0 / inputs.apparent_area)
+    # a = (3 F R/4 E)^(1/3) = 75.2 um for 10 N on the ball of Table 2
+    assert rows["A_H"] == pytest.approx(np.pi * 0.07518**2, rel=1e-3)
+    assert rows["A_H"] * rows["p_H"] == pytest.approx(10.0)
+
+
+def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):
+    conditions = without("viscosity_cSt")
+    table = answers.changes(inputs, conditions, "viscosity_cSt", None)
+    found = tb.transitions("viscosity_cSt", parameters=inputs, **conditions)
+    assert table["value"].tolist() == found["viscosity_cSt"].tolist()
+    of_members = [
+        tb.transitions("viscosity_cSt", parameters=each, **conditions) for each in inputs.members
+    ]
+    first = [each["viscosity_cSt"].iloc[0] for each in of_members]
+    ends = table.loc[0, ["low", "high"]].tolist()
+    assert ends == pytest.approx(np.quantile(first, [0.05, 0.95]).tolist())
+    assert (table.loc[0, "agree"], table.loc[0, "members"]) == (2, 2)
+
+
+def test_what_is_not_passed_is_not_found(inputs):
+    table = answers.changes(inputs, without("load_N", viscosity_cSt=0.0), "load_N", (5.0, 6.0))
+    assert not table.attrs["found"] and table.empty
+    assert "searched: load 5 to 6 N" in table.attrs["notes"]
+    assert "none" in answers.table_text(table)
+
+
+def test_the_turning_point_is_a_maximum_and_its_sizes_have_one(inputs):
+    dry = without("load_N", viscosity_cSt=0.0, particle_diameter_nm=300.0)
+    table = answers.turning(inputs, dry)
+    load, _, peak, _, low, high = table["value"]
+    solution = tb.solve(**dry, load_N=load * np.array([0.98, 1.0, 1.02]), parameters=inputs)
+    ratio = solution.particle_contact_area_ratio
+    assert ratio[1] > max(ratio[0], ratio[2]) and peak == pytest.approx(ratio[1], rel=1e-8)
+    sizes = np.multiply.outer([low, high], [0.99, 1.01]).ravel()
+    at_sizes = tb.turning_point(**dry | {"particle_diameter_nm": sizes}, parameters=inputs)
+    assert at_sizes["exists"].tolist() == [False, True, True, False]
+
+
+@pytest.mark.parametrize("along", ["load_N", "viscosity_cSt", "roughness_nm"])
+def test_a_curve_is_what_solve_gives(inputs, along):
+    table = answers.curve(inputs, without(along), along, (80.0, 120.0), 5)
+    assert table[along].to_numpy() == pytest.approx(np.geomspace(80.0, 120.0, 5))
+    solution = tb.solve(**ENGINEERING | {along: table[along].to_numpy()}, parameters=inputs)
+    for name in QUANTITIES:
+        np.testing.assert_array_equal(table[name], getattr(solution, name))
+        assert (table[f"{name}_low"] <= table[f"{name}_high"]).all()
+    assert table["solution_status"].tolist() == ["converged"] * 5
+
+
+def test_two_interfaces_have_both_values_and_the_range_of_the_change(inputs):
+    others = ENGINEERING | {"viscosity_cSt": 120.0}
+    table = by_name(answers.change(inputs, ENGINEERING, inputs, others))
+    share = table.loc["solid_load_fraction"]
+    assert share["value"] == by_name(answers.state(inputs, ENGINEERING)).loc[share.name, "value"]
+    assert share["other"] == by_name(answers.state(inputs, others)).loc[share.name, "value"]
+    assert share["low"] <= share["high"] < 0.0
+
+
+def test_inputs_without_an_ensemble_have_no_range_and_say_so(inputs):
+    alone = replace(inputs, truncation=3.0)
+    for table in (
+        answers.state(alone, ENGINEERING),
+        answers.changes(alone, without("load_N"), "load_N", None),
+        answers.turning(alone, without("load_N")),
+    ):
+        assert [note for note in table.attrs["notes"] if note.startswith("no range: ")]
+        assert table[["low", "high"]].isna().all().all()
+    table = answers.curve(alone, without("load_N"), "load_N", (1.0, 10.0), 2)
+    assert "separation_low" not in table
+
+
+def test_in_a_full_film_there_is_no_contact_mode(inputs):
+    thick = ENGINEERING | {"viscosity_cSt": 1000.0}
+    rows = by_name(answers.state(inputs, thick))["value"]
+    assert (rows["lubrication_regime"], rows["contact_mode"]) == ("full_film", "none")
+    table = answers.curve(inputs, without("viscosity_cSt"), "viscosity_cSt", (50.0, 2000.0), 5)
+    assert table["contact_mode"].isna().equals(table["lubrication_regime"] == "full_film")
+
+
+def test_numbers_have_as_many_digits_as_their_range_allows(inputs):
+    text = answers.table_text(answers.state(inputs, ENGINEERING))
+    (line,) = [line.split() for line in text.splitlines() if "carried by the solids" in line]
+    # a range of 0.04 leaves two digits behind the point of 0.766
+    assert line[0] == "L_s" and len(line[1]) in (4, 5)
+
+
+def test_a_table_of_conditions_gives_a_table_of_states(inputs, tmp_path):
+    path = tmp_path / "runs.csv"
+    path.write_text("run,load [N],viscosity (mm^2/s)\na,5,90\nb,10,0\n")
+    layer = {key: ENGINEERING[key] for key in ENGINEERING if "load" not in key}
+    del layer["viscosity_cSt"]
+    table = answers.runs(inputs, str(path), layer)
+    solution = tb.solve(load_N=[5.0, 10.0], viscosity_cSt=[90.0, 0.0], **layer, parameters=inputs)
+    assert table["solid_load_fraction"].tolist() == solution.solid_load_fraction.tolist()
+    assert (solution.lubrication_regime == table["lubrication_regime"]).all()
+    assert (table["separation_low"] <= table["separation_high"]).all()
+    assert any("run" in note for note in table.attrs["notes"])

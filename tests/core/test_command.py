@@ -1,0 +1,179 @@
+"""The command: every example runs, JSON parses, exit codes and files are as promised."""
+
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pandas as pd
+import pytest
+import typer
+
+import thirdbody as tb
+from thirdbody import command, inputs
+from thirdbody.__main__ import run as run_command
+from thirdbody.command import ANSWERED, BAD_INPUT, NONE_FOUND, main
+from thirdbody.plain_yaml import read_yaml
+
+COMMANDS = typer.main.get_command(command.app).commands
+LAYER = "--roughness-nm 300 --particle-density-per-m2 1e11 --particle-diameter-nm 500"
+STATE = f"state --load-N 10 --viscosity-cSt 90 {LAYER}"
+CURVE = f"curve --along load --from 1 --to 2 --viscosity-cSt 0 {LAYER}"
+REFUSED = [  # a command, and what its refusal names
+    ("answer", "answer"),
+    ("state", "--load-N, --viscosity-cSt, --particle-diameter-nm"),
+    ("state --load-N ten", "--load-N"),
+    (f"{STATE} --load-N 0", "load_N is 0"),
+    (f"{STATE} --viscosity-cSt -1", "viscosity_cSt is -1"),
+    (f"{STATE} --inputs absent.yaml", "absent.yaml"),
+    (f"transitions --along time {LAYER}", "time"),
+    (f"transitions --along viscosity --from 100 --to 10 --load-N 10 {LAYER}", "(100.0, 10.0)"),
+    (f"{CURVE} --csv same.svg --plot ./same.svg", "same.svg"),
+    (f"{CURVE} --csv no/a.csv", "no/a.csv"),
+    (f"{CURVE} --plot a.txt", "a.txt"),
+    (f"{CURVE} --count 1", "count is 1"),
+    ("compare-data absent.csv", "absent.csv"),
+    ("bearing --ball wood", "wood"),
+    ("bearing --ball 205,0.7,5", "0.7"),
+    ("bearing --speed-m-per-s 2", "speed_m_per_s is 2"),
+    (f"compare {STATE.removeprefix('state ')}", "--other-"),
+]
+
+
+def run(text):
+    return main(shlex.split(text))
+
+
+def example(name):
+    """The example of a command, from its help."""
+    text = COMMANDS[name].epilog.partition("Example:")[2]
+    return re.sub(r"\\\n\s*", "", text).strip().removeprefix("thirdbody ")
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path, monkeypatch, defaults):
+    """An empty folder, and two members of the ensemble, which are enough here."""
+    monkeypatch.chdir(tmp_path)
+    every = inputs.parameters_of
+
+    def with_two_members(calibrated):
+        parameters = every(calibrated)
+        return parameters.with_members(parameters.members[:2])
+
+    monkeypatch.setattr(inputs, "parameters_of", with_two_members)
+
+
+@pytest.mark.parametrize("name", [name for name in COMMANDS if name != "compare-data"])
+def test_the_example_of_each_command_works(name, capsys):
+    assert run(example(name)) == ANSWERED
+    printed = capsys.readouterr()
+    assert printed.out or name == "curve"
+    assert printed.err == ""
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_fits_a_terminal(name, capsys):
+    assert run(f"{name} --help") == ANSWERED
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 80
+
+
+def test_no_command_is_cut_in_the_list(capsys):
+    assert run("--help") == ANSWERED
+    listed = capsys.readouterr().out
+    for name, each in COMMANDS.items():
+        assert f"{name} " in listed and each.help in listed
+
+
+@pytest.mark.parametrize("name", ["state", "transitions", "turning-point", "compare", "bearing"])
+def test_an_answer_is_read_as_json(name, capsys):
+    assert run(f"{example(name)} --json") == ANSWERED
+    assert json.loads(capsys.readouterr().out)
+
+
+@pytest.mark.parametrize(("text", "named"), REFUSED)
+def test_bad_input_is_named_and_answers_nothing(text, named, capsys):
+    assert run(text) == BAD_INPUT
+    printed = capsys.readouterr()
+    assert printed.out == "" and named in printed.err and "Traceback" not in printed.err
+
+
+def test_what_does_not_occur_has_an_exit_code_of_its_own(capsys):
+    dry = "--viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0"
+    assert run(f"transitions --along particle_diameter --load-N 10 {dry}") == NONE_FOUND
+    assert "none" in capsys.readouterr().out
+
+
+def test_a_number_in_another_unit_is_warned_of(capsys):
+    assert run(f"{STATE} --load-N 1e5 --json") == ANSWERED
+    printed = capsys.readouterr()
+    assert json.loads(printed.out)
+    assert "warning: load_N is 100000 N; usual: " in printed.err
+
+
+def test_the_version_is_printed(capsys):
+    assert run("--version") == ANSWERED
+    assert capsys.readouterr().out == f"thirdbody {tb.__version__}\n"
+
+
+def test_ctrl_c_is_quiet(capsys, monkeypatch):
+    def interrupted():
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("thirdbody.command.main", interrupted)
+    assert run_command() == 130
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_written_bearing_is_read_by_the_other_commands(capsys):
+    assert run("bearing --ball-radius-mm 10 --write mine.yaml") == ANSWERED
+    capsys.readouterr()
+    assert run(f"compare {STATE.removeprefix('state ')} --other-inputs mine.yaml --json") == 0
+    rows = json.loads(capsys.readouterr().out)["rows"]
+    (thickness,) = [row for row in rows if row["symbol"] == "H_c"]
+    assert thickness["value"] != pytest.approx(thickness["other"], rel=0.05)
+
+
+def test_what_a_bearing_leaves_open_is_not_written_and_stays_open(defaults):
+    found = tb.bearing(tb.load_parameters(), ball_radius_mm=10.0)
+    first, second = found.members
+    assert run("bearing --ball-radius-mm 10 --write mine.yaml") == ANSWERED
+    written = read_yaml("mine.yaml")
+    assert written["ball_radius"] == 0.01
+    assert written["speed_per_viscosity"] == pytest.approx(0.635 * defaults.speed_per_viscosity)
+    other = second.as_dict()
+    is_open = {name for name, value in first.as_dict().items() if value != other[name]}
+    assert is_open and written.keys() == first.as_dict().keys() - is_open
+    again = tb.load_parameters("mine.yaml")
+    assert again == found and again.members == found.members
+
+
+def test_a_curve_is_printed_as_it_is_written_and_drawn(capsys):
+    assert run(f"{CURVE} --count 3 --csv -") == ANSWERED
+    printed = capsys.readouterr().out
+    assert run(f"{CURVE} --count 3 --csv curve.csv --plot curve.svg") == ANSWERED
+    assert Path("curve.csv").read_text(encoding="utf-8") == printed
+    assert Path("curve.svg").read_text(encoding="utf-8").startswith("<?xml")
+    table = pd.read_csv("curve.csv")
+    assert table["load_N"].tolist() == pytest.approx([1.0, 2.0**0.5, 2.0])
+
+
+def test_output_is_printed_in_any_encoding():
+    arguments = [sys.executable, "-m", "thirdbody", "bearing"]
+    for encoding in ("cp1252", "ascii"):
+        environment = os.environ | {"PYTHONIOENCODING": encoding}
+        done = subprocess.run(arguments, capture_output=True, env=environment)
+        assert (done.returncode, done.stderr) == (ANSWERED, b"")
+        assert b"E_ss" in done.stdout
+
+
+def test_a_table_goes_in_and_a_table_comes_out(capsys):
+    Path("runs.csv").write_text("load [N],viscosity [cSt]\n5,90\n10,90\n")
+    assert run(f"state runs.csv {LAYER} --csv answers.csv") == ANSWERED
+    table = pd.read_csv("answers.csv")
+    assert table["load_N"].tolist() == [5, 10] and table["solid_load_fraction"].notna().all()
+    assert run(f"state runs.csv --csv answers.csv {LAYER} --load-N 3") == BAD_INPUT
+    assert "load_N" in capsys.readouterr().err

@@ -1,0 +1,162 @@
+"""YAML that is read, and inputs of a user laid over the calibrated ones."""
+
+import math
+from dataclasses import replace
+
+import pytest
+import yaml
+
+from thirdbody.core.parameters import Parameters
+from thirdbody.inputs import DEFAULT, load_parameters
+from thirdbody.plain_yaml import config_directory, read_yaml
+
+CALIBRATED = config_directory() / "calibrated"
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Writes a configuration file and gives its path."""
+
+    def write_file(content, name="given.yaml"):
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    return write_file
+
+
+def refusal(function, *given):
+    """The one line with which ``function`` refuses."""
+    with pytest.raises(ValueError) as refused:
+        function(*given)
+    message = str(refused.value)
+    assert message and "\n" not in message
+    return message
+
+
+STRICT = [
+    ("a: 1\nb: 2\na: 3", "line 3: duplicate key 'a'"),
+    ("a: {<<: {b: 1}}", "line 1"),
+    ("a: !!python/object/apply:os.system [ls]", "python/object/apply:os.system'"),
+    ("a: !secret b", "tag '!secret'"),
+    ("1: a", "line 1: key 1; allowed: strings"),
+    ("on: a", "line 1: key True; allowed: strings"),
+    ("a: 1\n---\nb: 2", "another document"),
+    ("a: [1\n", "line 2: did not find expected ',' or ']'"),
+    ("a:\n\t- 1", "line 2"),
+    ("a: 1\x07", "not allowed"),
+    (b"a: \xff", "byte 3 is not UTF-8"),
+    ("a: 1".encode("utf-16"), "not UTF-8"),
+    ("", "contains NoneType; allowed: keys with values"),
+    ("- a", "contains list; allowed: keys with values"),
+    ("a: " + "9" * 5000, "digits"),
+    ("a: " + "[" * 5000, "line 1: nested more than 20 levels deep"),
+    ("a: &b [*b]", "line 1: alias *b in what it names"),
+    (f"a: {'x' * 1_000_000}", "has more than 1000000 bytes"),
+]
+
+
+@pytest.mark.parametrize(("content", "expected"), STRICT, ids=range(len(STRICT)))
+def test_yaml_that_is_more_or_less_than_plain_data_is_refused(write, content, expected):
+    path = write(content)
+    message = refusal(read_yaml, path)
+    assert message.startswith(f"{path}: ") and expected in message
+
+
+def test_aliases_that_repeat_aliases_are_refused_before_they_are_replaced(write):
+    lines = ["a: &b0 [1]", *(f"a{n}: &b{n} [{f'*b{n - 1}, ' * 10}]" for n in range(1, 10))]
+    message = refusal(read_yaml, write("\n".join(lines)))
+    assert "line 6: more than 100000 values, with what aliases repeat" in message
+
+
+@pytest.mark.parametrize("path", [".", "no/such/folder/given.yaml"])
+def test_a_file_that_cannot_be_read_is_named(tmp_path, path):
+    message = refusal(read_yaml, tmp_path / path)
+    assert f"{tmp_path / path}" in message and "allowed: a readable YAML file" in message
+
+
+def test_plain_data_are_read(write):
+    content = "a: 1\nb: &b [1.5, two]\nc: {d: true, e: *b}\n"
+    expected = {"a": 1, "b": [1.5, "two"], "c": {"d": True, "e": [1.5, "two"]}}
+    assert read_yaml(write(content)) == expected
+    assert read_yaml(write(b"\xef\xbb\xbf" + content.encode())) == expected
+
+
+@pytest.mark.parametrize("typed", ["0300", "1:30", "0x1F", "-017", "1:30.5"])
+def test_numbers_of_other_bases_are_refused_as_they_were_typed(tmp_path, typed):
+    path = tmp_path / "mine.yaml"
+    path.write_text(f"roughness_nm: [{typed}]\n")
+    with pytest.raises(ValueError, match=f"line 1: number {typed}; allowed: decimal numbers"):
+        read_yaml(path)
+    path.write_text("a: [300, 0, 0.5, -3, 1.0e+11]\n")
+    assert read_yaml(path) == {"a": [300, 0, 0.5, -3, 1e11]}
+
+
+# ---- inputs
+
+
+@pytest.mark.filterwarnings("ignore:.* is changed without")
+def test_single_inputs_win_over_a_file_and_a_file_over_the_calibrated_inputs(write, defaults):
+    path = write("truncation: 3.0\nmean_ratio: 0.5\nfilm_load: total\n")
+    expected = replace(defaults, truncation=4.0, mean_ratio=0.5, film_load="total")
+    assert load_parameters(path, truncation=4) == expected
+
+
+def test_inputs_are_floats_however_they_are_given(write):
+    inputs = load_parameters(write("truncation: 3\n"), participation=1)
+    assert type(inputs.truncation) is type(inputs.participation) is float
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        {"truncatoin": 2.0},
+        {"truncation": -1.0},
+        {"truncation": math.nan},
+        {"film_load": "solid"},
+        {"ball_radius": 5.0e-4, "apparent_area": 4.0e-6},
+        {"ball_radius": 6.35},
+    ],
+)
+def test_a_bad_input_is_refused_by_name_from_a_file_and_alone(write, inputs):
+    name = next(iter(inputs))
+    for arguments in (((), inputs), ((write(yaml.safe_dump(inputs)),), {})):
+        positional, named = arguments
+        with pytest.raises(ValueError, match=f"({name}|apparent_area).*; allowed: "):
+            load_parameters(*positional, **named)
+
+
+@pytest.mark.parametrize("value", ["wide", True, "1e9", None, [1.0, 2.0], {"value": 2.0}])
+def test_what_is_no_number_is_refused(write, value):
+    with pytest.raises((TypeError, ValueError)):
+        load_parameters(write(yaml.safe_dump({"truncation": value})))
+
+
+@pytest.mark.parametrize("path", sorted(CALIBRATED.glob("*.yaml")), ids=lambda path: path.stem)
+def test_each_calibrated_file_has_all_inputs_and_its_own_ensemble(path):
+    content = read_yaml(path)
+    assert content["interpretation"] == path.stem
+    inputs = load_parameters(path)
+    assert inputs.as_dict() == {name: content["inputs"][name] for name in Parameters.names()}
+    members = [Parameters(**content["inputs"] | member) for member in content["ensemble"]]
+    assert inputs.members == tuple(members)
+
+
+def test_the_default_is_that_of_the_workflow():
+    assert read_yaml(config_directory() / "config.yaml")["calibrated"] == (
+        f"config/calibrated/{DEFAULT}.yaml"
+    )
+
+
+def test_a_calibrated_file_replaces_the_default_and_must_be_whole(write, defaults):
+    content = {"inputs": defaults.as_dict() | {"truncation": 2.5}, "ensemble": [{}]}
+    assert load_parameters(write(yaml.safe_dump(content))) == replace(defaults, truncation=2.5)
+    del content["inputs"]["apparent_area"]
+    with pytest.raises(TypeError, match="apparent_area"):
+        load_parameters(write(yaml.safe_dump(content)))
+
+
+def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert load_parameters() == defaults
+    assert config_directory().is_absolute()

@@ -1,0 +1,250 @@
+"""Results as datasets and as tables: nothing loses its name, its unit or its meaning."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from methods import POINT
+
+import thirdbody as tb
+from thirdbody.variables import AXES, VARIABLES
+
+LOADS = np.array([1e-6, 1e-5, 1e-4])
+OILS = np.array([0.0, 9e-5])
+
+
+@pytest.fixture
+def solved(parameters):
+    """Function that solves the point above with other conditions."""
+    return lambda **given: tb.solve(**(POINT | {"parameters": parameters} | given))
+
+
+def test_each_variable_has_the_labels_of_the_data_contract(solved, parameters):
+    dataset = solved(load=LOADS[:, None], viscosity=OILS).to_dataset()
+    axes = POINT | {"load": LOADS, "viscosity": OILS}
+    grid = tb.grid(**axes, parameters=parameters, variables=VARIABLES)
+    assert set(dataset.data_vars) == set(grid.data_vars)
+    for name, variable in grid.data_vars.items():
+        np.testing.assert_allclose(dataset[name].values, variable.values.squeeze(), rtol=1e-9)
+        np.testing.assert_equal(dataset[name].attrs, variable.attrs)
+    for name in AXES:
+        np.testing.assert_array_equal(dataset[name].values, grid[name].values.squeeze())
+        assert dataset[name].attrs == grid[name].attrs
+
+
+@pytest.mark.parametrize(
+    ("given", "dimensions"),
+    [
+        ({}, {}),
+        ({"load": LOADS}, {"load": 3}),
+        ({"load": LOADS[:, None], "viscosity": OILS}, {"load": 3, "viscosity": 2}),
+        ({"load": LOADS[:2], "viscosity": OILS}, {"point": 2}),
+        (
+            {"load": np.array([LOADS[:2], LOADS[1:]]), "viscosity": OILS},
+            {"point_0": 2, "point_1": 2},
+        ),
+        ({"load": np.array([LOADS[:2], LOADS[1:]])}, {"point_0": 2, "point_1": 2}),
+        ({"load": [[1e-5]], "viscosity": OILS}, {"load": 1, "viscosity": 2}),
+    ],
+    ids=["a point", "a curve", "a grid", "pairs", "pairs and more", "a table", "of length 1"],
+)
+def test_a_dimension_is_called_by_the_condition_that_has_it_to_itself(solved, given, dimensions):
+    dataset = solved(**given).to_dataset()
+    assert dict(dataset.sizes) == dimensions
+    for name in AXES:
+        expected = np.broadcast_to((POINT | given)[name], tuple(dimensions.values()))
+        found = dataset[name].broadcast_like(dataset["separation"])
+        np.testing.assert_array_equal(found.transpose(*dimensions).values, expected)
+
+
+def test_arrays_of_xarray_keep_their_labels(solved):
+    loads = xr.DataArray(LOADS, dims="day", coords={"day": ["Mon", "Tue", "Wed"]})
+    dataset = solved(load=loads, viscosity=xr.DataArray(OILS, dims="oil")).to_dataset()
+    assert dict(dataset.sizes) == {"day": 3, "oil": 2}
+    assert dataset["day"].values.tolist() == ["Mon", "Tue", "Wed"]
+    assert dataset["load"].dims == ("day",) and dataset["viscosity"].dims == ("oil",)
+    np.testing.assert_array_equal(dataset["load"], LOADS)
+    table = solved(load=loads).to_dataframe()
+    assert table["day"].tolist() == ["Mon", "Tue", "Wed"]
+
+
+def test_variables_that_were_not_asked_for_are_not_there(solved):
+    wanted = ["separation", "contact_mode"]
+    assert set(solved(variables=wanted).to_dataset().data_vars) == {*wanted}
+
+
+def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
+    with pytest.warns(tb.OutOfRangeWarning):
+        solution = solved(load=[[1e-6], [1.0]], viscosity=OILS)
+    table = solution.to_dataframe()
+    assert {*POINT, "load_N", "separation_m", "film_thickness"} <= {*table.columns}
+    assert table["load"].tolist() == [1e-6, 1e-6, 1.0, 1.0]
+    np.testing.assert_array_equal(table["separation_m"], solution.separation.ravel())
+    assert (solution.solution_status.ravel() == table["solution_status"]).all()
+    unsolved = solution.lubrication_regime.ravel() == "without_values"
+    assert unsolved.any()
+    np.testing.assert_array_equal(table["lubrication_regime"].isna(), unsolved)
+
+
+def test_where_people_read_a_full_film_has_no_contact_mode(solved):
+    solution = solved(load=1e-6, viscosity=[9e-5, 1e-3])
+    assert solution.lubrication_regime[1] == "full_film"
+    assert solution.to_dataframe()["contact_mode"].isna().tolist() == [False, True]
+    assert (solution.to_dataset()["contact_mode"] >= 0).all()
+
+
+def test_states_compare_with_their_names_and_codes(solved):
+    solution = solved(load=[1e-6, 1e-5], viscosity=0.0)
+    codes = solution.to_dataset()
+    for name in ("lubrication_regime", "contact_mode", "solution_status"):
+        states = getattr(solution, name)
+        names = [str(state) for state in states]
+        assert (states == codes[name].values).all()
+        assert [(states == name).tolist() for name in names] == [
+            [name == other for other in names] for name in names
+        ]
+    point = solved()
+    assert point.solution_status == "converged" and point.solution_status != "load_exceeded"
+    with pytest.raises(ValueError, match="'surface surface'; allowed: two_body, surface_surface"):
+        point.contact_mode == "surface surface"  # noqa: B015
+
+
+SURFACE = dict(roughness_nm=300, particle_density_per_m2=1e11)
+REST = SURFACE | dict(particle_diameter_nm=500)
+OIL = {"viscosity_cSt": 90}
+
+
+def test_conditions_of_two_dimensions_are_labelled_and_selected(solved):
+    """A map of sizes relative to the roughness: the sizes vary along both dimensions."""
+    roughness = np.array([1e-7, 2e-7, 3e-7])
+    sizes = roughness * np.array([[0.5], [1.0]])
+    solution = solved(particle_diameter=sizes, roughness=roughness)
+    table = solution.to_dataframe()
+    assert table["particle_diameter"].tolist() == sizes.ravel().tolist()
+    dataset = solution.to_dataset()
+    assert not {*dataset.sizes} & {"particle_diameter"}
+    for name, dimension in zip(dataset["separation"].dims, sizes.shape, strict=True):
+        assert dataset.sizes[name] == dimension
+    both = solved(particle_diameter=sizes, roughness=roughness + 0.0 * sizes)
+    pd.testing.assert_frame_equal(
+        both.to_dataframe()[[*table]], table, check_exact=True, check_like=True
+    )
+
+
+def test_the_load_stands_in_newtons_beside_the_dimensionless_one():
+    loads = [5.0, 10.0]
+    expected = np.array(loads)
+    for found in (
+        tb.solve(load_N=loads, **OIL, **REST),
+        tb.solve(load_N=xr.DataArray(loads, dims="time"), **OIL, **REST),
+        tb.solve(load_N=loads, viscosity_cSt=[90, 120], **REST),
+    ):
+        dataset = found.to_dataset()
+        np.testing.assert_allclose(dataset["normal_load"], expected, rtol=1e-12)
+        assert dataset["normal_load"].attrs["units"] == "N"
+        assert dataset["normal_load"].dims == dataset["load"].dims
+        table = found.to_dataframe()
+        assert table["load_N"].tolist() == loads
+    one = tb.solve(load_N=10, viscosity_cSt=[0, 90], **REST).to_dataset()
+    assert one["normal_load"].item() == pytest.approx(10.0)
+
+
+TABLE = pd.DataFrame({"load": [5.0, 10.0, 20.0], "oil": [50.0, 90.0, 120.0]}, index=["a", "b", "c"])
+
+
+def test_columns_of_a_table_are_conditions_and_results_have_their_index():
+    runs = TABLE[TABLE["load"] > 5.0].rename_axis("run")
+    found = tb.solve(load_N=runs["load"], viscosity_cSt=runs["oil"], **REST)
+    expected = tb.solve(load_N=[10.0, 20.0], viscosity_cSt=[90.0, 120.0], **REST)
+    np.testing.assert_array_equal(found.separation, expected.separation)
+    table = found.to_dataframe()
+    assert table.index.equals(runs.index) and table.index.name == "run"
+    assert table["load_N"].tolist() == [10.0, 20.0]
+    assert table["viscosity_cSt"].tolist() == [90.0, 120.0]
+    days = runs.set_index(pd.to_datetime(["2026-01-02", "2026-01-03"]))
+    found = tb.solve(load_N=days["load"], viscosity_cSt=90, **REST).to_dataframe()
+    assert found.index.equals(days.index)
+
+
+@pytest.mark.parametrize(
+    ("index", "labels"),
+    [
+        (pd.Index([*"abc"]), {"row": [*"abc"]}),
+        (pd.Index([7, 8, 9], name="run"), {"run": [7, 8, 9]}),
+        (pd.Index([7, 8, 9], name="load"), {"row": [7, 8, 9]}),
+        (
+            pd.MultiIndex.from_product([["one"], [1, 2, 3]], names=["rig", "rig"]),
+            {"rig": ["one"] * 3, "row_1": [1, 2, 3]},
+        ),
+    ],
+    ids=["labels", "with a name", "with the name of a condition", "of two levels"],
+)
+def test_the_index_of_columns_is_a_coordinate_of_the_dataset(index, labels):
+    runs = TABLE.set_index(index)
+    curve = tb.solve(load_N=runs["load"], viscosity_cSt=90, **REST)
+    pairs = tb.solve(load_N=runs["load"], viscosity_cSt=runs["oil"], **REST)
+    crossed = tb.solve(load_N=runs["load"], viscosity_cSt=[[0.0], [90.0]], **REST)
+    for found in (curve, pairs, crossed):
+        dataset = found.to_dataset()
+        for name, values in labels.items():
+            assert dataset[name].dims == (dataset["separation"].dims[-1],)
+            assert dataset[name].values.tolist() == values
+    assert not {*labels} & {*curve.to_dataframe()}
+
+
+@pytest.mark.parametrize(
+    "index",
+    [
+        pd.date_range("2026-01-02", periods=2, tz="Europe/Berlin", name="start"),
+        pd.date_range("2026-01-02", periods=2, name="start"),
+        pd.period_range("2026-01", periods=2, freq="M", name="start"),
+        pd.CategoricalIndex(["dry", "wet"], name="start"),
+        pd.Index([1, 2], dtype="Int64", name="start"),
+    ],
+    ids=["with a time zone", "times", "months", "categories", "nullable"],
+)
+def test_datasets_with_any_index_are_written(tmp_path, index):
+    loads = pd.Series([5.0, 10.0], index=index)
+    solution = tb.solve(load_N=loads, viscosity_cSt=90, **REST)
+    assert solution.to_dataframe().index.equals(index)
+    dataset = solution.to_dataset()
+    dataset.to_netcdf(tmp_path / "solution.nc")
+    written = xr.load_dataset(tmp_path / "solution.nc")
+    assert (written["start"].values == dataset["start"].values).all()
+    assert dataset["start"].astype(str).values[0].startswith(str(index[0])[:10])
+
+
+def test_columns_with_different_indexes_are_refused():
+    others = TABLE.set_index([[1, 2, 3]])
+    with pytest.raises(ValueError, match="load_N and viscosity_cSt have different indexes"):
+        tb.solve(load_N=TABLE["load"], viscosity_cSt=others["oil"], **REST)
+
+
+def test_each_point_of_a_column_and_other_arrays_has_the_label_of_its_row():
+    found = tb.solve(load_N=TABLE["load"], viscosity_cSt=[[0.0], [90.0]], **REST).to_dataframe()
+    assert found.index.tolist() == [*"abcabc"]
+    assert found.loc["b", "load_N"].tolist() == [10.0, 10.0]
+    one = tb.solve(load_N=TABLE["load"].iloc[:1], viscosity_cSt=[0, 90], **REST).to_dataframe()
+    assert one.index.tolist() == [*"aa"]
+    none = tb.solve(load_N=TABLE["load"].iloc[:0], viscosity_cSt=90, **REST).to_dataframe()
+    assert none.empty and none.index.equals(TABLE.index[:0])
+
+
+@pytest.mark.parametrize(
+    "search",
+    [
+        lambda loads: tb.find("solid_load_fraction", [0.5], "viscosity_cSt", load_N=loads, **REST),
+        lambda loads: tb.transitions("viscosity_cSt", load_N=loads, **REST),
+    ],
+)
+def test_searches_have_the_index_of_the_columns(search):
+    table = search(TABLE["load"])
+    assert set(table.index) == {*"abc"}
+    assert table["load_N"].tolist() == TABLE["load"][table.index].tolist()
+
+
+def test_turning_points_have_the_index_of_the_columns():
+    table = tb.turning_point(viscosity_cSt=TABLE["oil"], **REST)
+    assert table.index.equals(TABLE.index)
+    newtons = table["load"] * tb.load_parameters().newtons_per_load
+    np.testing.assert_allclose(table["load_N"], newtons)

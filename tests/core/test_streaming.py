@@ -1,0 +1,97 @@
+"""A streamed grid is the grid, in whatever blocks, and there is no half of a file."""
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+
+import thirdbody as tb
+from thirdbody import grids
+from thirdbody.core.solve import solve_points
+from thirdbody.netcdf import read_plain
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+AXES = {
+    "load": np.geomspace(1e-6, 1e-3, 7),
+    "viscosity": [0.0, 9e-5],
+    "particle_diameter": [0.0, 3e-7, 5e-7],
+    "roughness": [1e-7, 3e-7],
+    "particle_density": [1e10, 1e11, 1e12],
+}
+
+
+@pytest.mark.parametrize("points", [1, 4, 36, 40, 100, 10**6])
+def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, points):
+    monkeypatch.setattr(grids, "POINTS_PER_BLOCK", points)
+    given = AXES | {"parameters": parameters}
+    tb.stream(tmp_path / "grid.nc", **given)
+    assert capsys.readouterr() == ("", "")
+    streamed, grid = read_plain(tmp_path / "grid.nc").to_xarray(), tb.grid(**given)
+    assert streamed.attrs == grid.attrs
+    assert dict(streamed.sizes) == dict(grid.sizes)
+    for name, expected in grid.variables.items():
+        # points in other company: sums in another order
+        np.testing.assert_allclose(streamed[name].values, expected.values, rtol=1e-12, err_msg=name)
+        for attribute in expected.attrs:
+            assert np.all(streamed[name].attrs[attribute] == expected.attrs[attribute])
+
+
+def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
+    calls = iter(range(3))
+
+    def failing(*given, **more):
+        if next(calls) == 2:
+            raise OSError("no room")
+        return solve_points(*given, **more)
+
+    monkeypatch.setattr(grids, "POINTS_PER_BLOCK", 50)
+    monkeypatch.setattr(grids, "solve_points", failing)
+    with pytest.raises(OSError, match="no room"):
+        tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
+    assert not list(tmp_path.iterdir())
+
+
+def test_more_than_there_is_room_for_is_refused_before_anything_is_solved(parameters, tmp_path):
+    axis = np.linspace(1e-6, 1e-3, 10**6)
+    axes = AXES | {"load": axis, "viscosity": axis, "roughness": 3e-7}
+    message = r"grid.nc would hold .e\+1. points in .*e\+1. bytes; allowed"
+    with pytest.raises(OSError, match=message):
+        tb.stream(tmp_path / "grid.nc", **axes, parameters=parameters)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_compressed_on_request_it_holds_the_variables_asked_for(parameters, tmp_path):
+    wanted = ["separation", "error_bound"]
+    given = AXES | {"parameters": parameters, "rtol": 1e-6, "variables": wanted}
+    for level in (0, 4):
+        tb.stream(tmp_path / f"{level}.nc", **given, compression=level)
+    plain, packed = (xr.load_dataset(tmp_path / f"{level}.nc") for level in (0, 4))
+    xr.testing.assert_identical(plain, packed)
+    assert set(plain.data_vars) == set(tb.grid(**given).data_vars) == {*wanted, "solution_status"}
+    with netCDF4.Dataset(tmp_path / "4.nc") as file:
+        assert file["separation"].filters()["zlib"]
+    with pytest.raises(ValueError, match="compression is 12; allowed: 0 to 9"):
+        tb.stream(tmp_path / "no.nc", **given, compression=12)
+
+
+def test_fill_values_belong_to_the_file(parameters, tmp_path):
+    grid = tb.grid(**AXES, parameters=parameters)
+    assert not any("_FillValue" in variable.attrs for variable in grid.variables.values())
+    packed = {"dtype": "int16", "scale_factor": 1e-9, "_FillValue": -1}
+    for encoding in ({"_FillValue": np.nan}, packed):
+        grid[["separation"]].to_netcdf(tmp_path / "own.nc", encoding={"separation": encoding})
+    grid.to_netcdf(tmp_path / "grid.nc")
+    xr.testing.assert_identical(xr.load_dataset(tmp_path / "grid.nc"), grid)
+
+
+def test_packed_numbers_are_decoded(parameters, tmp_path):
+    grid = tb.grid(**AXES, parameters=parameters)
+    packed = {"dtype": "int32", "scale_factor": 1e-9, "_FillValue": -2147483647}
+    along = {"dtype": "int64", "scale_factor": 1e-13, "add_offset": 1e-6}
+    encoding = {"particle_contact_area_ratio": packed, "load": along}
+    grid.to_netcdf(tmp_path / "packed.nc", encoding=encoding)
+    expected, found = xr.load_dataset(tmp_path / "packed.nc"), read_plain(tmp_path / "packed.nc")
+    for name in encoding:
+        np.testing.assert_allclose(found[name].values, expected[name].values, rtol=1e-12)
+        assert not {"scale_factor", "add_offset"} & found[name].attrs.keys()

@@ -1,0 +1,187 @@
+"""The atlas holds what the library gives point by point, for the default and for each member."""
+
+import shutil
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
+from thirdbody.paper.atlas.catalogue import chart_panels, chart_rows, open_atlas, write_catalogue
+from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
+from thirdbody.paper.atlas.surfaces import quantiles
+from thirdbody.variables import DIMENSIONS
+
+RTOL = 1e-3
+ENDS = {  # of the axes, how many values they have, and which besides
+    "load_N": (0.04, 80, 12, "logarithmic", []),
+    "viscosity_cSt": (5, 150, 18, "logarithmic", [0]),
+    "particle_diameter_nm": (50, 1000, 24, "logarithmic", [0]),
+    "roughness_nm": (100, 300, 3, "linear", []),
+    "particle_density_per_m2": (1e10, 1e12, 3, "logarithmic", []),
+}
+AXES = {
+    name: dict(zip(("from", "to", "count", "scale", "also"), ends, strict=True))
+    for name, ends in ENDS.items()
+}
+
+
+@pytest.fixture(scope="module")
+def members(defaults):
+    """The default, and two others of the ensemble."""
+    others = [each for each in tb.ensemble(defaults) if each != defaults]
+    return defaults, *others[:2]
+
+
+@pytest.fixture(scope="module")
+def written(defaults, members, tmp_path_factory):
+    """Two chunks and their catalogue."""
+    folder = tmp_path_factory.mktemp("atlas")
+    (folder / "chunks").mkdir()
+    grid, files = atlas_axes(AXES), []
+    usual = defaults.as_dict().items()
+    changes = [dict(each.as_dict().items() - usual) for each in members]
+    for number in (2, 1):
+        files.append(folder / "chunks" / f"{number}-of-2.nc")
+        kept = ["particle_contact_area_ratio", "solid_load_fraction"]
+        some = np.array_split(grid["roughness"], 2)[number - 1]
+        write_chunk(files[-1], {**grid, "roughness": some}, defaults, changes, kept, RTOL)
+    write_catalogue(folder / "catalogue.json", files)
+    return folder / "catalogue.json"
+
+
+@pytest.fixture
+def atlas(written):
+    with open_atlas(written) as dataset:
+        yield dataset
+
+
+def solved(parameters, newtons, atlas):
+    axes = {name: atlas[name].values for name in DIMENSIONS[1:]}
+    return tb.grid(load=newtons / parameters.newtons_per_load, **axes, parameters=parameters)
+
+
+def test_it_is_the_grid_of_the_default(atlas, defaults):
+    expected = solved(defaults, atlas["normal_load"].values, atlas)
+    assert dict(expected.sizes).items() <= dict(atlas.sizes).items()
+    for name in ("particle_contact_area_ratio", "solid_load_fraction"):
+        np.testing.assert_allclose(atlas[name], expected[name], rtol=2 * RTOL, err_msg=name)
+        assert atlas[name].attrs["symbol"] == expected[name].attrs["symbol"]
+    differs = (atlas["contact_mode"] != expected["contact_mode"]).values
+    assert differs.mean() < 1e-3  # those next to a limit
+    assert atlas.attrs["model_parameters"] == expected.attrs["model_parameters"]
+
+
+def test_probabilities_are_shares_of_the_members_at_the_same_normal_load(atlas, members):
+    grids = [solved(each, atlas["normal_load"].values, atlas) for each in members]
+    flags = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
+    for flag, states in flags.items():
+        total = sum(atlas[f"{state}_probability"] for state in states)
+        np.testing.assert_allclose(total, 1.0)
+        for index, state in enumerate(states):
+            share = np.mean([each[flag].values == index for each in grids], axis=0)
+            found = atlas[f"{state}_probability"].values
+            assert (np.abs(found - share) > 1e-9).mean() < 2e-3, state
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 5e-6])
+def test_turning_points_are_those_of_the_library(atlas, members, viscosity):
+    at = dict(viscosity=viscosity, roughness=2e-7, particle_density=1e11)
+    sizes = atlas["particle_diameter"].values[1:]
+    each = [tb.turning_point(parameters=one, particle_diameter=sizes, **at) for one in members]
+    loads = np.array([one["load"].where(one["exists"]) for one in each])
+    found = atlas.sel(at, method="nearest").isel(particle_diameter=slice(1, None))
+    np.testing.assert_allclose(found["turning_point_load"], loads[0], rtol=2 * RTOL)
+    share = np.isfinite(loads).mean(axis=0)
+    assert 0.0 < share.mean() < 1.0
+    np.testing.assert_allclose(found["turning_point_probability"], share)
+    expected = quantiles(loads)
+    np.testing.assert_allclose(found["turning_point_load_range"], expected, rtol=2 * RTOL)
+
+
+def test_windows_are_those_of_the_library_between_the_sizes(atlas, defaults):
+    at = dict(viscosity=0.0, roughness=3e-7, particle_density=1e11)
+    found = atlas.sel(at, method="nearest")
+    window = tb.turning_window(parameters=defaults, roughness=3e-7, particle_density_per_m2=1e11)
+    assert float(found["turning_point_window_low"]) == pytest.approx(window["low"].item(), rel=0.03)
+    assert float(found["turning_point_window_high"]) == pytest.approx(
+        window["high"].item(), rel=0.03
+    )
+
+
+RATIO = "particle_contact_area_ratio"
+LIMITS = {
+    "largest_particle_diameter": (RATIO, 0.95, "particle_diameter", 50e-9, 1000e-9),
+    "least_viscosity": ("solid_load_fraction", 0.9, "viscosity", 5e-6, 150e-6),
+}
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_limits_are_the_first_crossings(atlas, defaults, name):
+    variable, level, along, *between = LIMITS[name]
+    found = atlas[name].sel(roughness=2e-7).load()
+    points = found.stack(point=found.dims).isel(point=slice(None, None, 2))
+    given = {each: points[each].values for each in found.dims if each != "load"}
+    given |= {"load_N": points["load"].values * defaults.newtons_per_load, "roughness": 2e-7}
+    search = {"between": tuple(between), "parameters": defaults}
+    crossings = tb.find(variable, level, along, **search, **given)
+    first = crossings[along].groupby(level=0).first().reindex(range(points.size)).to_numpy()
+    known = np.isfinite(points.values) & (points.values > 0.0) & np.isfinite(first)
+    assert known.sum() > 20
+    np.testing.assert_allclose(points.values[known], first[known], rtol=0.05)
+    # beyond the axis nothing is crossed: at its first value it is passed already, or it never is
+    assert np.isnan(first[np.isinf(points.values) | (points.values == 0.0)]).mean() > 0.95
+
+
+def test_charts_read_the_atlas(atlas):
+    charts = {
+        "load_N": [0.04, 80],
+        "roughness_nm": [100, 300],
+        "largest_particle": [{"viscosity_cSt": 0, "particle_density_per_m2": 1e11}],
+    }
+    (panel,) = chart_panels(atlas, "largest_particle", charts)
+    assert panel["limit"].dims == ("load", "roughness")
+    rows = list(chart_rows([panel], charts["load_N"]))
+    assert len(rows) == 4
+    at = atlas.isel(load=-1, viscosity=0, particle_density=1).sel(roughness=3e-7)
+    assert rows[-1]["limit"] == float(at["largest_particle_diameter"])
+    assert rows[-1]["high"] == float(at["largest_particle_diameter_range"][-1])
+    assert rows[-1]["roughness_m"] == 3e-7 and rows[-1]["load_N"] == 80
+    assert {row["solution_status"] for row in rows} == {"converged"}
+
+
+def test_a_damaged_chunk_is_named(written, tmp_path):
+    copy = shutil.copytree(written.parent, tmp_path / "atlas")
+    chunk = copy / "chunks" / "1-of-2.nc"
+    chunk.write_bytes(chunk.read_bytes()[:1000])
+    with pytest.raises(OSError, match=r"1-of-2\.nc cannot be read \(\w+\)$"):
+        open_atlas(copy / "catalogue.json")
+
+
+def test_what_makes_the_atlas_is_said_of_that_of_the_workflow_alone(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FileNotFoundError, match="catalogue.json is not there; make it: snakemake"):
+        open_atlas()
+    with pytest.raises(FileNotFoundError, match=r"^mine.json cannot be read \(No such file or dir"):
+        open_atlas("mine.json")
+
+
+@pytest.mark.parametrize("path", [3, None, ["a.json"], b"a.json", "a\0b"])
+def test_what_is_no_path_is_refused(path):
+    with pytest.raises(ValueError, match=r"^path is .*; allowed: the path of the catalogue"):
+        open_atlas(path)
+
+
+@pytest.mark.parametrize("text", ["", "[]", '{"chunks": 3}', '{"other": []}'])
+def test_a_damaged_catalogue_is_named(tmp_path, text):
+    (tmp_path / "catalogue.json").write_text(text)
+    with pytest.raises(OSError, match=r"catalogue\.json cannot be read"):
+        open_atlas(tmp_path / "catalogue.json")
+
+
+def test_the_same_chunk_has_the_same_bytes(defaults, members, tmp_path):
+    grid = atlas_axes({name: axis | {"count": 2} for name, axis in AXES.items()})
+    changes = [{"apparent_area": members[1].apparent_area}]
+    for name in ("one", "other"):
+        write_chunk(tmp_path / name, grid, defaults, changes, ["separation"], RTOL)
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "other").read_bytes()

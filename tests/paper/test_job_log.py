@@ -1,0 +1,90 @@
+"""The log of a job, and one line for a failure that a user can mend."""
+
+import os
+import sys
+from types import SimpleNamespace
+
+import pytest
+
+from thirdbody.files import digest, unreadable
+from thirdbody.paper.job_log import job, logged, require_as_made
+
+
+def test_what_is_printed_goes_to_the_log_in_utf_8(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("LC_ALL", "C")
+    log = tmp_path / "log"
+    with logged(log):
+        print("σ = 300 nm")
+        print("slowly", file=sys.stderr)
+    assert log.read_bytes() == f"σ = 300 nm{os.linesep}slowly{os.linesep}".encode()
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("error", [ValueError("load is -1"), OSError("no room on the disk")])
+def test_a_foreseeable_failure_is_one_line_and_exit_code_1(tmp_path, error):
+    log = tmp_path / "log"
+    with pytest.raises(SystemExit) as ended, logged(log):
+        raise error
+    assert ended.value.code == 1
+    assert log.read_text() == f"{error}\n"
+
+
+def test_a_damaged_product_is_named_with_the_command_that_remakes_it(tmp_path):
+    product, log = tmp_path / "table.csv", tmp_path / "log"
+    with pytest.raises(SystemExit), logged(log):
+        raise unreadable(product, "half a row")
+    reason = f"{product} cannot be read (half a row)"
+    assert log.read_text() == f"{reason}; remake it: snakemake -c2 --force {product}\n"
+
+
+def test_any_other_failure_keeps_its_traceback(tmp_path):
+    with pytest.raises(ZeroDivisionError), logged(tmp_path / "log"):
+        1 / 0  # noqa: B018
+
+
+def test_a_log_that_cannot_be_written_is_named(tmp_path):
+    with pytest.raises(SystemExit, match="no/log cannot be written"), logged(tmp_path / "no/log"):
+        pass
+
+
+@pytest.fixture
+def snakemake(tmp_path):
+    """What a script has of its job: two outputs, of which one is there from an earlier run."""
+    (tmp_path / "a.csv").write_text("old")
+    output = {"a": str(tmp_path / "a.csv"), "b": str(tmp_path / "b.csv")}
+
+    class Named(list):
+        keys = output.keys
+
+    return SimpleNamespace(log=[tmp_path / "job.log"], output=Named(output.values()))
+
+
+def test_a_job_moves_its_products_into_place_together(snakemake, tmp_path):
+    with job(snakemake) as output:
+        output.a.write_text("new")
+        assert (tmp_path / "a.csv").read_text() == "old"
+        output.b.write_text("other")
+        print("done")
+    assert (tmp_path / "a.csv").read_text() == "new" and (tmp_path / "b.csv").read_text() == "other"
+    sums = [f"{digest(path)}  {path}" for path in snakemake.output]
+    assert (tmp_path / "job.log").read_text().splitlines() == ["done", *sums]
+
+
+def test_a_product_that_is_not_as_its_job_made_it_is_refused(snakemake, tmp_path):
+    with job(snakemake) as output:
+        output.a.write_text("new")
+        output.b.write_text("other")
+    sums = require_as_made(snakemake.output, tmp_path)
+    assert sums == {path: digest(path) for path in snakemake.output}
+    (tmp_path / "b.csv").write_text("edited")
+    with pytest.raises(OSError, match="b.csv is not as its job made it"):
+        require_as_made(snakemake.output, tmp_path)
+
+
+def test_a_job_that_fails_leaves_all_as_it_was(snakemake, tmp_path):
+    with pytest.raises(SystemExit), job(snakemake) as output:
+        output.a.write_text("new")
+        raise ValueError("load is -1")
+    assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "job.log"}
+    assert (tmp_path / "a.csv").read_text() == "old"
+    assert (tmp_path / "job.log").read_text() == "load is -1\n"

@@ -1,0 +1,605 @@
+"""The verification of an archive: passes where it is whole, and finds every kind of damage."""
+
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import warnings
+import zipfile
+from dataclasses import asdict, replace
+from importlib.util import find_spec
+from pathlib import Path
+from runpy import run_path
+
+import netCDF4
+import numpy as np
+import pytest
+import small_release
+
+import thirdbody as tb
+from thirdbody.files import digest
+from thirdbody.netcdf import write_dataset
+from thirdbody.paper.archive.crate import crate
+from thirdbody.paper.archive.descriptions import data_package
+from thirdbody.paper.archive.files import files_in, write_json
+from thirdbody.paper.archive.staging import pack, seal
+from thirdbody.paper.scenes import scene_dataset
+
+ROOT = Path(__file__).resolve().parents[2]
+VERIFICATION = ROOT / "verification"
+KINDS = ("datasets", "tables", "figures")
+
+
+@pytest.fixture
+def copy(built, tmp_path):
+    """A copy of the folder of a release, to damage."""
+    return Path(shutil.copytree(built, tmp_path / built.name))
+
+
+@pytest.fixture(scope="module")
+def verify():
+    """The program that checks an archive, as a module."""
+    sys.path.insert(0, str(VERIFICATION))
+    import verify
+
+    yield verify
+    sys.path.remove(str(VERIFICATION))
+
+
+def test_archive_file_has_fixed_members_and_is_whole(built, tmp_path, verify, capsys):
+    with zipfile.ZipFile(built.with_name(f"{built.name}.zip")) as archive:
+        members = archive.infolist()
+        archive.extractall(tmp_path)
+    expected = [f"{built.name}/{name}" for name in files_in(built, built)]
+    assert [one.filename for one in members] == expected
+    assert len({(one.date_time, one.external_attr, one.create_system) for one in members}) == 1
+    assert verify.main([str(tmp_path / built.name), "--points", "3"]) == 0
+    assert capsys.readouterr().out.startswith(f"whole: {built.name}: ")
+
+
+@pytest.fixture(scope="module")
+def bare(tmp_path_factory):
+    """Runs Python where nothing but numpy, scipy, netCDF4 and what that needs can be imported."""
+    folder = tmp_path_factory.mktemp("bare")
+    for name in ("numpy", "scipy", "netCDF4", "cftime", "certifi", "packaging"):
+        package = Path(find_spec(name).origin).parent
+        (folder / name).symlink_to(package)
+        for libraries in package.parent.glob(f"{name.lower()}*.libs"):
+            (folder / libraries.name).symlink_to(libraries)
+    environment = {"PYTHONPATH": str(folder), "PATH": ""}
+
+    def run(*arguments):
+        command = [sys.executable, "-S", *arguments]
+        return subprocess.run(command, env=environment, cwd="/", capture_output=True, text=True)
+
+    return run
+
+
+def test_verification_passes_in_the_archive_itself_and_leaves_it_alone(bare, built):
+    before = files_in(built, built)
+    done = bare(built / "verification/verify.py")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.count("\n") == 1
+    assert done.stdout.startswith(f"whole: {built.name}: {len(before)} files")
+    assert "3 datasets, 98 points" in done.stdout
+    assert files_in(built, built) == before
+
+
+def found(verify, folder, points=0):
+    return verify.verify(folder, points, seed=1)[0]
+
+
+def flipped(content, chance):
+    """``content`` with one bit changed."""
+    place = chance.randrange(len(content))
+    changed = bytes([content[place] ^ 1 << chance.randrange(8)])
+    return content[:place] + changed + content[place + 1 :]
+
+
+DAMAGE = {
+    "emptied": lambda content, chance: b"",
+    "halved": lambda content, chance: content[: len(content) // 2],
+    "overwritten": lambda content, chance: chance.randbytes(len(content)),
+    "changed in one bit": flipped,
+    "linked": None,
+    "missing": None,
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_every_damaged_file_is_named(copy, verify, damage, tell):
+    """By the sums alone, which are looked at first."""
+    names, chance = files_in(copy, copy), random.Random(7)
+    for name in names:
+        path = copy / name
+        content = path.read_bytes()
+        path.unlink()
+        if damage == "linked":
+            path.symlink_to(copy / "bagit.txt")
+        elif damage != "missing":
+            path.write_bytes(DAMAGE[damage](content, chance))
+        faults = verify.Faults()
+        verify.check_bag(copy, verify.read_files(copy, faults), faults)
+        assert faults if damage == "changed in one bit" else name in faults
+        path.unlink(missing_ok=True)
+        path.write_bytes(content)
+    assert found(verify, copy) == {}
+    tell(f"archive: each of {len(names)} files named when {damage}")
+
+
+def test_an_extra_file_is_named_in_every_folder(copy, verify):
+    extra = [path / "note.txt" for path in (copy, *copy.rglob("*")) if path.is_dir()]
+    for path in extra:
+        path.write_text("one too many")
+    assert set(found(verify, copy)) >= {path.relative_to(copy).as_posix() for path in extra}
+
+
+DESCRIPTIONS = "bagit.txt", "data/datapackage.json", "data/ro-crate-metadata.json"
+DESCRIPTIONS += "data/datasets/content-sha256.json", "manifest-sha256.txt"
+
+
+@pytest.mark.parametrize("name", DESCRIPTIONS)
+def test_rubbish_and_missing_descriptions_give_one_line(copy, verify, capsys, name):
+    (copy / name).write_bytes(bytes(range(256)))
+    assert verify.main([str(copy)]) == 1
+    (copy / name).unlink()
+    assert verify.main([str(copy)]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 2
+    assert all(line.startswith("not whole: ") and name in line for line in lines)
+
+
+# ---- forgeries: an archive is changed, and all sums and descriptions are made again
+
+
+def mend(folder, release):
+    """Make every description and all sums of the archive agree with what is in it."""
+    data = folder / "data"
+    content_sha256 = run_path(str(VERIFICATION / "content_hash.py"))["content_sha256"]
+    contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
+    write_json(data / "datasets/content-sha256.json", contents)
+    write_json(data / "datapackage.json", data_package(data, KINDS, release))
+    titles = {kind: kind for kind in KINDS}
+    write_json(data / "ro-crate-metadata.json", crate(data, titles, release))
+    seal(folder, release)
+
+
+CONTRACT = run_path(str(VERIFICATION / "contract.py"))
+COORDINATES = tuple(CONTRACT["COORDINATES"])
+NUMBERS, FLAGS = tuple(CONTRACT["NUMBERS"]), tuple(CONTRACT["FLAGS"])
+QUANTITIES = tuple(name for name in NUMBERS if name != "error_bound")
+FILL_VALUE = CONTRACT["FILL_VALUE"]
+
+
+def attribute(variable, name, value):
+    """Set an attribute of a variable, or of the dataset."""
+    return lambda dataset: (dataset[variable] if variable else dataset).setncattr(name, value)
+
+
+def scaled(*variables, by, once=False):
+    """Multiply all shown numbers of variables, or ``once`` one of the larger ones."""
+
+    def forge(dataset):
+        for variable in variables:
+            values = dataset[variable][:]
+            shown = np.where(values == FILL_VALUE, 0.0, np.abs(values))
+            places = np.argwhere(shown > (1e-3 * np.nanmax(shown) if once else 0.0))
+            chosen = places[len(places) // 2][None] if once else places
+            values[tuple(chosen.T)] *= by
+            dataset[variable][:] = values
+
+    return forge
+
+
+def at(place, **numbers):
+    """Set variables at one place, or at several, of a dataset."""
+
+    def forge(dataset):
+        for name, value in numbers.items():
+            values = dataset[name][:]
+            values[place] = value
+            dataset[name][:] = values
+
+    return forge
+
+
+def restated(status, unsolved=False, **numbers):
+    """Give the last shown point another status, without values if it is ``unsolved``."""
+
+    def forge(dataset):
+        missing = dict.fromkeys(NUMBERS, np.nan) if unsolved else {}
+        missing |= dict.fromkeys(("lubrication_regime", "contact_mode"), -1) if unsolved else {}
+        code = dataset["solution_status"].flag_meanings.split().index(status)
+        at(last_shown(dataset), **{**missing, "solution_status": code, **numbers})(dataset)
+
+    return forge
+
+
+def last_shown(dataset):
+    """The place of the last shown point."""
+    return tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1])
+
+
+def all_unresolved(error_bound):
+    """Declare all points that have values not converged."""
+
+    def forge(dataset):
+        status, bound = dataset["solution_status"][:], dataset["error_bound"][:]
+        has_values = np.isin(status, (0, 1, 4))
+        at(
+            has_values, solution_status=3, error_bound=np.full(bound.shape, error_bound)[has_values]
+        )(dataset)
+
+    return forge
+
+
+def moved_by(factor):
+    """Multiply all numbers of a few points, which are declared not converged with any bound."""
+
+    def forge(dataset):
+        place = (slice(None), 1, 1, 1, 0)
+        for name in ("separation", "film_thickness", "total_contact_area"):
+            dataset[name][place] = dataset[name][place] * factor
+        at(place, solution_status=3, error_bound=1e12)(dataset)
+
+    return forge
+
+
+def next_flag(flag):
+    """Give the last shown point the next value of a flag."""
+
+    def forge(dataset):
+        last = last_shown(dataset)
+        at(last, **{flag: (dataset[flag][last] + 1) % 3})(dataset)
+
+    return forge
+
+
+def hidden(place):
+    """Hide points as those that a figure does not show."""
+    return at(place, **dict.fromkeys(NUMBERS, FILL_VALUE), **dict.fromkeys(FLAGS, -127))
+
+
+def shown_too(dataset):
+    """Show the points of one curve once more, where the figure shows none."""
+    for name in (*NUMBERS, *FLAGS):
+        dataset[name][:, 1, 0, 0] = dataset[name][:, 1, 1, 1]
+
+
+def inputs(**changed):
+    """Change entries of ``model_parameters``: numbers by a factor, others are set."""
+
+    def forge(dataset):
+        model = json.loads(dataset.model_parameters)
+        for key, value in changed.items():
+            is_factor = isinstance(value, float) and key in model
+            model[key] = np.multiply(model[key], value).tolist() if is_factor else value
+        dataset.model_parameters = json.dumps(model)
+
+    return forge
+
+
+IN_FIG04 = {
+    # what programs apply to numbers when they read them
+    "scale_factor": attribute("separation", "scale_factor", 1e-3),
+    "add_offset": attribute("total_contact_area", "add_offset", 0.1),
+    "valid_min": attribute("solid_load_fraction", "valid_min", 0.5),
+    "valid_range": attribute("film_thickness", "valid_range", np.array([0.0, 1e-9])),
+    "missing_value": attribute("solid_load_fraction", "missing_value", 1.0),
+    "scale_factor of an axis": attribute("viscosity", "scale_factor", 2.0),
+    "unsigned flags": attribute("solution_status", "_Unsigned", "true"),
+    "units in kN": attribute("normal_load", "units", "kN"),
+    "units of an axis": attribute("viscosity", "units", "mm2 s-1"),
+    "no units": lambda dataset: dataset["particle_density"].delncattr("units"),
+    "flag_meanings": attribute("lubrication_regime", "flag_meanings", "mixed boundary x y z"),
+    "flag_values": attribute("contact_mode", "flag_values", np.array([1, 0, 2, 3, -1, -127], "i1")),
+    "ancillary_variables": attribute("separation", "ancillary_variables", "contact_mode"),
+    "attribute of the dataset": attribute("", "scale_factor", 2.0),
+    "title": attribute("", "title", "Other points"),
+    "variable": lambda dataset: dataset.createVariable("true_load", "f8", ("load",)),
+    "group": lambda dataset: dataset.createGroup("corrected"),
+    "dimension": lambda dataset: dataset.createDimension("member", 2),
+    # points and conditions that are not those of the configuration
+    "hidden curve": hidden((slice(None), 1, 1, 1, 0)),
+    "hidden load": hidden((3,)),
+    "curve that is not shown": shown_too,
+    "viscosity where L_f is 0": at(1, viscosity=2e-6),
+    "density without particles": at(0, particle_density=2e11),
+    "loads and newtons": scaled("load", "normal_load", by=1.001),
+    "rtol": attribute("", "rtol", 1e-3),
+    # bounds of errors
+    "error_bound / 1000": scaled("error_bound", by=1e-3),
+    "error_bound x 1000": scaled("error_bound", by=1e3),
+    "error_bound of nan": scaled("error_bound", by=np.nan),
+    "error_bound / 1000 at a point": scaled("error_bound", by=1e-3, once=True),
+    "error_bound of 0": scaled("error_bound", by=0.0),
+    "converged beyond rtol": restated("converged", error_bound=1e-8),
+    "converged without bound": restated("converged", error_bound=np.inf),
+    # flags and statuses
+    "lubrication regime": next_flag("lubrication_regime"),
+    "contact mode": next_flag("contact_mode"),
+    "status": next_flag("solution_status"),
+    "false area_exceeded": restated("area_exceeded"),
+    "false coverage_exceeded": restated("coverage_exceeded", unsolved=True),
+    "false load_exceeded": restated("load_exceeded", unsolved=True),
+    "not_converged with a bound": restated("not_converged", unsolved=True, error_bound=1e-9),
+    "false not_converged": restated("not_converged", error_bound=np.inf),
+    "false not_converged without values": restated("not_converged", unsolved=True),
+    "all not_converged with good values": all_unresolved(error_bound=0.5),
+    "all not_converged and moved": moved_by(1.08),
+    # inputs of the model
+    "another k": inputs(k=1.0001),
+    "another sigma_s": inputs(sigma_s=1.0001),
+    "another interpretation": inputs(film_load="total"),
+    "another word for the sizes": inputs(phi_a="centred"),
+    "unknown input": inputs(friction=0.1),
+    "no inputs": lambda dataset: dataset.delncattr("model_parameters"),
+    "rubbish for inputs": attribute("", "model_parameters", "rubbish"),
+}
+# in fig04 a film carries some of the load and none, in fig07 particles cover too much
+FIGURES = dict.fromkeys(QUANTITIES, "fig04") | dict.fromkeys(COORDINATES, "fig07")
+IN_NUMBERS = {
+    variable: (figure, scaled(variable, by=1.0 + 1e-6, once=True))
+    for variable, figure in FIGURES.items()
+}
+FORGERIES = {name: ("fig04", forge) for name, forge in IN_FIG04.items()} | IN_NUMBERS
+
+
+def forge_dataset(folder, figure, forge, release):
+    with netCDF4.Dataset(folder / "data/datasets" / f"{figure}.nc", "a") as dataset:
+        dataset.set_auto_maskandscale(False)
+        forge(dataset)
+    mend(folder, release)
+
+
+@pytest.mark.parametrize(("figure", "forge"), FORGERIES.values(), ids=FORGERIES)
+def test_forged_dataset_is_found(copy, verify, release, figure, forge):
+    forge_dataset(copy, figure, forge, release)
+    assert list(found(verify, copy)) == [f"data/datasets/{figure}.nc"]
+
+
+USUAL = ([0, 90], [0, 300], [300], [1e11])
+CROWD = {"participation": 1.0, "mean_ratio": 1.0, "spread_ratio": 1.0, "apparent_area": 5e-7}
+GENUINE = {
+    # as many points as the library interpolates
+    **{f"rtol {rtol:g}": (USUAL, (0.04, 80.0), rtol, {}) for rtol in (1e-11, 1e-5, 1e-3, 1e-2)},
+    # covered by particles, and a load that they do not bear at any separation
+    "two statuses": (([0, 90], [300], [300], [1e13]), (10.0, 10000.0), 1e-9, CROWD),
+    # solids that bear less than float64 holds
+    "full film": (([1000, 10000], [0, 30], [10], [1e11]), (0.001, 1.0), 1e-9, {}),
+    "full film of the total": (
+        *(([1000], [0, 30], [10], [1e11]), (0.001, 1.0), 1e-9),
+        {"film_load": "total"},
+    ),
+    # next to X_max, where float64 does not hold the digits: none of these points converges
+    "narrow sizes": (
+        *(([0], [1000], [10], [1e11]), (0.04, 80.0), 1e-11),
+        {"mean_ratio": 1.0, "spread_ratio": 1e-4, "truncation": 3.0},
+    ),
+}
+
+
+@pytest.mark.parametrize(("conditions", "loads", "rtol", "changes"), GENUINE.values(), ids=GENUINE)
+def test_what_the_workflow_allows_is_no_forgery(verify, tmp_path, conditions, loads, rtol, changes):
+    curves = [dict(zip(small_release.KEYS, conditions, strict=True))]
+    scene = {"title": "x", "rtol": rtol, "load_axis": {"load_N": loads, "count": 30}}
+    parameters = replace(tb.load_parameters(), **changes)
+    path = tmp_path / "mine.nc"
+    write_dataset(scene_dataset(scene | {"curves": curves}, parameters, rtol), path)
+    config = {"scenes": {"mine": scene | {"curves": curves}}}
+    check = verify.own_module("recompute").check
+    outcome = check(path, config, asdict(parameters), 10, random.Random(1))
+    assert outcome.findings == []
+    assert outcome.evaluated > 0
+
+
+def test_scene_of_a_user_need_not_be_in_the_archive(copy, verify, release):
+    def add(config):
+        config["scenes"]["mine"] = config["scenes"]["fig04"] | {"title": "Mine"}
+
+    edit_json(SCENE, add)(copy)
+    mend(copy, release)
+    assert not found(verify, copy)
+
+
+def test_datasets_of_other_inputs_are_found(copy, verify, release):
+    """They fulfil the equations, but with inputs that are not those of the configuration."""
+    other = replace(tb.load_parameters(), yield_pressure_ratio=0.5)
+    write_dataset(small_release.solved("fig04", other), copy / "data/datasets/fig04.nc")
+    mend(copy, release)
+    assert "k is 0.5" in found(verify, copy)["data/datasets/fig04.nc"]
+
+
+def edit_json(name, change):
+    """Change what a JSON file of the payload holds."""
+
+    def forge(folder):
+        content = json.loads((folder / "data" / name).read_text(encoding="utf-8"))
+        change(content)
+        write_json(folder / "data" / name, content)
+
+    return forge
+
+
+@pytest.mark.parametrize(
+    ("key", "factor"),
+    [("k", 1.0001), ("G", 1.0001), ("truncation", 1.0001), ("participation", 0.0), ("H_s1", 0.0)],
+)
+def test_input_that_is_changed_everywhere_is_found_by_the_equations(
+    copy, verify, release, key, factor
+):
+    name = verify.own_module("contract").INPUTS[key]
+    edit_json(INPUTS, lambda values: values.update({name: values[name] * factor}))(copy)
+    forge_dataset(copy, "fig04", inputs(**{key: factor}), release)
+    fault = found(verify, copy)["data/datasets/fig04.nc"]
+    assert re.search(r"is off by|cannot be recomputed \((ZeroDivision|Value)Error", fault), fault
+
+
+NAMES = {
+    "a line break": ("a\nwhole: thirdbody: 592 files", "utf-8"),
+    "not UTF-8": (os.fsdecode(b"\xff\xfe"), "utf-8:strict"),
+    "not of the terminal": ("\u4e2d", "latin-1"),
+    "controls of the terminal": ("a\x1b[2K\rwhole", "utf-8"),
+}
+
+
+@pytest.mark.parametrize(("name", "encoding"), NAMES.values(), ids=NAMES)
+def test_no_name_forges_a_line(copy, name, encoding):
+    (copy / "data" / name).write_text("one too many")
+    command = [sys.executable, VERIFICATION / "verify.py", copy, "--sums"]
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    done = subprocess.run(command, capture_output=True, env=environment)
+    assert (done.returncode, done.stderr) == (1, b"")
+    assert done.stdout.startswith(b"not whole: ")
+    assert done.stdout.count(b"\n") == 1
+    assert done.stdout.isascii() and done.stdout.strip().decode().isprintable()
+
+
+def packed_again(folder, add):
+    """Change the packed archive beside ``folder``, and its sum on record."""
+    packed = folder.with_name(f"{folder.name}.zip")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of names that stand twice
+        with zipfile.ZipFile(packed, "a") as archive:
+            add(archive)
+    write_json(folder.with_name("provenance.json"), {"archive": {"sha256": digest(packed)}})
+    return packed
+
+
+MEMBERS = {
+    "leaves the bag": ("{bag}/../bagit.txt", "do not both hold"),
+    "beside the bag": ("bagit.txt", "do not both hold"),
+    "in another bag": ("other/bagit.txt", "do not both hold"),
+    "absolute": ("/bagit.txt", "do not both hold"),
+    "twice": ("{bag}/bagit.txt", "more than once"),
+}
+
+
+@pytest.mark.parametrize(("name", "fault"), MEMBERS.values(), ids=MEMBERS)
+def test_member_of_the_packed_archive_that_leaves_the_bag_or_stands_twice_is_found(
+    copy, built, verify, release, name, fault
+):
+    shutil.copyfile(built.with_name(f"{built.name}.zip"), copy.with_name(f"{copy.name}.zip"))
+    content = (copy / "bagit.txt").read_bytes()
+    found, faults = verify.read_files(copy, {}), verify.Faults()
+    packed = packed_again(copy, lambda archive: None)
+    verify.check_packed(copy, found, faults)
+    assert faults == {}
+    packed_again(copy, lambda archive: archive.writestr(name.format(bag=copy.name), content))
+    verify.check_packed(copy, found, faults)
+    assert fault in faults[str(packed)]
+
+
+def test_description_too_large_to_be_one_is_not_read(copy, verify, release):
+    with open(copy / "data/datapackage.json", "ab") as file:
+        file.truncate(verify.LARGEST_TEXT + 1)
+    seal(copy, release)
+    assert "is larger than" in found(verify, copy)["data/datapackage.json"]
+
+
+def test_dataset_that_claims_more_points_than_memory_is_not_read(copy, verify, release):
+    path = copy / "data/datasets/fig04.nc"
+    path.unlink()
+    with netCDF4.Dataset(path, "w") as dataset:
+        for name in COORDINATES[:-1]:
+            dataset.createDimension(name, 10**4)
+        for name in NUMBERS:
+            dataset.createVariable(name, "f8", COORDINATES[:-1], zlib=True)
+    outcome = verify.own_module("recompute").check(path, {}, {}, 0, random.Random(1))
+    assert not outcome.has_form
+    assert any("points, more than" in finding for finding in outcome.findings)
+
+
+def test_configured_rtol_that_the_workflow_does_not_allow_is_found(copy, verify, release):
+    """It would be the tolerance."""
+    edit_json(SCENE, lambda config: config.update(rtol=0.5))(copy)
+    for path in (copy / "data/datasets").glob("*.nc"):
+        with netCDF4.Dataset(path, "a") as dataset:
+            dataset.rtol = 0.5
+    mend(copy, release)
+    faults = found(verify, copy)
+    assert len(faults) == 3
+    assert all("does not allow" in fault for fault in faults.values())
+
+
+def write(name, content="raise SystemExit('whole')\n"):
+    return lambda folder: (folder / name).write_text(content, encoding="utf-8")
+
+
+def swap(first, second):
+    def forge(folder):
+        (folder / first).rename(folder / "kept")
+        (folder / second).rename(folder / first)
+        (folder / "kept").rename(folder / second)
+
+    return forge
+
+
+SCENE, INPUTS = "configuration/config.json", "configuration/parameters.json"
+IN_FOLDER = {
+    "dataset left out": lambda folder: (folder / "data/datasets/fig03.nc").unlink(),
+    "dataset added": lambda folder: shutil.copy(
+        folder / "data/datasets/fig03.nc", folder / "data/datasets/fig05.nc"
+    ),
+    "datasets exchanged": swap("data/datasets/fig03.nc", "data/datasets/fig04.nc"),
+    "configured viscosity": edit_json(
+        SCENE, lambda config: config["scenes"]["fig04"]["curves"][0].update(viscosity_cSt=[0, 1, 2])
+    ),
+    "configured loads": edit_json(SCENE, lambda config: config["load_axis"].update(count=8)),
+    "configured rtol": edit_json(SCENE, lambda config: config.update(rtol=1e-6)),
+    "configured input": edit_json(INPUTS, lambda values: values.update(truncation=3.5)),
+    "no configuration": lambda folder: (folder / "data" / SCENE).unlink(),
+    "numpy.py": write("verification/numpy.py"),
+    "json.py": write("verification/json.py"),
+    "netCDF4 as a folder": lambda folder: shutil.copytree(
+        folder / "data/figures", folder / "verification/netCDF4"
+    ),
+    "sitecustomize.py": write("sitecustomize.py"),
+    "fetch.txt": write("fetch.txt", "https://example.org/a 1 data/a\n"),
+    "no plain model": lambda folder: (folder / "verification/plain_model.py").unlink(),
+}
+
+
+@pytest.mark.parametrize("forge", IN_FOLDER.values(), ids=IN_FOLDER)
+def test_forged_archive_is_found(bare, copy, release, forge):
+    """By the program in the archive, so that a module beside it would be run."""
+    forge(copy)
+    mend(copy, release)
+    done = bare(copy / "verification/verify.py", "--points", "0")
+    assert done.returncode == 1, done.stderr
+    assert done.stdout.startswith(f"not whole: {copy.name}: ")
+
+
+def test_table_of_other_columns_is_found(copy, verify, release):
+    table = copy / "data/tables/tpca_windows.csv"
+    table.write_text("a,b\n1,2\n")
+
+    def describe(package):
+        (resource,) = (r for r in package["resources"] if r["path"] == "tables/tpca_windows.csv")
+        resource |= {"bytes": table.stat().st_size, "hash": f"sha256:{digest(table)}"}
+
+    edit_json("datapackage.json", describe)(copy)
+    seal(copy, release)
+    assert "other columns" in found(verify, copy)["data/tables/tpca_windows.csv"]
+
+
+@pytest.mark.parametrize("command", [["verification/verify.py"], ["-m", "verification.verify"]])
+def test_module_beside_the_program_is_not_run_from_any_folder(copy, command):
+    """Python would import it from the folder of the program or from the current one."""
+    for name in ("numpy", "json", "argparse", "netCDF4"):
+        for folder in (copy, copy / "verification"):
+            (folder / f"{name}.py").write_text("print('whole: forged')\n")
+    done = subprocess.run([sys.executable, *command], cwd=copy, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (1, "")
+    assert "forged" not in done.stdout
+
+
+def test_damaged_folder_is_not_packed(copy, tmp_path, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    (copy / "data/datasets/fig03.nc").write_bytes(b"damaged")
+    with pytest.raises(ValueError, match="is not packed: .*fig03.nc is changed"):
+        pack(copy, tmp_path / "archive.zip", "2026-01-01")
+    assert not (tmp_path / "archive.zip").exists()

@@ -1,0 +1,56 @@
+"""Tools keep the rule of imports (contracts in pyproject.toml) and the style of source and rules; the workflow is
+plain Snakemake."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+CHECKS = {
+    "packages import only from below": ["lint-imports", "--no-cache"],
+    "ruff finds no fault": ["ruff", "check", "--no-cache"],
+    "every file is formatted": ["ruff", "format", "--check", "--no-cache"],
+    "every rule is formatted": ["snakefmt", "--check", "Snakefile", "workflow"],
+}
+
+
+@pytest.mark.parametrize("check", CHECKS)
+def test_source(check):
+    tool, *arguments = CHECKS[check]
+    command = [Path(sys.executable).with_name(tool), *arguments]
+    library = {"PYTHONPATH": str(ROOT / "src")}
+    done = subprocess.run(
+        command, cwd=ROOT, env=os.environ | library, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_snakemake_asks_for_nothing_but_environments():
+    """All is in the environment of Snakemake, which reads the configuration with the same library."""
+    snakemake = Path(sys.executable).with_name("snakemake")
+    library = {"PYTHONPATH": str(ROOT / "src")}
+    done = subprocess.run(
+        [snakemake, "--lint"],
+        cwd=ROOT,
+        env=os.environ | library,
+        capture_output=True,
+        text=True,
+    )
+    titles = set(re.findall(r"^    \* (.*?):$", done.stdout + done.stderr, re.MULTILINE))
+    assert titles == {"Specify a conda environment or container for each rule."}
+
+
+WORKFLOW = [ROOT / "Snakefile", *sorted((ROOT / "workflow").rglob("*.*"))]
+CODE = [path for path in WORKFLOW if path.suffix in ("", ".smk", ".py", ".yaml")]
+
+
+@pytest.mark.parametrize("path", CODE, ids=lambda path: path.name)
+def test_no_private_name_of_snakemake_is_used(path):
+    text = path.read_text(encoding="utf-8")
+    assert not re.search(r"\b(workflow|snakemake|rules|config|dag)\._\w", text)  # private names
+    assert not re.search(r"\bworkflow(\.\w+)+\s*=[^=]", text)  # assignments to its objects
+    assert not re.search(r"getLogger|addHandler|sys\.argv|__use_yte__|gc\.", text)
