@@ -33,12 +33,13 @@ exclude_patterns = ["_build"]
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
-nb_merge_streams = True
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # docstrings say the types with their units
 napoleon_google_docstring = False
 napoleon_use_rtype = False
+napoleon_use_ivar = True
+toc_object_entries = False
 
 
 def _inline(self, node):
