@@ -30,6 +30,9 @@ A,printed at every load; fig99-level,load,1e-5,separation,6e-7
 A,tolerance; fig99-level,load,1e-6,separation,5e-7
 A,tolerance; fig99-level,load,1e-6,separation,7e-7
 A,turning points,load,1e-5,separation,3e-7
+A,printed along x; fig99-limit,load,2e-6,separation,
+A,tolerance; fig99-limit,load,1e-6,separation,
+A,tolerance; fig99-limit,load,3e-6,separation,
 """
 CAPTION = SimpleNamespace(title="Figure 99. A title", text="What it tells.")
 
@@ -56,6 +59,8 @@ def test_a_figure_has_its_conditions_marks_and_caption(figure):
         "at": [1e-5, 3.1235e-7],
         "ends": [[1e-5, 2e-7], [1e-5, 4e-7]],
     }
+    (limit,) = panel["limits"]
+    assert limit["at"] == [2e-6, None] and limit["ends"] == [[1e-6, None], [3e-6, None]]
     first, second = panel["levels"]
     assert first["id"] == "fig99-level" and first["at"][1] == 3e-7
     assert second["at"][1] == 6e-7 and [y for _, y in second["ends"]] == [5e-7, 7e-7]

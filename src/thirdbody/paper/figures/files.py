@@ -11,7 +11,7 @@ import numpy as np
 from thirdbody.paper.figures.captions import Caption
 from thirdbody.paper.tables import DRAWN_POINTS, write_csv
 from thirdbody.plotting.drawing import FORMATS, Drawing
-from thirdbody.plotting.panels import CURVE, Panel, Series
+from thirdbody.plotting.panels import CURVE, UPRIGHT, Panel, Series
 from thirdbody.variables import AXES, VARIABLES
 
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md", "json"))
@@ -39,7 +39,8 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
 def _points(panel: Panel, series: Series) -> Iterator[dict]:
     """Rows of the known points of a series, then of both ends of its tolerance."""
     kind = "" if series.kind == CURVE else series.kind
-    yield from _rows(panel, kind, series.name, series.x, series.y)
+    known = np.isfinite(series.x) & (np.isfinite(series.y) | (series.drawn_as == UPRIGHT))
+    yield from _rows(panel, kind, series.name, series.x[known], series.y[known])
     if series.tolerance:
         yield from _rows(panel, TOLERANCE, series.name, *series.tolerance)
 
@@ -47,9 +48,8 @@ def _points(panel: Panel, series: Series) -> Iterator[dict]:
 def _rows(panel, kind, name, x, y):
     curve = "; ".join(filter(None, (kind, name)))
     names = dict(panel=panel.letter, curve=curve, x_name=panel.x, y_name=panel.y)
-    known = np.isfinite(x) & np.isfinite(y)
-    for one, other in zip(x[known].tolist(), y[known].tolist(), strict=True):
-        yield names | {"x": one, "y": other}
+    for one, other in zip(x.tolist(), y.tolist(), strict=True):
+        yield names | {"x": one, "y": None if np.isnan(other) else other}
 
 
 def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:

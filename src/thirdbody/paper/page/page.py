@@ -23,6 +23,7 @@ NODES = 48  # of the integrals computed in the page
 DIGITS = 5  # of coordinates in panels
 CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
 PRINTED, LEVEL, TOLERANCE = "printed; ", "printed at every load; ", "tolerance; "
+LIMIT = "printed along x; "
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
 MARKUP = {
@@ -151,6 +152,7 @@ def _panel(letter, panel, labels):
         "y": panel["y"],
         "curves": [place for place, label in enumerate(labels) if label in drawn],
         "printed": [*_marks(PRINTED, drawn)],
+        "limits": [*_marks(LIMIT, drawn)],  # without y
         "levels": [*_marks(LEVEL, drawn, step=2)],  # the first of both ends
         "turning_points": "turning points" in drawn,
         "locus": "locus of the turning points" in drawn,
@@ -168,7 +170,10 @@ def _marks(kind, drawn, step=1):
 
 
 def _rounded(points):
-    return [[float(f"{number:.{DIGITS}g}") for number in point] for point in points]
+    return [
+        [None if number is None else float(f"{number:.{DIGITS}g}") for number in point]
+        for point in points
+    ]
 
 
 def page_text(content: Mapping[str, Any]) -> str:
