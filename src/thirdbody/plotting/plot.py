@@ -60,9 +60,10 @@ def plot(
         does not give F_t*.  Points in a list must be all combinations of their conditions.
     over : str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
-        the load, in newtons if it was given so, or the axis with most values if there is one load.  Over the load, one of viscosity, particle diameter and
-        density may vary, in addition to dry and lubricated contact, and any number of roughnesses.  Over
-        another axis, all others may vary: each combination is a curve.
+        the load, in newtons if it was given so, or, where there is one load, the axis with most values.
+        Over the load, one of viscosity, particle diameter and density may vary, in addition to dry and
+        lubricated contact, and any number of roughnesses.  Over another axis, all others may vary: each
+        combination is a curve.
     variables : str or sequence of str, optional
         Draw only these of the four quantities.
     turning_points : sequence of mapping, or path, optional
