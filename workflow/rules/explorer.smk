@@ -3,8 +3,7 @@
 
 rule build_explorer:
     input:
-        points=expand("<results>/figures/{figure}.csv", figure=SCENES),
-        captions=expand("<results>/figures/{figure}.json", figure=SCENES),
+        figures=expand("<results>/figures/{figure}.json", figure=SCENES),
         verdicts="<results>/claims/claims.json",
         departures="<results>/extracted/departures/verdicts.json",
         page=[

@@ -127,8 +127,8 @@ export function figureView() {
   return { specs, key, notes, heading: figure.title, caption: published + figure.caption };
 }
 
-function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper, least } }) {
-  const { x, y, letter, locus } = panel;
+function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper } }) {
+  const { x, y, letter, locus, least } = panel;
   const ofPaper = curves.filter(({ mine }) => !mine);
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
   const changed = Object.keys(changedInputs()).length > 0 || ofPaper.some(isMoved);
