@@ -14,8 +14,8 @@ for folder in [RESULTS, LOGS]:
 
 rule write_index:
     input:
-        captions=expand("<results>/figures/{figure}.json", figure=FIGURES),
-        thumbnails=expand("<results>/figures/{figure}.png", figure=FIGURES),
+        figures=expand("<results>/figures/{figure}.json", figure=FIGURES),
+        pictures=expand("<results>/figures/{figure}.png", figure=FIGURES),
         tables=expand("<results>/tables/{table}.html", table=TABLES),
         verdicts="<results>/claims/claims.json",
         explorer="<results>/explorer/index.html",

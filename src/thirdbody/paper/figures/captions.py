@@ -47,8 +47,12 @@ class Caption:
 
     def markdown(self) -> str:
         """Two paragraphs of Markdown or reStructuredText."""
-        heading = MARKUP.sub(r"\\\g<0>", self.heading)
-        return f"**{heading}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
+        return f"**{markdown_text(self.heading)}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
+
+
+def markdown_text(text: str) -> str:
+    """A text for Markdown, in which its signs have no meaning."""
+    return MARKUP.sub(r"\\\g<0>", text)
 
 
 # figures whose captions do not follow from curves
