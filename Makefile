@@ -2,7 +2,7 @@
 # make test        the tests, likewise from a fresh clone
 # make docs        the documentation as a site, docs/_build/html/index.html
 # make verify      whether all products are as they were made, and the release, if there is one, holds them
-# make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
+# make test-survival   runs killed, damaged, starved, misconfigured and on a cluster, and the solver against the oracle, at length
 # make accuracy    errors and times of the solver, measured on this machine (some 13 minutes)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
@@ -47,6 +47,7 @@ docs: $(VENV)/test.done
 
 test-survival: $(VENV)/test.done $(VENV)/slurm.done
 	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival tests/workflow/cluster
+	THIRDBODY_POINTS=12000 $(BIN)/python -m pytest tests/oracle/test_whole_domain.py
 
 $(BIN)/python:
 	$(PYTHON) -c "import sys; sys.exit(0 if sys.version_info >= (3, 11) else 'Python 3.11 or newer is needed, this is ' + sys.version.split()[0])"
@@ -97,7 +98,7 @@ lowest:
 format: $(VENV)/test.done
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
-	$(BIN)/snakefmt workflow
+	$(BIN)/snakefmt Snakefile workflow
 
 clean:
 	rm -rf results logs .snakemake

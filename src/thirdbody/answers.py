@@ -7,7 +7,7 @@ or have the same state.  ``attrs`` has a title, notes, and whether what was aske
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from statistics import NormalDist
 from typing import Any
 
@@ -19,10 +19,11 @@ from thirdbody.conditions import axis_of, check_count, without_warnings
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer
 from thirdbody.core.turning_points import PROMINENCE
-from thirdbody.points import solve
+from thirdbody.lab.comparison import read_runs, solve_runs
+from thirdbody.points import Solution, solve
 from thirdbody.ranges import ranges, spread
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
-from thirdbody.variables import BY_ALIAS, FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
+from thirdbody.variables import FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
 
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other rows
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
@@ -40,6 +41,17 @@ def state(parameters: Parameters, conditions: Conditions) -> pd.DataFrame:
     notes = _notes(parameters, conditions, values["solution_status"])
     is_solved = isinstance(values["separation"], float)
     return _table(f"State at {_words(conditions)}", rows, notes, is_solved)
+
+
+def runs(parameters: Parameters, path: str, conditions: Conditions) -> pd.DataFrame:
+    """The state of each row of a table of conditions, a CSV file with units in its headings; ``conditions`` are those
+    that are no columns.  Variables are in SI, with the ends of their ranges in columns ``_low`` and ``_high``."""
+    _, table, notes = read_runs(path, parameters, conditions, is_measured=False)
+    solutions = solve_runs(table, (parameters, *parameters.members), None)
+    columns = _with_ranges(solutions, [name for name in QUANTITIES if name not in COMPLEMENTS])
+    table = table.assign(**{name: values.to_numpy() for name, values in columns.items()})
+    table.attrs["notes"] = [*notes, range_note(parameters.members)]
+    return table
 
 
 def change(
@@ -164,12 +176,9 @@ def curve(
         lambda inputs: solve(**conditions, **{along: numbers}, parameters=inputs, progress=False),
         parameters,
     )
-    table = {along: numbers}
-    for name in QUANTITIES:
-        table[name] = getattr(points, name)
-        table |= ranges(name, [getattr(each, name) for each in of_members])
-    frame = points.to_dataframe()
-    return pd.DataFrame(table | {name: frame[name] for name in FLAGS})
+    table = _with_ranges([points, *of_members], QUANTITIES)
+    table.insert(0, along, numbers)
+    return table
 
 
 def table_text(table: pd.DataFrame) -> str:
@@ -194,6 +203,17 @@ def table_text(table: pd.DataFrame) -> str:
     rows = [line.rstrip() for line in text.splitlines()]
     notes = [f"  {note}" for note in table.attrs["notes"]]
     return "\n".join([table.attrs["title"], "", *rows, "", *notes])
+
+
+def _with_ranges(solutions: Sequence[Solution], names: Iterable[str]) -> pd.DataFrame:
+    """Variables of the first of several solutions, with their ranges over the others, and its states."""
+    points, *of_members = solutions
+    columns = {}
+    for name in names:
+        columns[name] = getattr(points, name)
+        columns |= ranges(name, [getattr(each, name) for each in of_members])
+    frame = points.to_dataframe()
+    return pd.DataFrame(columns | {name: frame[name].to_numpy() for name in FLAGS})
 
 
 def _table(title, rows, notes, is_found) -> pd.DataFrame:
@@ -348,7 +368,7 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
 def _words(conditions) -> str:
     """The conditions in words."""
     return ", ".join(
-        f"{BY_ALIAS[key].name} {value:g} {BY_ALIAS[key].alias_unit}"
+        f"{axis_of(key).name} {value:g} {axis_of(key).alias_unit}"
         for key, value in conditions.items()
     )
 

@@ -9,20 +9,19 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import checked_number, checked_numbers
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.inputs import or_calibrated
 
 STEEL_MODULUS = 205e9  # [Pa], not printed: E_ss of Table 1 follows from it
 POISSON_RATIO = 0.29  # of all bodies, Table 1
 GIGA = 1e9
-USUAL_DENSITY = 850.0  # of mineral oils [kg m-3]
 # least and most usual value of the numbers of ``bearing``, and their unit
 USUAL_BEARING = {
     "ball_radius_mm": (0.1, 1000.0, "mm"),
@@ -107,12 +106,13 @@ STEEL = MATERIALS["steel"]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bodies:
-    """The materials from which inputs were derived."""
+class Rig:
+    """The materials and the density of the oil from which inputs were derived."""
 
     ball: Material = STEEL
     flat: Material = STEEL
     particle: Material = STEEL
+    oil_density_kg_per_m3: float = OIL_DENSITY
 
     @property
     def moduli(self) -> tuple[float, float]:
@@ -208,7 +208,7 @@ def bearing(
         {name: arguments[name] for name in USUAL_BEARING if name in arguments}, USUAL_BEARING
     )
     materials = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
-    bodies, changes = _of_materials(parameters, materials)
+    rig, changes = _of_materials(parameters, materials)
     modulus = changes.get("elastic_modulus_surfaces", parameters.elastic_modulus_surfaces)
     radius = (
         1e-3 * numbers["ball_radius_mm"] if "ball_radius_mm" in numbers else parameters.ball_radius
@@ -226,40 +226,41 @@ def bearing(
         raise ValueError(message.format(*texts))
     if speed is not None:
         changes["speed_per_viscosity"] = density * speed / (modulus * radius)
+        rig = replace(rig or Rig(), oil_density_kg_per_m3=density)
     if "pressure_viscosity_per_GPa" in numbers:
         changes["material_parameter"] = numbers["pressure_viscosity_per_GPa"] * modulus / GIGA
     if "apparent_area_mm2" in numbers:
         changes["apparent_area"] = 1e-6 * numbers["apparent_area_mm2"]
     if "ellipticity" in numbers:
         changes["ellipticity"] = numbers["ellipticity"]
-    inputs = parameters.changed(**changes).with_bodies(bodies)
+    inputs = parameters.changed(**changes).with_rig(rig)
     if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
         inputs.check_ball()
     return inputs
 
 
 def _of_materials(parameters, materials):
-    """The bodies of ``parameters`` with other ``materials`` by name, and the inputs that follow from these."""
-    bodies = parameters.bodies
-    if bodies is None and _are_of(Bodies(), parameters):
-        bodies = Bodies()
+    """The rig of ``parameters`` with other ``materials`` by name, and the inputs that follow from these."""
+    rig = parameters.rig
+    if rig is None and _are_of(Rig(), parameters):
+        rig = Rig()
     if not materials:
-        return bodies, {}
-    if (bodies is None or not _are_of(bodies, parameters)) and len(materials) < len(BODIES):
+        return rig, {}
+    if (rig is None or not _are_of(rig, parameters)) and len(materials) < len(BODIES):
         missing = ", ".join(name for name in BODIES if name not in materials)
         raise ValueError(
             f"{missing}: not given, and not known from the moduli of the inputs; "
             f"allowed: {', '.join(BODIES)} together"
         )
-    bodies = Bodies(**(vars(bodies) if bodies else {}) | materials)
+    rig = replace(rig or Rig(), **materials)
     one = materials["ball"].hardness if "ball" in materials else parameters.hardness_surface_1
     two = materials["flat"].hardness if "flat" in materials else parameters.hardness_surface_2
-    if "particle" in materials and bodies.particle.hardness < max(one, two):
+    if "particle" in materials and rig.particle.hardness < max(one, two):
         raise ValueError(
-            f"particle has a hardness of {1e-9 * bodies.particle.hardness:g} GPa; allowed: at least "
+            f"particle has a hardness of {1e-9 * rig.particle.hardness:g} GPa; allowed: at least "
             f"{1e-9 * max(one, two):g} GPa, the harder surface, as particles keep their shape"
         )
-    surfaces, particle = bodies.moduli
+    surfaces, particle = rig.moduli
     changes = {"elastic_modulus_particle": particle}
     if materials.keys() - {"particle"}:
         changes |= {
@@ -268,26 +269,22 @@ def _of_materials(parameters, materials):
             "hardness_surface_2": two,
             "hardness_parameter": min(one, two) / surfaces,
         }
-    return bodies, changes
+    return rig, changes
 
 
-def _are_of(bodies, parameters):
-    """Whether the moduli of ``parameters`` are those of ``bodies``, to the digits of Table 1."""
+def _are_of(rig, parameters):
+    """Whether the moduli of ``parameters`` are those of a rig, to the digits of Table 1."""
     moduli = parameters.elastic_modulus_surfaces, parameters.elastic_modulus_particle
-    return bool(np.allclose(bodies.moduli, moduli, rtol=2e-3, atol=0.0))
+    return bool(np.allclose(rig.moduli, moduli, rtol=2e-3, atol=0.0))
 
 
-def implied_speed(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_DENSITY) -> float:
-    """The entrainment speed u [m/s] that U over the viscosity stands for, with an oil of this density."""
-    stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
-    return parameters.speed_per_viscosity * stiffness / oil_density_kg_per_m3
-
-
-def speed_note(parameters: Parameters, oil_density_kg_per_m3: float = USUAL_DENSITY) -> str:
-    """The speed of the inputs with an oil of this density, in words."""
-    speed = implied_speed(parameters, oil_density_kg_per_m3)
-    oil = f"an oil of {oil_density_kg_per_m3:.4g} kg/m3"
-    return f"with {oil}, U/nu is for an entrainment speed of {speed:.3g} m/s"
+def speed_note(parameters: Parameters, oil_density_kg_per_m3: float | None = None) -> str:
+    """The speed that the inputs stand for, in words."""
+    density = oil_density_kg_per_m3 or getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
+    speed = parameters.entrainment_speed(density)
+    return (
+        f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {speed:.3g} m/s"
+    )
 
 
 def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, NDArray]:

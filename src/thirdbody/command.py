@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 import typer
 
-from thirdbody.variables import AXES, BY_ALIAS
+from thirdbody.variables import BY_ALIAS, CONDITIONS
 
 ANSWERED, NONE_FOUND, BAD_INPUT = 0, 1, 2  # exit codes
 MATERIALS = (
@@ -35,7 +35,8 @@ Viscosity = _option("viscosity-cSt", VISCOSITY)
 Size = _option("particle-diameter-nm", SIZE)
 Roughness = _option("roughness-nm", ROUGHNESS)
 Density = _option("particle-density-per-m2", DENSITY)
-Along = _option("along", f"condition that varies: {', '.join(AXES)}", str, "CONDITION")
+Speed = _option("speed-m-per-s", "entrainment speed; default: that of the inputs [m/s]")
+Along = _option("along", f"condition that varies: {', '.join(CONDITIONS)}", str, "CONDITION")
 First = _option("from", "first value, in the unit of its option")
 Last = _option("to", "last value, in the unit of its option")
 Inputs = _option("inputs", "inputs from bearing --write; default: calibrated", str, "FILE")
@@ -82,19 +83,30 @@ def _example(*lines: str) -> dict[str, str]:
     )
 )
 def state(
+    file: Annotated[
+        str | None, typer.Argument(metavar="[FILE]", help="CSV of conditions, with --csv")
+    ] = None,
     load_N: Load = None,
     viscosity_cSt: Viscosity = None,
     particle_diameter_nm: Size = None,
     roughness_nm: Roughness = None,
     particle_density_per_m2: Density = None,
+    speed_m_per_s: Speed = None,
+    csv: Csv = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
     """Load sharing, contact area, regime and mode."""
     from thirdbody import answers
 
-    conditions = _conditions(locals())
-    return _show(answers.state(_parameters(inputs), conditions), as_json)
+    conditions = _conditions(locals(), in_file=file is not None)
+    parameters = _parameters(inputs)
+    if file is None:
+        return _show(answers.state(parameters, conditions), as_json)
+    table = answers.runs(parameters, file, conditions)
+    _write_csv(table, csv or "-")
+    print(*table.attrs["notes"], sep="\n", file=sys.stderr)
+    return ANSWERED
 
 
 @app.command(
@@ -113,6 +125,7 @@ def transitions(
     particle_diameter_nm: Size = None,
     roughness_nm: Roughness = None,
     particle_density_per_m2: Density = None,
+    speed_m_per_s: Speed = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
@@ -120,9 +133,9 @@ def transitions(
     from thirdbody import answers
 
     conditions = _conditions(locals(), without=along)
-    searched = AXES[along].searched
+    searched = CONDITIONS[along].searched
     between = (searched[0] if first is None else first, searched[1] if last is None else last)
-    alias = AXES[along].alias
+    alias = CONDITIONS[along].alias
     return _show(answers.changes(_parameters(inputs), conditions, alias, between), as_json)
 
 
@@ -140,6 +153,7 @@ def turning_point(
     particle_diameter_nm: Size = None,
     roughness_nm: Roughness = None,
     particle_density_per_m2: Density = None,
+    speed_m_per_s: Speed = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
@@ -167,6 +181,7 @@ def curve(
     particle_diameter_nm: Size = None,
     roughness_nm: Roughness = None,
     particle_density_per_m2: Density = None,
+    speed_m_per_s: Speed = None,
     csv: Csv = None,
     plot: Plot = None,
     inputs: Inputs = None,
@@ -176,7 +191,7 @@ def curve(
 
     conditions = _conditions(locals(), without=along)
     _check_files(csv, plot)
-    alias = AXES[along].alias
+    alias = CONDITIONS[along].alias
     table = answers.curve(_parameters(inputs), conditions, alias, (first, last), count)
     if plot is not None:
         from thirdbody.plotting.plot import plot_curve
@@ -321,15 +336,20 @@ def bearing(
     return ANSWERED
 
 
-def _conditions(arguments: Mapping[str, Any], without: str | None = None) -> dict[str, float]:
-    """The conditions among the arguments, all but one; ``ValueError`` names all that are missing."""
-    if without is not None and without not in AXES:
-        raise ValueError(f"--along is {without!r}; allowed: {', '.join(AXES)}")
-    keys = [key for key, axis in BY_ALIAS.items() if axis.name != without]
-    missing = [f"--{key.replace('_', '-')}" for key in keys if arguments[key] is None]
-    if missing:
-        raise ValueError(f"missing: {', '.join(missing)}")
-    return {key: arguments[key] for key in keys}
+def _conditions(
+    arguments: Mapping[str, Any], without: str | None = None, in_file: bool = False
+) -> dict[str, float]:
+    """The conditions among the arguments, all but one; ``ValueError`` names all that are missing, unless they may be
+    in a file.  The speed may be missing."""
+    if without is not None and without not in CONDITIONS:
+        raise ValueError(f"--along is {without!r}; allowed: {', '.join(CONDITIONS)}")
+    keys = [axis.alias for axis in CONDITIONS.values() if axis.name != without]
+    conditions = {key: arguments[key] for key in keys if arguments.get(key) is not None}
+    missing = [key for key in keys if key in BY_ALIAS and key not in conditions]
+    if missing and not in_file:
+        options = ", ".join(f"--{key.replace('_', '-')}" for key in missing)
+        raise ValueError(f"missing: {options}")
+    return conditions
 
 
 def _parameters(path: str | None) -> Any:

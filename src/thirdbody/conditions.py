@@ -18,15 +18,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.variables import AXES, BY_ALIAS, Axis, decimal
+from thirdbody.variables import AXES, CONDITIONS, Axis, decimal
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
 KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
-NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
+NEVER_ZERO = "load", "roughness", "speed"  # the others are 0 without oil or particles
+_BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 LARGEST_DIAMETER = 1e100  # whose square float64 holds
+LEAST = {
+    "particle_diameter": 1e-90,
+    "particle_density": 1e-100,
+}  # whose coverage float64 holds, [m] and [m-2]
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # least and most usual value of numbers by name, and their unit
 Usual = Mapping[str, tuple[float, float, str]]
@@ -71,14 +76,15 @@ class Conditions(NamedTuple):
 def read_conditions(
     arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
 ) -> Conditions:
-    """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``.
+    """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``;
+    and the speed, if it is among them.
 
     Raises
     ------
     TypeError
-        For an unknown name, and a value of another kind than ``KINDS``.
+        For an unknown name.
     ValueError
-        For a condition that is missing or given twice, a quantity of another dimension, a number that is
+        For a value of another kind than ``KINDS``, a condition that is missing or given twice, a quantity of another dimension, a number that is
         not finite or negative, a load or roughness of 0, and columns with different indexes.
 
     Warns
@@ -98,7 +104,7 @@ def read_conditions(
         names = f"{missing[0].name} or {missing[0].alias}"
         raise ValueError(f"{missing[0].name} is missing; allowed: {names}")
     arrays, keys, labelled, unusual = {}, {}, {}, []
-    for name, axis in AXES.items():
+    for name, axis in CONDITIONS.items():
         if name in values:
             key, value = values[name]
             typed = _Typed.of(key, value)
@@ -113,11 +119,19 @@ def read_conditions(
 
 def axis_of(key: str) -> Axis:
     """The axis of a name or an alias; ``TypeError`` if there is none."""
-    if key in AXES:
-        return AXES[key]
-    if key not in BY_ALIAS:
-        raise TypeError(f"unknown condition {key!r}; allowed: {', '.join((*AXES, *BY_ALIAS))}")
-    return BY_ALIAS[key]
+    if key not in _BY_NAME:
+        raise TypeError(f"unknown condition {key!r}; allowed: {', '.join(_BY_NAME)}")
+    return _BY_NAME[key]
+
+
+def without_speed(arrays: Mapping[str, NDArray], parameters: Parameters) -> dict[str, NDArray]:
+    """The five conditions that are solved for six: U in Eq. 8 has only the product of viscosity and speed, so that a
+    viscosity at a speed is another one at the speed of ``parameters``."""
+    solved = dict(arrays)
+    speed = solved.pop("speed", None)
+    if speed is not None:
+        solved["viscosity"] = solved["viscosity"] * (speed / parameters.entrainment_speed())
+    return solved
 
 
 def to_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
@@ -198,6 +212,7 @@ class _Typed(NamedTuple):
         allowed = ((si > 0.0) if never_zero else (si >= 0.0)) & np.isfinite(si)
         if self.axis.name == "particle_diameter":
             allowed &= si <= LARGEST_DIAMETER
+        allowed &= (si == 0.0) | (si >= LEAST.get(self.axis.name, 0.0))
         if not allowed.all():
             sign = "positive" if never_zero else "zero or positive"
             message = f"{self.key} is {self.numbers[~allowed][0]:g}"
@@ -246,7 +261,7 @@ def numbers_in(name: str, value: Any, unit: str) -> NDArray:
 
 
 def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
-    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None; ``TypeError`` for others."""
+    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None; ``ValueError`` for others."""
     if _is_a(value, "pint", "Quantity"):
         return _numbers(name, value.magnitude), value.units
     if _is_a(value, "xarray", "DataArray", "Variable"):
@@ -256,26 +271,26 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
             raise ValueError(f"{message}; allowed: decoded ones (xarray.decode_cf)")
         numbers, unit = _numbers_and_unit(name, value.data)
         text = value.attrs.get("units")
-        return numbers, registry().Unit(text) if unit is None and text is not None else unit
+        return numbers, unit_of(name, text) if unit is None and text is not None else unit
     if _is_a(value, "pandas", "Series"):
         dtype = value.dtype
         package = type(dtype).__module__.partition(".")[0]  # other packages have types with units
         if package not in ("numpy", "pandas") or dtype.kind not in "iuf":
-            raise TypeError(f"{name} is a column of {dtype}; allowed: {KINDS}")
+            raise ValueError(f"{name} is a column of {dtype}; allowed: {KINDS}")
         return value.to_numpy(float, na_value=np.nan), None
     return _numbers(name, value), None
 
 
 def _numbers(name, value):
-    """Numbers, an array of numpy or a list of numbers as float64; ``TypeError`` for anything else."""
+    """Numbers, an array of numpy or a list of numbers as float64; ``ValueError`` for anything else."""
     if isinstance(value, list | tuple):
         if all(map(_is_number, _flat(value))):
             return np.array(value, float)
         kinds = sorted({_kind(item) for item in _flat(value) if not _is_number(item)})
-        raise TypeError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
+        raise ValueError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
     if _is_number(value) or (type(value) is np.ndarray and value.dtype.kind in "iuf"):
         return np.array(value, float)
-    raise TypeError(f"{name} is of type {_kind(value)}; allowed: {KINDS}")
+    raise ValueError(f"{name} is of type {_kind(value)}; allowed: {KINDS}")
 
 
 def _flat(values):
@@ -301,6 +316,20 @@ def _is_a(value, package, *kinds):
     """Whether a value is of a class of a package, which is not imported for that."""
     module = sys.modules.get(package)
     return module is not None and isinstance(value, tuple(getattr(module, kind) for kind in kinds))
+
+
+# names, powers and products: pint would evaluate any other text
+TERM = r"(?:[^\W\d]|[%⁻])+(?:(?:\*\*|\^)?-?\d)?"
+UNIT = rf"(?:1\s*/\s*)?{TERM}(?:(?:\s*[*/]\s*|\s+){TERM})*|1|-"
+
+
+def unit_of(name: str, text: str) -> Any:
+    """The unit of pint in a ``text``, the attribute or heading of a condition."""
+    if text in ("1", "-"):
+        return registry().Unit("dimensionless")
+    if not re.fullmatch(UNIT, str(text)):
+        raise ValueError(f"{name} is in {text!r}; allowed: units, their powers and products")
+    return registry().Unit(text)
 
 
 @cache

@@ -1,11 +1,13 @@
-"""Atomic writing of files, the error for damaged files, and SHA-256 sums."""
+"""Atomic writing of files, the error for damaged files, and the SHA-256 of a file."""
 
 import errno
 import glob
 import hashlib
 import os
 import secrets
-from collections.abc import Iterable, Iterator
+import shutil
+import stat
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -18,12 +20,13 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files under temporary names beside the ``paths``, which are yielded, and move them into
     place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
     an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
+    places = [*map(_place, paths)]
+    if len(places) == 1 and _is_device(places[0]):
+        yield places[0]
+        return
     # temporary names have the process, by which what a killed one leaves is known
     mark = f"partial{os.getpid()}-{secrets.token_hex(4)}"
-    parts = {
-        place: place.with_name(f".{place.stem}.{mark}{place.suffix}")
-        for place in map(_place, paths)
-    }
+    parts = {place: place.with_name(f".{place.stem}.{mark}{place.suffix}") for place in places}
     try:
         for place, part in parts.items():
             _prepare(place, part)
@@ -33,6 +36,8 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
             with open(part, "rb") as stream:
                 os.fsync(stream.fileno())
         for place, part in parts.items():
+            if place.exists():
+                shutil.copymode(place, part)
             os.replace(part, place)
     except OSError as error:
         elsewhere = error.filename and Path(error.filename) not in (*parts, *parts.values())
@@ -44,6 +49,14 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
         for part in parts.values():
             with suppress(OSError):
                 part.unlink()
+
+
+def _is_device(place):
+    """Whether a place is a pipe or a device, which is written and never replaced."""
+    try:
+        return stat.S_ISFIFO(mode := place.stat().st_mode) or stat.S_ISCHR(mode)
+    except OSError:
+        return False
 
 
 def _prepare(place, part):
@@ -58,6 +71,8 @@ def _prepare(place, part):
     if place.exists() and not place.is_file():  # a device must not be replaced
         kind = "Is a directory" if place.is_dir() else "Not a regular file"
         raise OSError(errno.EINVAL, kind, part)
+    if place.exists() and not os.access(place, os.W_OK):
+        raise OSError(errno.EACCES, "Permission denied", part)
     part.touch()
     part.unlink()
 
@@ -106,22 +121,6 @@ class DamagedFile(OSError):
 def unreadable(path: str | os.PathLike, reason: object) -> DamagedFile:
     """The error for a file that cannot be read."""
     return DamagedFile(path, f"cannot be read ({reason})")
-
-
-def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
-    """A line for each product in the format of ``sha256sum --check``: its sum, and its name in
-    ``folder``."""
-    names = sorted(str(Path(product).relative_to(folder)) for product in products)
-    return "".join(f"{digest(Path(folder, name))}  {name}\n" for name in names)
-
-
-def require_sums(path: str | Path) -> None:
-    """Raise ``DamagedFile`` if a product is missing or differs from its sum in a file of ``sums_text``."""
-    for line in Path(path).read_text(encoding="utf-8").splitlines():
-        expected, name = line.split("  ", 1)
-        product = Path(path).parent / name
-        if not product.is_file() or digest(product) != expected:
-            raise DamagedFile(product, "has changed since it was made")
 
 
 def digest(path: str | os.PathLike) -> str:

@@ -9,14 +9,14 @@ from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from shutil import disk_usage
-from typing import TYPE_CHECKING
 
 import netCDF4
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.attributes import described_grid
-from thirdbody.conditions import check_rtol, checked_variables, read_conditions
+from thirdbody.attributes import coordinate_attributes, described_grid
+from thirdbody.conditions import check_rtol, checked_variables, read_conditions, without_speed
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import type_of
@@ -26,13 +26,7 @@ from thirdbody.inputs import or_calibrated
 from thirdbody.messages import format_path, format_value
 from thirdbody.netcdf import declare
 from thirdbody.progress import Progress
-from thirdbody.variables import (
-    STATUS,
-    VARIABLES,
-)
-
-if TYPE_CHECKING:
-    import xarray as xr
+from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
 
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
@@ -62,12 +56,13 @@ def grid(
         Whether a long call reports its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities, by any of their names in
-        ``thirdbody.solve``.  Viscosity 0 is dry contact; diameter or density 0 is two-body contact.
+        ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact; diameter or
+        density 0 is two-body contact.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions are the five axes.  ``solution_status`` is the status of each point; points
+        Dimensions are the axes.  ``solution_status`` is the status of each point; points
         without values are nan.
 
     Raises
@@ -94,13 +89,36 @@ def grid(
     array([1., 1.])
     """
     parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    speeds = axes.pop("speed", None)
+    if speeds is None:
+        return _solved_grid(axes, axes, parameters, rtol, names, load_key, progress)
+    films = without_speed({"viscosity": axes["viscosity"][:, None], "speed": speeds}, parameters)
+    viscosities, places = np.unique(films["viscosity"], return_inverse=True)
+    films = axes | {"viscosity": viscosities}
+    request = axes | {"speed": speeds}
+    solved = _solved_grid(films, request, parameters, rtol, names, load_key, progress)
+    shape = axes["viscosity"].size, speeds.size
+    places = xr.DataArray(places.reshape(shape), dims=("film", "speed"))
+    placed = solved.isel(viscosity=places).drop_vars("viscosity").rename(film="viscosity")
+    return placed.assign_coords(
+        {
+            name: (name, request[name], coordinate_attributes(CONDITIONS[name]))
+            for name in ("viscosity", "speed")
+        }
+    )
+
+
+def _solved_grid(axes, request, parameters, rtol, names, load_key, progress) -> xr.Dataset:
+    """The dataset of five axes, for a ``request`` by name."""
     points = prod(axis.size for axis in axes.values())
     with Progress(points, "points", progress) as bar:
         if is_worthwhile(axes, rtol):
             values = sweep(axes, parameters, rtol, names, bar.add)
         else:
             values = solve_points(crossed(axes), parameters, rtol, names, bar.add)
-    return described_grid(axes, values, parameters, rtol, load_key=load_key).to_xarray()
+    listed = {name: axis.tolist() for name, axis in request.items()}
+    described = described_grid(axes, values, parameters, rtol, request=listed, load_key=load_key)
+    return described.to_xarray()
 
 
 def stream(
@@ -150,6 +168,8 @@ def stream(
     if not isinstance(compression, Integral) or compression not in range(10):
         raise ValueError(f"compression is {format_value(compression)}; allowed: 0 to 9")
     parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    if "speed" in axes:
+        raise ValueError("speed_m_per_s is no axis of a file; allowed: other viscosities instead")
     shape = tuple(axis.size for axis in axes.values())
     lengths = [*shape]
     while prod(lengths) > POINTS_PER_BLOCK:

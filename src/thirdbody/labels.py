@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from thirdbody.attributes import coordinate_attributes, variable_attributes
 from thirdbody.conditions import from_si
 from thirdbody.core.regimes import FLAG_MEANINGS, STATES, codes_to_name
-from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES, decimal
+from thirdbody.variables import CONDITIONS, NORMAL_LOAD, VARIABLES, decimal
 
 if TYPE_CHECKING:
     from thirdbody.points import Solution
@@ -38,7 +38,7 @@ def _labelled(solution) -> xr.Dataset:
     coordinates = dict(first.coords) if labelled else {}
     for name, values in conditions.items():
         if name not in coordinates:
-            attributes = coordinate_attributes(AXES[name], solution.keys[name])
+            attributes = coordinate_attributes(CONDITIONS[name], solution.keys[name])
             coordinates[name] = *_placed(values, dimensions, shape), attributes
     described = {}
     for name, values in variables.items():

@@ -9,7 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import broadcast_by_name, check_rtol, checked_variables, read_conditions
+from thirdbody.conditions import (
+    broadcast_by_name,
+    check_rtol,
+    checked_variables,
+    read_conditions,
+    without_speed,
+)
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import STATES, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
@@ -34,6 +40,7 @@ def solve(
     roughness_nm: ArrayLike | None = None,
     particle_density: ArrayLike | None = None,
     particle_density_per_m2: ArrayLike | None = None,
+    speed_m_per_s: ArrayLike | None = None,
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
@@ -67,6 +74,10 @@ def solve(
         The same [nm].
     particle_density, particle_density_per_m2 : array_like
         Number eta_a of particles per area [m-2]; 0 for two-body contact.
+    speed_m_per_s : array_like, optional
+        Entrainment speed u = (u_1 + u_2)/2 [m/s], by default that of ``parameters``; the speed of a disc under a
+        ball that does not turn is twice that.  The density of the oil is that given to ``thirdbody.bearing``,
+        or else 850 kg/m3.
     parameters : Parameters, optional
         Materials, geometry and interpretations of the model, by default the calibrated ones.
     rtol : float
@@ -85,10 +96,8 @@ def solve(
 
     Raises
     ------
-    TypeError
-        For a condition of another kind.
     ValueError
-        For a condition that is missing or given twice, a negative, infinite or missing number, a load or
+        For a condition of another kind, one that is missing or given twice, a negative, infinite or missing number, a load or
         roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
         outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft
         that the ``elastic_factor`` of ``parameters`` is above 1.
@@ -131,6 +140,7 @@ def solve(
         "roughness_nm": roughness_nm,
         "particle_density": particle_density,
         "particle_density_per_m2": particle_density_per_m2,
+        "speed_m_per_s": speed_m_per_s,
     }
     return _solve(conditions, or_calibrated(parameters), rtol, variables, progress)
 
@@ -142,6 +152,7 @@ def _solve(conditions, parameters, rtol, variables, progress) -> Solution:
     arguments = {key: value for key, value in conditions.items() if value is not None}
     read = read_conditions(arguments, parameters)
     arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
+    arrays = without_speed(arrays, parameters)
     points = np.broadcast(*arrays.values()).size
     with Progress(points, "points", progress) as bar:
         values = solve_points(arrays, parameters, rtol, names, bar.add)
@@ -186,7 +197,7 @@ class Solution:
         loads and areas between two separations at which the forces are too large and too small, plus
         rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
     conditions : mapping
-        The five conditions by name, SI: arrays that broadcast to the shape.
+        The conditions by name, SI: arrays that broadcast to the shape.
     keys : mapping
         The name of each condition in tables: the one it was given by, for a quantity the one with an
         engineering unit.

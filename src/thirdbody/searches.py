@@ -20,6 +20,7 @@ from thirdbody.conditions import (
     numbers_in,
     read_conditions,
     to_si,
+    without_speed,
 )
 from thirdbody.core.crossings import Crossings, crossings
 from thirdbody.core.parameters import Parameters
@@ -31,7 +32,7 @@ from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.inputs import or_calibrated
 from thirdbody.labels import indexed
 from thirdbody.progress import Progress
-from thirdbody.variables import AXES, QUANTITIES, decimal
+from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
 
 LOADS = (0.04, 80.0)  # first and last [N] of Table 2
 SWEEP = 32  # values along the axis
@@ -119,10 +120,8 @@ def find(
     levels = _read_levels(variable, level)
     samples = sample(along, between, count, parameters)
     queries = Queries.of(conditions, parameters, along, level=levels)
-    others = dict(queries.columns)
-    limits = [(variable, others.pop("level"))]
-    with Progress(count * queries.size, "points", progress) as bar:
-        places = crossings(limits, axis_of(along).name, samples, others, parameters, rtol, bar.add)
+    limits = [(variable, queries.columns["level"])]
+    places = _crossings(queries, along, limits, samples, parameters, rtol, progress)
     table = queries.table(places.query, parameters) | _places(places, along, parameters)
     table |= {
         "rises": places.rises,
@@ -166,15 +165,13 @@ def transitions(
     """
     parameters = or_calibrated(parameters)
     check_rtol(rtol)
-    axis = axis_of(along)
     samples = sample(along, between, count, parameters)
     queries = Queries.of(conditions, parameters, along)
     limits = [(quantity, np.full(queries.size, level)) for quantity, level in LIMITS]
-    with Progress(samples.size * queries.size, "points", progress) as bar:
-        places = crossings(limits, axis.name, samples, queries.columns, parameters, rtol, bar.add)
+    places = _crossings(queries, along, limits, samples, parameters, rtol, progress)
     points = {name: column[places.query] for name, column in queries.columns.items()}
-    regime = ["lubrication_regime"]
-    solved = solve_points(points | {axis.name: places.value}, parameters, rtol, regime)
+    points = without_speed(points | {axis_of(along).name: places.value}, parameters)
+    solved = solve_points(points, parameters, rtol, ["lubrication_regime"])
     is_full = solved["lubrication_regime"] == LubricationRegime.full_film
     flag, below, above = np.array(BORDERS, object)[places.limit].T.reshape(3, -1)
     table = queries.table(places.query, parameters)
@@ -235,13 +232,12 @@ def turning_point(
     check_count(count)
     loads = np.geomspace(*ends_in_si("between_N", between_N, "load_N", parameters), count)
     queries = Queries.of(conditions, parameters, "load")
-    points = {"load": loads[:, None]} | queries.columns
+    curves = without_speed(queries.columns, parameters)
+    points = {"load": loads[:, None]} | curves
     names = ["separation", "particle_contact_area_ratio"]
     with Progress(count * queries.size, "points", progress) as bar:
         solved = solve_points(points, parameters, rtol, names, bar.add)
-    maxima = turning_points(
-        solved["separation"], **queries.columns, parameters=parameters, rtol=rtol
-    )
+    maxima = turning_points(solved["separation"], **curves, parameters=parameters, rtol=rtol)
     ratio = solved["particle_contact_area_ratio"]
     rise = np.fmax.reduce(ratio - np.fmin.accumulate(ratio))
     every = np.arange(queries.size)
@@ -344,7 +340,7 @@ class Queries(NamedTuple):
         newtons = parameters.newtons_per_load
         return {
             self.keys.get(name, name): decimal(from_si(self.keys[name], column[rows], newtons))
-            if name in AXES
+            if name in CONDITIONS
             else column[rows]
             for name, column in self.columns.items()
         }
@@ -361,6 +357,26 @@ def sample(
     else:
         ends = ends_in_si("between", between, along, parameters)
     return np.geomspace(*ends, count)
+
+
+def _crossings(queries, along, limits, samples, parameters, rtol, progress) -> Crossings:
+    """Crossings along a condition, of which the speed is solved as a viscosity."""
+    axis = axis_of(along).name
+    others = {name: column for name, column in queries.columns.items() if name in CONDITIONS}
+    scale = 1.0
+    if axis == "speed" or (axis == "viscosity" and "speed" in others):
+        name = "viscosity" if axis == "speed" else "speed"
+        column = others.pop(name)
+        if column.min() != column.max() or column[0] == 0.0:
+            key = queries.keys[name]
+            raise ValueError(f"{key} is not one positive number; allowed: that, along {along}")
+        one = {"viscosity": np.ones(1), "speed": np.ones(1)} | {name: column[:1]}
+        scale = without_speed(one, parameters)["viscosity"].item()
+    others = without_speed(others, parameters)
+    solved = "viscosity" if axis == "speed" else axis
+    with Progress(samples.size * queries.size, "points", progress) as bar:
+        places = crossings(limits, solved, scale * samples, others, parameters, rtol, bar.add)
+    return places._replace(value=places.value / scale, error=places.error / scale)
 
 
 def _places(places: Crossings, along, parameters) -> dict[str, NDArray]:

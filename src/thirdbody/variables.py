@@ -202,6 +202,25 @@ AXES = _by_name(
         usual=(1e6, 1e16),
     ),
 )
+# a sixth condition: U in Eq. 8 has the product of viscosity and speed alone
+SPEED = Axis(
+    name="speed",
+    symbol="u",
+    unit="m s-1",
+    label="entrainment speed, the mean of the speeds of both surfaces",
+    title="Speed",
+    sign="u",
+    axis="Entrainment speed u (m/s)",
+    shown_unit="m/s",
+    is_logarithmic=True,
+    alias="speed_m_per_s",
+    alias_unit="m/s",
+    column="speed_m_per_s",
+    dimension="m / s",
+    searched=(0.001, 100.0),
+    usual=(1e-6, 200.0),
+)
+CONDITIONS = AXES | {SPEED.name: SPEED}
 DIMENSIONS = tuple(AXES)  # of every dataset, in this order
 CONDITION_AXES = tuple(AXES.values())[1:]  # all but the load
 BY_ALIAS = {axis.alias: axis for axis in AXES.values()}

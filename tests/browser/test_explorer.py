@@ -12,7 +12,7 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
-from thirdbody.bearings import bearing, implied_speed
+from thirdbody.bearings import bearing
 from thirdbody.curves import Condition
 from thirdbody.inputs import load_parameters
 from thirdbody.lab.oil import oil_viscosity
@@ -74,7 +74,7 @@ def test_it_opens_without_an_error_or_the_network_and_is_saved_as_a_drawing(expl
 
 
 @pytest.mark.parametrize("figure", FIGURES)
-def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
+def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, page):
     explorer.open(f"figure={figure}")
     assert explorer.console() == []
     drawn = page.parents[1] / "figures" / f"{figure}.csv"
@@ -86,11 +86,25 @@ def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
         of_panel = [row for row in rows if row["panel"] == panel]
         over_load = of_panel[0]["x_name"] != "diameter_ratio"
         curves = {row["curve"] for row in of_panel if row["curve"].startswith("nu =")}
-        printed = [row for row in of_panel if row["curve"].startswith("printed; ")]
+        printed = [
+            row for row in of_panel if row["curve"].startswith(("printed; ", "printed along x; "))
+        ]
         shown = explorer.all("#charts figure")[place]
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
         assert len(shown.find_elements("css selector", "g:has(> title), .limit")) == len(printed)
+        turning = [row for row in of_panel if row["curve"] == "turning points"]
+        assert len(shown.find_elements("css selector", ".star")) == len(turning)
     assert explorer.one("#caption").text.startswith("(A)")
+    entries = [entry.get_attribute("innerHTML") for entry in explorer.all("#key svg")]
+    assert len(set(entries)) == len(entries)
+    # the clip of each panel cuts off nothing of bars and ranges
+    outside = explorer.run(
+        """return [...document.querySelectorAll('#charts svg')].flatMap((svg) => {
+            const { y, height } = svg.querySelector('clipPath rect').getBBox();
+            const boxes = [...svg.querySelectorAll('.tolerance, .range')].map((mark) => mark.getBBox());
+            return boxes.filter((box) => box.y < y - 1 || box.y + box.height > y + height + 1); }).length"""
+    )
+    assert outside == 0
 
 
 def test_a_moved_slider_moves_the_curves_and_leaves_statements_unjudged(explorer):
@@ -111,7 +125,7 @@ def test_a_moved_slider_moves_the_curves_and_leaves_statements_unjudged(explorer
 
 @pytest.mark.parametrize(
     ("typed", "shown"),
-    [("75,5", "75.5"), ("1 000", "1000"), ("1×10²", "100"), ("10^2", "100"), ("1,000", None)],
+    [("75,5", "75.5"), ("1×10²", "100"), ("1,000", None)],
 )
 def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
     """What has no meaning, or may be one or a thousand, is refused; an empty link gives the usual."""
@@ -301,7 +315,7 @@ def test_verdicts_are_those_of_the_workflow(explorer, page):
         assert f"{counts[verdict]} {words}" in tally
     assert f"{judged['held']} of {judged['judged']} distinct" in explorer.one("#counts").text
     titles = {each["name"]: each["title"] for each in content_of(explorer)["interpretations"]}
-    for statement in judged["statements"][::20]:
+    for statement in judged["statements"][::60]:
         explorer.one(f"[data-statement={statement['id']}]").click()
         explorer.settle()
         text = explorer.one("#claims .more").get_attribute("textContent")
@@ -461,37 +475,6 @@ def test_beyond_the_film_formula_no_lubrication_is_told(explorer):
     assert "Normal load is 10⁹ N" in explorer.one("#notes").text
 
 
-@pytest.mark.parametrize("figure", ["fig11", "fig12"])
-def test_bars_and_ranges_are_within_the_panels(explorer, figure):
-    """The clip of each panel cuts off nothing of them."""
-    explorer.open(f"figure={figure}")
-    outside = explorer.run(
-        """return [...document.querySelectorAll('#charts svg')].flatMap((svg) => {
-            const { y, height } = svg.querySelector('clipPath rect').getBBox();
-            const boxes = [...svg.querySelectorAll('.tolerance, .range')].map((mark) => mark.getBBox());
-            return boxes.filter((box) => box.y < y - 1 || box.y + box.height > y + height + 1); }).length"""
-    )
-    assert outside == 0
-
-
-@pytest.mark.parametrize("figure", ["fig09", "fig10", "fig13"])
-def test_turning_points_are_those_of_the_published_figure(explorer, page, figure):
-    drawn = page.parents[1] / "figures" / f"{figure}.csv"
-    with open(drawn, encoding="utf-8", newline="") as stream:
-        rows = [row for row in csv.DictReader(stream) if row["curve"] == "turning points"]
-    explorer.open(f"figure={figure}")
-    panels = explorer.all("#charts figure")
-    stars = {
-        panel.find_element("css selector", "figcaption b").text: len(
-            panel.find_elements("css selector", ".star")
-        )
-        for panel in panels
-    }
-    assert {letter: count for letter, count in stars.items() if count} == Counter(
-        row["panel"] for row in rows
-    )
-
-
 def test_lines_bend_without_corners(explorer):
     """Between neighbours of a line the direction changes little, also where a mode begins."""
     explorer.open("view=axes&figure=fig06")
@@ -547,7 +530,7 @@ def test_a_page_saved_as_it_stands_opens_again(explorer, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "fragment", ["figure=fig99&view=x&y=1", "spread_ratio=abc&roughness_nm=-1", "%%%=1&&="]
+    "fragment", ["figure=fig99&view=x&spread_ratio=abc&roughness_nm=-1", "%%%=1&&="]
 )
 def test_a_broken_link_opens_what_it_can(explorer, fragment):
     explorer.open()
@@ -635,7 +618,7 @@ def test_materials_and_speed_give_the_inputs_of_the_library(explorer, defaults):
     inputs, speed = explorer.open("ball=silicon nitride&particle=alumina").run(script)
     expected = bearing(defaults, ball="silicon nitride", particle="alumina")
     assert numbers_of(replace(defaults, **inputs)) == pytest.approx(numbers_of(expected), rel=1e-12)
-    assert float(speed) == pytest.approx(implied_speed(expected), rel=1e-3)
+    assert float(speed) == pytest.approx(expected.entrainment_speed(), rel=1e-3)
     fragment = "flat=alumina&speed_m_per_s=2&oil_density_kg_per_m3=900&ball_radius=0.01"
     inputs, speed = explorer.open(fragment).run(script)
     oil = dict(speed_m_per_s=2.0, oil_density_kg_per_m3=900.0)
@@ -653,7 +636,7 @@ def test_particles_softer_than_a_surface_cannot_be_chosen(explorer):
     assert disabled == ["silicon nitride"]
 
 
-@pytest.mark.parametrize(("grade", "temperature"), [(46, 40), (46, 75), (320, 100), (15, -20)])
+@pytest.mark.parametrize(("grade", "temperature"), [(46, 75), (15, -20)])
 def test_an_oil_gives_its_viscosity(explorer, grade, temperature):
     explorer.open(f"figure=fig11&oil_grade={grade}&temperature_C={temperature}")
     expected = float(oil_viscosity(temperature, grade=grade))
@@ -679,13 +662,6 @@ def test_a_tap_shows_the_value_of_a_point(explorer):
     explorer.driver.execute_cdp_cmd(touch, {"type": "touchEnd", "touchPoints": []})
     explorer.wait("return !document.getElementById('tooltip').hidden")
     assert "Ft* = " in tooltip(explorer)
-
-
-def test_no_two_entries_of_a_key_look_the_same(explorer):
-    for figure in FIGURES:
-        explorer.open(f"figure={figure}")
-        drawn = [each.get_attribute("innerHTML") for each in explorer.all("#key svg")]
-        assert len(set(drawn)) == len(drawn), figure
 
 
 def test_it_needs_no_function_of_recent_browsers_for_its_colours(page):

@@ -168,3 +168,12 @@ def test_output_is_printed_in_any_encoding():
         done = subprocess.run(arguments, capture_output=True, env=environment)
         assert (done.returncode, done.stderr) == (ANSWERED, b"")
         assert b"E_ss" in done.stdout
+
+
+def test_a_table_goes_in_and_a_table_comes_out(capsys):
+    Path("runs.csv").write_text("load [N],viscosity [cSt]\n5,90\n10,90\n")
+    assert run(f"state runs.csv {LAYER} --csv answers.csv") == ANSWERED
+    table = pd.read_csv("answers.csv")
+    assert table["load_N"].tolist() == [5, 10] and table["solid_load_fraction"].notna().all()
+    assert run(f"state runs.csv --csv answers.csv {LAYER} --load-N 3") == BAD_INPUT
+    assert "load_N" in capsys.readouterr().err

@@ -94,11 +94,16 @@ def test_a_single_number_has_no_dimension(read, value):
         ("viscosity", 90.0, "cSt"),
         ("particle_density", 1e5, "mm-2"),
         ("load", 1e-5, "1"),
-        ("load", 1e-5, ""),
     ],
 )
 def test_units_of_xarray_are_read_as_udunits_writes_them(read, name, value, text):
     assert_allclose(read(name, of_xarray(value, text)), POINT[name])
+
+
+@pytest.mark.parametrize("text", ["N**(9**9**9)", "9**9**9", "__import__('os')", "N;m", ""])
+def test_a_unit_is_a_product_of_powers_and_nothing_is_evaluated(read, text):
+    with pytest.raises(ValueError, match="^load is in "):
+        read("load", of_xarray(1e-5, text))
 
 
 def test_a_force_is_a_load_under_either_name(read, parameters):
@@ -119,16 +124,12 @@ def test_names_and_aliases_are_the_same_place(parameters):
 # ---- what is refused by its type
 
 
-def of_package(name, make):
-    """A value of another package, skipped if that is not installed."""
-    return pytest.param(lambda: make(pytest.importorskip(name)), id=name)
+class WithUnit(np.ndarray):
+    """An array of a package that keeps a unit beside it."""
 
 
 OTHER_KINDS = [
-    of_package("astropy.units", lambda units: 300 * units.nm),
-    of_package("unyt", lambda unyt: unyt.unyt_quantity(300, "nm")),
-    of_package("quantities", lambda quantities: quantities.Quantity(300, "nm")),
-    of_package("uncertainties", lambda uncertainties: uncertainties.ufloat(300, 1)),
+    pytest.param(lambda: np.array([300.0]).view(WithUnit), id="array of another class"),
     pytest.param(lambda: np.ma.masked_array([300.0, 500.0], [0, 1]), id="masked"),
     pytest.param(lambda: np.ma.masked_array([300.0, 500.0]) * UNIT.nm, id="masked in pint"),
     pytest.param(lambda: [300 * UNIT.nm, 500 * UNIT.nm], id="list of quantities"),
@@ -149,14 +150,8 @@ OTHER_KINDS = [
 
 @pytest.mark.parametrize("make", OTHER_KINDS)
 def test_anything_else_is_refused_by_its_type_and_the_five_kinds_are_named(solve, make):
-    with pytest.raises(TypeError, match="^roughness is .*numpy arrays, lists .* pint quantities$"):
+    with pytest.raises(ValueError, match="^roughness is .*numpy arrays, lists .* pint quantities$"):
         solve(roughness=make())
-
-
-def test_masks_of_pint_and_of_uncertainties_within_quantities_are_refused(solve):
-    uncertain = pytest.importorskip("uncertainties").ufloat(10, 1)
-    with pytest.raises(TypeError, match="^load is of type uncertainties"):
-        solve(load=UNIT.Quantity(uncertain, "N"))
 
 
 # ---- what is refused as a number

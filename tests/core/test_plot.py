@@ -81,8 +81,8 @@ def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_p
 @pytest.mark.parametrize(
     ("over", "values", "label"),
     [
-        ("viscosity", [0.0, 5e-5, 9e-5], "Viscosity ν (cSt)"),
-        ("particle_density", [1e10, 1e11, 1e12], "Particle density ηₐ (m⁻²)"),
+        ("viscosity", [0.0, 5e-5, 9e-5], "Viscosity $ν$ (cSt)"),
+        ("particle_density", [1e10, 1e11, 1e12], "Particle density $η_{a}$ (m⁻²)"),
     ],
 )
 def test_any_axis_can_be_along_x(grid, over, values, label):
@@ -95,7 +95,7 @@ def test_any_axis_can_be_along_x(grid, over, values, label):
             np.testing.assert_array_equal(line.get_xdata(), values)
             np.testing.assert_array_equal(line.get_ydata(), data[name][index].values.ravel())
     texts = [text.get_text() for text in figure.legends[0].get_texts()]
-    assert texts[0].startswith("Fₜ* = 10⁻⁷ (") and len(texts) == 2
+    assert texts[0].startswith("$F_{t}^*$ = 10⁻⁷ (") and len(texts) == 2
 
 
 def test_one_curve_over_another_axis_has_no_key(grid):

@@ -136,5 +136,5 @@ def test_numbers_that_are_probably_in_another_unit_are_warned_of(heading, number
 
 def test_columns_of_dates_and_booleans_are_refused():
     for column in (pd.date_range("2026-01-01", periods=2), [True, False]):
-        with pytest.raises(TypeError):
+        with pytest.raises(ValueError):
             read_measured(pd.DataFrame({"load [N]": column, "COF": [0.1, 0.2]}))

@@ -35,7 +35,7 @@ CONFIG = {
     },
 }
 SCRIPT = "workflow/scripts/solve_scene.py"
-SOURCES = ("workflow/Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
+SOURCES = ("Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
 PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n"}
 
 

@@ -11,21 +11,22 @@ from matplotlib.colors import to_rgb
 
 import thirdbody as tb
 from thirdbody.curves import Condition, condition_key
+from thirdbody.paper.claims.between_curves import BEND, area_slope
 from thirdbody.paper.claims.claims import load_claims, printed_rows
 from thirdbody.paper.figures import charts
 from thirdbody.paper.figures.captions import MESSAGES, caption
 from thirdbody.paper.figures.curves import CURVE_FIGURES, plot
 from thirdbody.paper.figures.files import SUFFIXES, figure_record, save, write_wide
-from thirdbody.paper.figures.printed import EVERY_LOAD, PRINTED
+from thirdbody.paper.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
 from thirdbody.paper.figures.schematics import SCHEMATICS
 from thirdbody.paper.figures.sections import STRETCH, sections, state_of
 from thirdbody.paper.scenes import scene_dataset
-from thirdbody.plotting.crowding import GREY_TEXT
-from thirdbody.plotting.curves import curve_figure, curves_in, level_styles
+from thirdbody.plotting.curves import curve_figure, curves_in
 from thirdbody.plotting.marks import BAND, LOCUS, SLIGHT, WINDOW
 from thirdbody.plotting.marks import TURNING_POINTS as STARS
 from thirdbody.plotting.panels import CURVE
 from thirdbody.plotting.scales import power_text
+from thirdbody.plotting.styles import DRY, HAIRLINE, level_styles
 from thirdbody.variables import CONDITION_AXES, QUANTITIES
 
 pytestmark = pytest.mark.usefixtures("style")
@@ -104,7 +105,7 @@ def drawn_rows(path):
 
 
 def key_of(figure):
-    return [text.get_text() for text in figure.legends[0].get_texts()]
+    return [text.get_text() for text in figure.legends[0].get_texts() if text.get_text().strip()]
 
 
 @pytest.mark.parametrize("name", PANELS)
@@ -148,12 +149,16 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
 @pytest.mark.parametrize("name", PANELS)
 def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
     figure = plotted(name, datasets)
-    looks = [look(line) for line in figure.legends[0].get_lines()]
+    entries = [line for line in figure.legends[0].get_lines() if line.get_label().strip()]
+    looks = [look(line) for line in entries]
     assert len(set(looks)) == len(looks)
     marked = [(marker, face) for _, marker, face, *_ in looks if marker not in ("None", "none")]
     assert len(set(marked)) == len(marked)  # markers alone tell the levels apart
     lines = [line for line in figure.axes[0].lines if len(line.get_xdata()) > 2]
-    assert len({look(line) for line in lines}) >= PANELS[name][0]
+    count = PANELS[name][0]
+    if name in ("fig06", "fig07", "fig08"):  # half of them dry, which their names tell apart
+        count = count // 2 + 1
+    assert len({look(line) for line in lines}) >= count
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 11])
@@ -166,19 +171,93 @@ def test_every_colour_is_seen_on_white_paper(count):
         assert 1.05 / (0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05) >= 3.0
 
 
-def test_dry_contact_is_grey_below_lubricated_contact_and_names_its_levels(datasets):
-    figure = plotted("fig06", datasets)
-    axes = figure.axes[3]
-    lines = [line for line in axes.lines if len(line.get_xdata()) > 2]
-    dry = [line for line in lines if isinstance(line.get_color(), str) and line.get_linewidth() > 2]
-    assert len(dry) == 11
-    assert all(len(set(to_rgb(line.get_color()))) == 1 for line in dry)
-    assert max(line.get_zorder() for line in dry) < min(
-        line.get_zorder() for line in lines if line not in dry
+# colours as those see them who lack the cones for medium wavelengths, linear RGB: Machado et al. (2009)
+DEUTERANOPE = np.array(
+    [
+        [0.367322, 0.860646, -0.227968],
+        [0.280085, 0.672501, 0.047413],
+        [-0.011820, 0.042940, 0.968881],
+    ]
+)
+TO_XYZ = np.array(  # of sRGB, IEC 61966-2-1
+    [
+        [0.4124564, 0.3575761, 0.1804375],
+        [0.2126729, 0.7151522, 0.0721750],
+        [0.0193339, 0.119192, 0.9503041],
+    ]
+)
+
+
+def lab(colour, seen_by=DEUTERANOPE):
+    """CIELAB of a colour under D65, as it is seen."""
+    red_green_blue = np.array(to_rgb(colour))
+    linear = np.where(
+        red_green_blue <= 0.04045, red_green_blue / 12.92, ((red_green_blue + 0.055) / 1.055) ** 2.4
     )
-    assert not [text for text in key_of(figure) if text.startswith("_")]
-    greys = [text.get_text() for text in axes.texts if text.get_color() == GREY_TEXT]
-    assert len(greys) > 1 and {*greys} <= {"300", "400", "500", "600", "700", "800", "900", "1000"}
+    x, y, z = TO_XYZ @ np.clip(seen_by @ linear, 0.0, 1.0) / (0.95047, 1.0, 1.08883)
+    fx, fy, fz = (np.cbrt(v) if v > 0.008856 else 7.787 * v + 16.0 / 116.0 for v in (x, y, z))
+    return np.array([116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)])
+
+
+@pytest.mark.parametrize("name", ["fig04", "fig06", "fig07", "fig08", "fig11", "fig12"])
+@pytest.mark.parametrize("seen_by", [np.eye(3), DEUTERANOPE], ids=["normal", "deuteranope"])
+def test_dry_and_lubricated_contact_are_told_apart_by_colour_and_dashes(name, seen_by, datasets):
+    panel = plotted(name, datasets).panels[0]
+    dry = [one.look for one in panel.of_kind(CURVE) if one.curve.is_dry]
+    wet = [one.look for one in panel.of_kind(CURVE) if not one.curve.is_dry]
+    assert dry and wet
+    assert {look["linestyle"] for look in dry}.isdisjoint(
+        look.get("linestyle", "-") for look in wet
+    )
+    for look in wet:
+        if look["color"] != "black":  # two-body contact, solid
+            distance = lab(look["color"], seen_by) - lab(DRY["color"], seen_by)
+            assert np.linalg.norm(distance) > 35.0  # grey and the lightest level: 6
+
+
+def test_some_levels_are_strong_and_the_others_are_hairlines_with_one_entry(datasets):
+    figure = plotted("fig06", datasets)
+    widths = {}
+    for one in figure.panels[0].of_kind(CURVE):
+        widths.setdefault(one.curve.particle_diameter, set()).add(one.look.get("linewidth"))
+    thin = {size for size, found in widths.items() if found == {HAIRLINE["linewidth"]}}
+    assert thin == {1e-7, 2e-7, 4e-7, 6e-7, 8e-7, 9e-7}
+    assert "100, 200, 400, 600, 800, 900" in key_of(figure)
+    names = {text.get_text() for text in figure.axes[3].texts}
+    assert {"500", "1000"} <= names and not names & {"400", "600", "800", "900"}
+
+
+@pytest.mark.parametrize("name", ["fig03", "fig09", "fig10", "fig13"])
+def test_curves_are_named_beside_their_ends(name, datasets):
+    figure = plotted(name, datasets)
+    axes = figure.axes[0]
+    assert axes.texts
+    ends = [
+        axes.transData.transform(line.get_xydata())
+        for line in axes.lines
+        if len(line.get_xdata()) > 2
+    ]
+    first, last = min(points[0, 0] for points in ends), max(points[-1, 0] for points in ends)
+    for text in axes.texts:
+        box = type(axes.title).get_window_extent(text)
+        assert box.x0 > last or box.x1 < first
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_type_is_at_least_7_points(name, datasets, printed):
+    figure = plotted(name, datasets, printed=printed[name])
+    figure.draw_without_rendering()
+    assert min(text.get_fontsize() for text in figure.findobj(type(figure.axes[0].title))) >= 7.0
+
+
+def test_panels_that_the_paper_lacks_say_so(datasets):
+    ours = {
+        f"{name[3:]}{panel.letter}"
+        for name in PANELS
+        for panel in plotted(name, datasets).panels
+        if "not in the paper" in panel.title
+    }
+    assert ours == {"03C", "06D", "07D", "08D", "09C", "09D", "10C", "10D"}
 
 
 @pytest.mark.parametrize("name", PANELS)
@@ -297,8 +376,8 @@ def test_turning_points_and_windows_are_marked(datasets, printed):
     assert points and over.of_kind(LOCUS)
     (ends,) = last.of_kind(WINDOW)
     assert ends.x.tolist() == [0.9, 1.2]
-    assert "printed limits, tolerance in grey" in key_of(drawing)
-    assert "fig09-window" in [series.name for series in last.of_kind(PRINTED)]
+    assert "printed along x, with tolerance" in key_of(drawing)
+    assert "fig09-window" in [series.name for series in last.of_kind(ALONG_X)]
     left_out = points[len(points) // 2]
     some = [point for point in points if point is not left_out]
     (slight,) = CURVE_FIGURES["fig09"].plot(datasets["fig09"], some).panels[0].of_kind(SLIGHT)
@@ -323,16 +402,69 @@ def test_marks_that_coincide_are_one_with_one_bar_in_each_direction(datasets, pr
         assert any(np.allclose(middle, line.get_xydata()[0], rtol=0.1) for line in shown)
 
 
-def test_a_film_is_marked_across_the_panel_and_a_regime_by_a_bar_alone(datasets, printed):
-    drawing = plotted("fig11", datasets, printed=printed["fig11"])
-    films = {line.get_xdata()[0] for line in drawing.axes[2].lines if line.get_linestyle() == "--"}
-    assert films == {1.15e-4, 2.23e-4, 1.63e-4, 2.34e-4}
-    loads = {
-        float(line.get_xdata()[0]) for line in drawing.axes[1].lines if line.get_marker() == "D"
-    }
-    assert loads == {1.49e-5}
-    bars = [line for line in drawing.axes[1].lines if line.get_marker() == "_"]
-    assert [0.9, 1.0] in [bar.get_ydata().tolist() for bar in bars if bar.get_visible()]
+@pytest.mark.parametrize(
+    ("name", "place", "values"),
+    [
+        ("fig04", 1, [1.5e-5]),
+        ("fig06", 0, [5.96e-5]),
+        ("fig07", 0, [5e-5]),
+        ("fig11", 2, [1.15e-4, 1.63e-4, 2.23e-4, 2.34e-4]),
+        ("fig13", 1, [1.5e-5, 3e-5]),
+    ],
+)
+def test_what_is_printed_along_x_alone_stands_across_the_panel(
+    name, place, values, datasets, printed
+):
+    drawing = plotted(name, datasets, printed=printed[name])
+    series = drawing.panels[place].of_kind(ALONG_X)
+    assert sorted(one.x[0] for one in series) == values
+    brackets = {tuple(one.tolerance[0]) for one in series}
+    rows = [row for row in printed[name] if row["value"] in values]
+    assert brackets == {(row["low"], row["high"]) for row in rows}
+    spans = [
+        patch.get_extents().transformed(drawing.axes[place].transData.inverted())
+        for patch in drawing.axes[place].patches
+    ]
+    for low, high in brackets:
+        assert any(np.allclose((span.x0, span.x1), (low, high)) for span in spans)
+
+
+def test_bends_are_marked_where_the_slope_falls(datasets, printed):
+    panel = plotted("fig04", datasets, printed=printed["fig04"]).panels[1]
+    curves = {one.curve: one for one in panel.of_kind(CURVE)}
+    found = panel.of_kind(COMPUTED)
+    assert {9e-5, 1.2e-4} <= {one.curve.viscosity for one in found}
+    for one in found:
+        curve, dry = curves[one.curve], curves[one.curve._replace(viscosity=0.0)]
+        lag = area_slope(dry.x, dry.y) - area_slope(curve.x, curve.y)
+        assert np.interp(np.log(one.x[0]), np.log(curve.x), lag) == pytest.approx(BEND, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("name", "level"), [("fig06", "particle_diameter"), ("fig07", "particle_density")]
+)
+def test_above_the_crossing_that_is_marked_areas_rise_from_curve_to_curve(
+    name, level, datasets, printed
+):
+    panel = plotted(name, datasets, printed=printed[name]).panels[0]
+    (mark,) = panel.of_kind(COMPUTED)
+    compared = {condition_key(row[axis.column] for axis in CONDITION_AXES)
+                for row in printed[name] if row["id"] == mark.name}  # fmt: skip
+    curves = [one for one in panel.of_kind(CURVE) if condition_key(one.curve) in compared]
+    curves.sort(key=lambda one: getattr(one.curve, level))
+    assert len(curves) > 2
+    rises = (np.diff([one.y for one in curves], axis=0) > 0.0).all(axis=0)
+    assert rises[curves[0].x > mark.x[0]].all() and not rises[curves[0].x < mark.x[0]][-1]
+
+
+def test_a_curve_outside_its_own_range_is_told_with_its_distance(datasets):
+    data = datasets["fig11"]
+    ends = {f"{SOLID}_low": data[SOLID] - 0.2, f"{SOLID}_high": data[SOLID] - 0.03}
+    drawing = plotted("fig11", datasets, ensemble_range=xr.Dataset(ends))
+    assert "outside its own range does so by 3 % in B." in caption("fig11", drawing.panels).text
+    inside = xr.Dataset(ends | {f"{SOLID}_high": data[SOLID]})
+    drawing = plotted("fig11", datasets, ensemble_range=inside)
+    assert "outside its own range" not in caption("fig11", drawing.panels).text
 
 
 def test_a_number_printed_up_to_a_load_is_drawn_up_to_it(datasets, printed):
@@ -453,14 +585,14 @@ def test_the_record_of_a_figure_has_its_conditions_and_printed_numbers(name, dat
     for panel, written in zip(panels, record["panels"], strict=True):
         conditions = [tuple(curve.values()) for curve in written["curves"]]
         assert conditions == [tuple(each.curve) for each in panel.of_kind(CURVE) if each.curve]
-        for kind, marks in ((PRINTED, written["printed"]), (EVERY_LOAD, written["levels"])):
+        marks = {PRINTED: "printed", EVERY_LOAD: "levels", ALONG_X: "limits"}
+        for kind, key in marks.items():
             drawn = panel.of_kind(kind)
-            assert [mark["id"] for mark in marks] == [series.name for series in drawn]
-            for mark, series in zip(marks, drawn, strict=True):
-                assert mark["at"] == pytest.approx([series.x[0], series.y[0]], rel=1e-4)
-                assert np.transpose(mark["ends"]) == pytest.approx(
-                    np.array(series.tolerance), rel=1e-4
-                )
+            assert [mark["id"] for mark in written[key]] == [series.name for series in drawn]
+            for mark, series in zip(written[key], drawn, strict=True):
+                points = np.array([mark["at"], *mark["ends"]], float).T  # nan without y
+                expected = np.column_stack(([series.x[0], series.y[0]], series.tolerance))
+                np.testing.assert_allclose(points, expected, rtol=1e-4)
 
 
 @pytest.mark.parametrize("name", ["fig03", "fig06", "fig09", "fig11", "fig12"])
@@ -480,10 +612,8 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
         assert f"{1e9 * roughness:.10g}" in text
     kinds = {series.kind for panel in drawing.panels for series in panel.series}
     assert ("Stars: " in text) == (STARS in kinds)
-    assert ("that the paper prints" in text) == bool(kinds & {PRINTED, EVERY_LOAD})
-    assert ("Diamonds" in text) == ("printed, with tolerance" in key_of(drawing))
-    if name == "fig09":
-        assert "Dashed vertical lines" in text and "Dotted vertical lines" in text
+    assert ("that the paper prints" in text) == bool(kinds & {PRINTED, EVERY_LOAD, ALONG_X})
+    assert ("Diamonds: " in text) == ("printed, with tolerance" in key_of(drawing))
     if name == "fig12":
         assert "xₐ/σ = 1;" in text
         assert text.count("xₐ = 100 nm, dry and ν = 10, 25, 50, 70 cSt") == 2

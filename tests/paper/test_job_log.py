@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from thirdbody.files import require_sums, unreadable
-from thirdbody.paper.job_log import job, logged
+from thirdbody.files import digest, unreadable
+from thirdbody.paper.job_log import job, logged, require_as_made
 
 
 def test_what_is_printed_goes_to_the_log_in_utf_8(tmp_path, capsys, monkeypatch):
@@ -30,17 +30,11 @@ def test_a_foreseeable_failure_is_one_line_and_exit_code_1(tmp_path, error):
 
 
 def test_a_damaged_product_is_named_with_the_command_that_remakes_it(tmp_path):
-    sums, log = tmp_path / "SHA256SUMS", tmp_path / "log"
-    sums.write_text(f"{'0' * 64}  table.csv\n")
-    product = tmp_path / "table.csv"
-    for reason in ("cannot be read (half a row)", "has changed since it was made"):
-        with pytest.raises(SystemExit), logged(log):
-            if "read" in reason:
-                raise unreadable(product, "half a row")
-            require_sums(sums)
-        assert (
-            log.read_text() == f"{product} {reason}; remake it: snakemake -c2 --force {product}\n"
-        )
+    product, log = tmp_path / "table.csv", tmp_path / "log"
+    with pytest.raises(SystemExit), logged(log):
+        raise unreadable(product, "half a row")
+    reason = f"{product} cannot be read (half a row)"
+    assert log.read_text() == f"{reason}; remake it: snakemake -c2 --force {product}\n"
 
 
 def test_any_other_failure_keeps_its_traceback(tmp_path):
@@ -62,7 +56,7 @@ def snakemake(tmp_path):
     class Named(list):
         keys = output.keys
 
-    return SimpleNamespace(log=[tmp_path / "log"], output=Named(output.values()))
+    return SimpleNamespace(log=[tmp_path / "job.log"], output=Named(output.values()))
 
 
 def test_a_job_moves_its_products_into_place_together(snakemake, tmp_path):
@@ -72,13 +66,25 @@ def test_a_job_moves_its_products_into_place_together(snakemake, tmp_path):
         output.b.write_text("other")
         print("done")
     assert (tmp_path / "a.csv").read_text() == "new" and (tmp_path / "b.csv").read_text() == "other"
-    assert (tmp_path / "log").read_text() == "done\n"
+    sums = [f"{digest(path)}  {path}" for path in snakemake.output]
+    assert (tmp_path / "job.log").read_text().splitlines() == ["done", *sums]
+
+
+def test_a_product_that_is_not_as_its_job_made_it_is_refused(snakemake, tmp_path):
+    with job(snakemake) as output:
+        output.a.write_text("new")
+        output.b.write_text("other")
+    sums = require_as_made(snakemake.output, tmp_path)
+    assert sums == {path: digest(path) for path in snakemake.output}
+    (tmp_path / "b.csv").write_text("edited")
+    with pytest.raises(OSError, match="b.csv is not as its job made it"):
+        require_as_made(snakemake.output, tmp_path)
 
 
 def test_a_job_that_fails_leaves_all_as_it_was(snakemake, tmp_path):
     with pytest.raises(SystemExit), job(snakemake) as output:
         output.a.write_text("new")
         raise ValueError("load is -1")
-    assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "log"}
+    assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "job.log"}
     assert (tmp_path / "a.csv").read_text() == "old"
-    assert (tmp_path / "log").read_text() == "load is -1\n"
+    assert (tmp_path / "job.log").read_text() == "load is -1\n"

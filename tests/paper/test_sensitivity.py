@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.core.transitions import LIMITS
 from thirdbody.paper.claims.evidence import FULL_EFFORT, solve_evidence
-from thirdbody.paper.figures.sensitivity import LEAST, plot
+from thirdbody.paper.figures.sensitivity import LEAST, NUMBERS, plot
 from thirdbody.paper.sensitivity import (
     STEP,
     Subject,
@@ -113,12 +113,16 @@ def test_table_and_figure_show_every_sensitivity_and_say_what_is_missing(subject
     path = tmp_path / "sensitivity.csv"
     write_csv(path, rows, TABLES["sensitivity"])
     assert "nan" not in path.read_text()
-    drawing = plot(read_csv(path, TABLES["sensitivity"]))
+    symbols = dict.fromkeys(INPUTS, "sigma_s/sigma")
+    drawing = plot(read_csv(path, TABLES["sensitivity"]), symbols)
     axes, (panel,) = drawing.axes[0], drawing.panels  # the colour bar follows
-    assert len(panel.series) == (len(base) - 1) * len(INPUTS)
     expected = np.delete(value, 3, axis=0)
+    expected = expected[:, (np.abs(expected) >= LEAST).any(axis=0)]  # no empty rows
     drawn = np.sort([float(series.name.split("; ")[-1]) for series in panel.series])
     assert_allclose(drawn, np.sort(expected.ravel()), atol=1e-9)
     # each in a cell of its own, and its number in it where it is not negligible
     assert len({(one.x.min(), one.y.min()) for one in panel.series}) == len(panel.series)
     assert len(axes.texts) == (np.abs(expected) >= LEAST).sum()
+    assert all("$σ_{s}$/σ" in label.get_text() for label in axes.get_yticklabels())
+    decisive = len({*np.argmax(np.abs(expected), axis=1)})
+    assert panel.title.lower().startswith(f"{NUMBERS[decisive]} inputs decide")

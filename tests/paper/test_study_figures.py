@@ -1,5 +1,6 @@
 """The figure of the verdicts."""
 
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -37,51 +38,21 @@ def rows():
     return rows
 
 
-def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
+def test_bars_count_the_statements_and_those_that_do_not_hold_are_written(rows):
     drawing = claims.plot(rows)
-    (axes,), (panel,) = drawing.axes, drawing.panels
-    texts = [text.get_text() for text in axes.get_yticklabels()]
-    tested = [row for row in rows if row["verdict"] != verdicts.NOT_TESTED]
-    assert {one.name for one in panel.series} == {row["id"] for row in tested}
-    assert sum("(not tested): " in text for text in texts) == len(rows) - len(tested) > 0
-    lines = {one.name: (float(one.x[0]), texts[int(one.y[0])]) for one in panel.series}
-    for row in tested:
-        score, text = lines[row["id"]]
-        assert score == min(row["score"], claims.LAST)
-        part = part_of_paper(row["place"])
-        words = [one["verdict"] for one in rows if part_of_paper(one["place"]) == part]
-        held = words.count(verdicts.HOLDS)
-        judged = held + words.count(verdicts.FAILS)
-        is_named = row["verdict"] != verdicts.HOLDS
-        if is_named:
-            place, _, sentence = text.replace("\n", " ").partition(": ")
-            assert row["place"].startswith(place)
-            assert mathtext(row["statement"]).startswith(sentence.removesuffix(" …"))
-        else:
-            assert text == f"{part}: {held} of {judged} hold"
-
-
-def markers_at(drawing):
-    """Marker and filling of each statement, by its name."""
-    (axes,), (panel,) = drawing.axes, drawing.panels
-    looks = {
-        place: (line.get_marker(), line.get_markerfacecolor())
-        for line in axes.lines
-        for place in zip(line.get_xdata(), line.get_ydata(), strict=True)
+    bars, texts = drawing.axes
+    parts = [label.get_text() for label in bars.get_yticklabels()]
+    found = {
+        (parts[int(place)], series.name): count
+        for series in drawing.panels[0].series
+        for count, place in zip(series.x, series.y, strict=True)
     }
-    return {one.name: looks[float(one.x[0]), int(one.y[0])] for one in panel.series}
-
-
-def test_a_statement_that_is_not_predicted_is_a_diamond(rows):
-    markers = markers_at(claims.plot(rows))
-    diamonds = {name for name, (marker, _) in markers.items() if marker == "D"}
-    assert diamonds == {row["id"] for row in rows if row["predicted"] == "fails"}
-
-
-def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
-    few = rows[:20]
-    sure = [row | {"ensemble_agree": 12.0} for row in few]
-    for some, hollow in ((few, True), (sure, False)):
-        fillings = [filling for _, filling in markers_at(claims.plot(some)).values()]
-        assert len(fillings) == len(few)
-        assert all((filling == "white") == hollow for filling in fillings)
+    expected = Counter((part_of_paper(row["place"]), row["verdict"]) for row in rows)
+    assert {key: count for key, count in found.items() if count} == expected
+    widths = sum(bar.get_width() for bar in bars.patches)
+    assert widths == len(rows)
+    written = " ".join(text.get_text().replace("\n", " ") for text in texts.texts)
+    for row in rows:
+        sentence = mathtext(f": {row['statement']}")
+        assert (sentence in written) == (row["verdict"] != verdicts.HOLDS)
+    assert len(texts.texts) == sum(row["verdict"] != verdicts.HOLDS for row in rows)

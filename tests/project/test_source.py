@@ -14,7 +14,7 @@ CHECKS = {
     "packages import only from below": ["lint-imports", "--no-cache"],
     "ruff finds no fault": ["ruff", "check", "--no-cache"],
     "every file is formatted": ["ruff", "format", "--check", "--no-cache"],
-    "every rule is formatted": ["snakefmt", "--check", "workflow"],
+    "every rule is formatted": ["snakefmt", "--check", "Snakefile", "workflow"],
 }
 
 
@@ -44,7 +44,7 @@ def test_snakemake_asks_for_nothing_but_environments():
     assert titles == {"Specify a conda environment or container for each rule."}
 
 
-WORKFLOW = [ROOT / "workflow/Snakefile", *sorted((ROOT / "workflow").rglob("*.*"))]
+WORKFLOW = [ROOT / "Snakefile", *sorted((ROOT / "workflow").rglob("*.*"))]
 CODE = [path for path in WORKFLOW if path.suffix in ("", ".smk", ".py", ".yaml")]
 
 

@@ -4,7 +4,7 @@ import csv
 import json
 
 import yaml
-from workspace import INTERPRETATIONS, NEARBY, Workspace
+from workspace import INTERPRETATIONS, MINIMAL, NEARBY, Workspace
 
 
 def files(workspace: Workspace, pattern):
@@ -53,7 +53,7 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     for follower in (f"{NEARBY}.yaml", "chosen.json", "ranking.csv", "adopted.txt"):
         (again.root / "results/calibration" / follower).unlink()
     before = again.stamps()
-    run = again.snakemake("calibrate")
+    run = again.snakemake("calibrate", *MINIMAL)
     assert run.returncode == 0, run.stdout + run.stderr
     after = again.stamps()
     searched = {name for name in after if name.endswith(".csv") and before.get(name) != after[name]}

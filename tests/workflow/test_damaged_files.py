@@ -41,5 +41,5 @@ def test_a_damaged_dataset_is_named_with_the_command_that_remakes_it(workspace):
     }
     # the command that the last log names, typed as it stands, heals the dataset
     _, *arguments = shlex.split(log.partition("remake it: ")[2])
-    assert workspace.snakemake(*arguments, config=()).returncode == 0
+    assert workspace.snakemake(*arguments).returncode == 0
     read_plain(workspace.root / dataset).to_xarray()

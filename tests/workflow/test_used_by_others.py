@@ -5,8 +5,9 @@ import subprocess
 import sys
 import zipfile
 
+import netCDF4
 import pytest
-from workspace import MINIMAL, Workspace
+from workspace import Workspace
 
 TABLE, DATASET = "results/tables/table2.csv", "results/datasets/fig03.nc"
 MODULE = """
@@ -30,7 +31,7 @@ configfile: "config/config.yaml"
 
 module thirdbody:
     snakefile:
-        github("thirdbody/thirdbody", path="workflow/Snakefile", tag="v1")
+        github("thirdbody/thirdbody", path="Snakefile", tag="v1")
     config:
         config
 
@@ -52,32 +53,36 @@ def write(workspace, path, text):
 
 def made(workspace, *names, arguments=()):
     """Have ``names`` made, and return the bytes of each."""
-    run = workspace.snakemake(*names, *arguments, config=())
+    run = workspace.snakemake(*names, *arguments)
     assert run.returncode == 0, run.stdout + run.stderr
     return [(workspace.root / name).read_bytes() for name in names]
 
 
+def loads_in(dataset):
+    """The number of loads of a dataset, from its bytes."""
+    with netCDF4.Dataset("memory", memory=dataset) as opened:
+        return opened.dimensions["load"].size
+
+
 def planned(workspace, *arguments):
     """What a dry run says that is to be done."""
-    asked = workspace.snakemake("--dry-run", *arguments, config=())
+    asked = workspace.snakemake("--dry-run", *arguments)
     assert asked.returncode == 0, asked.stdout + asked.stderr
     return asked.stdout
 
 
 def test_a_module_without_configuration_computes_the_paper(sources, finished, elsewhere):
-    snakefile = sources.root / "workflow/Snakefile"
+    snakefile = sources.root / "Snakefile"
     wanted = "rules.paper_all.input"
     module = MODULE.format(snakefile=snakefile, given="", wanted=wanted)
     write(elsewhere, "workflow/Snakefile", module)
-    plan = planned(elsewhere)
-    assert "paper_judge_claims" in plan
-    assert "results/figures/fig13.svg" in plan
+    assert "results/figures/fig13.svg" in planned(elsewhere)
     (table,) = made(elsewhere, TABLE)
     assert table == (finished.root / TABLE).read_bytes()
 
 
-def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, finished, elsewhere):
-    snakefile = sources.root / "workflow/Snakefile"
+def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, elsewhere):
+    snakefile = sources.root / "Snakefile"
     given = 'config: {"load_axis": {"count": 24}}\n    prefix: "contact"'
     product = f"contact/{DATASET}"
     module = MODULE.format(snakefile=snakefile, given=given, wanted=f'"{product}"')
@@ -85,15 +90,13 @@ def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, finished,
     module += "\nuse rule find_windows from paper as paper_find_windows with:\n    threads: 2\n"
     write(elsewhere, "workflow/Snakefile", module)
     (dataset,) = made(elsewhere, product)
-    assert dataset == (finished.root / DATASET).read_bytes()
+    assert loads_in(dataset) == 24
     assert not (elsewhere.root / "results").exists()
 
 
 def test_a_run_in_another_folder_makes_the_same_there(sources, finished, elsewhere):
-    minimal = sources.root / MINIMAL[1]
-    there = ("--snakefile", str(sources.root / "workflow/Snakefile"), "--configfile", str(minimal))
+    there = ("--snakefile", str(sources.root / "Snakefile"))
     elsewhere.root.mkdir()
-    assert "judge_claims" in planned(elsewhere, *there)
     before = set(sources.root.rglob("*"))
     products = made(elsewhere, TABLE, DATASET, arguments=there)
     assert products == [(finished.root / name).read_bytes() for name in (TABLE, DATASET)]
@@ -127,15 +130,12 @@ def published(sources, tmp_path, monkeypatch):
     return copy
 
 
-def test_a_deployed_copy_follows_the_configuration_beside_it(
-    published, installed, finished, tmp_path
-):
+def test_a_deployed_copy_follows_the_configuration_beside_it(published, installed, tmp_path):
     deployed = Workspace(tmp_path / "deployed", (installed,))
     write(deployed, "workflow/Snakefile", DEPLOYED)
     shutil.copytree(published.root / "config", deployed.root / "config")
-    assert "judge_claims" in planned(deployed)
     deployed.put("config/scenes.yaml", "load_axis/count", 24)
-    assert made(deployed, DATASET) == [(finished.root / DATASET).read_bytes()]
     deployed.rewrite("config/paper_tables.yaml", lambda text: text.replace("0.04, 80", "0.05, 80"))
-    (table,) = made(deployed, TABLE)
+    dataset, table = made(deployed, DATASET, TABLE)
+    assert loads_in(dataset) == 24
     assert b",0.05,80," in table

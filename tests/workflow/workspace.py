@@ -13,7 +13,7 @@ from pathlib import Path
 import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
-MINIMAL = ("--configfile", "config/minimal.yaml")
+MINIMAL = ("--configfile", "config/minimal.yaml")  # of the atlas, the accuracy and the calibration
 SEARCHED = yaml.safe_load((ROOT / "config" / "calibration.yaml").read_text())["interpretations"]
 # calibrated in tests: one that is searched from scattered sets, and one that starts from it
 WIDE = next(name for name, each in SEARCHED.items() if "nearby" not in each)
@@ -21,6 +21,7 @@ NEARBY = next(name for name, each in SEARCHED.items() if each.get("nearby") == W
 INTERPRETATIONS = WIDE, NEARBY
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")
+OTHER_TARGETS = ("accuracy", "atlas", "calibration", "release")
 NOT_SOURCES = (".git", ".venv", "dist", "__pycache__", ".*_cache", ".hypothesis", "*.egg-info")
 
 
@@ -51,6 +52,13 @@ class Workspace:
         shutil.copytree(ROOT, root, ignore=left_out)
         return cls(root)
 
+    def take_products(self) -> None:
+        """Copy what `snakemake` has made in the repository, with its records."""
+        for name in MADE_BY_RUNS:
+            if (ROOT / name).is_dir():
+                ignored = shutil.ignore_patterns(*OTHER_TARGETS)
+                shutil.copytree(ROOT / name, self.root / name, ignore=ignored)
+
     def copied_to(self, root: Path) -> Workspace:
         """The same with results and times of change, elsewhere."""
         shutil.copytree(self.root, root)
@@ -69,7 +77,7 @@ class Workspace:
             timeout=900,
         )
 
-    def snakemake(self, *arguments, config=MINIMAL) -> subprocess.CompletedProcess:
+    def snakemake(self, *arguments, config=()) -> subprocess.CompletedProcess:
         """Run the Snakemake of this interpreter on two cores."""
         return self.execute(*SNAKEMAKE, *arguments, *config)
 
@@ -115,10 +123,10 @@ class Workspace:
         self.rewrite(path, lambda text: with_value(text, key, value))
 
 
-def start(workspace: Workspace, *arguments, config=MINIMAL, prepare=None) -> subprocess.Popen:
+def start(workspace: Workspace, *arguments, prepare=None) -> subprocess.Popen:
     """A run under way in a session of its own; ``prepare`` is called in its first process."""
     return subprocess.Popen(
-        [*SNAKEMAKE, *arguments, *config],
+        [*SNAKEMAKE, *arguments],
         cwd=workspace.root,
         env=os.environ | {"PYTHONPATH": str(workspace.root / "src")},
         stdout=subprocess.PIPE,

@@ -8,6 +8,8 @@ try:
 except ValueError as error:
     sys.exit(str(error))
 
+RELEASED = ("datasets", "bands", "figures", "tables", "claims", "explorer")
+
 
 rule release:
     input:
@@ -17,8 +19,7 @@ rule release:
 
 rule stage_release:
     input:
-        products=PRODUCTS,
-        sums="<results>/SHA256SUMS",
+        products=[file for file in rules.all.input if Path(file).parent.name in RELEASED],
         sources=lambda wildcards: source_files(),
     output:
         sealed=f"<results>/release/{RELEASE.full_name}/tagmanifest-sha256.txt",

@@ -1,6 +1,9 @@
-# Shared by the rules: files of the project, and what a job depends on.
+# Shared by the rules: the settings, where files are, and what a job depends on.
 import ast
 import json
+import logging
+import os
+import re
 import sys
 from functools import cache
 from hashlib import sha256
@@ -9,15 +12,23 @@ from pathlib import Path
 import grimp
 
 import thirdbody
-from thirdbody.plain_yaml import config_directory
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.paper.configuration.settings import read_settings
+from thirdbody.plain_yaml import config_directory, read_yaml
+
+# ---- where files are
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
 HOME = config_directory().parent  # the repository, or the installed package
 LIBRARY = "src/thirdbody/"
-BESIDE = Path(workflow.basedir).parent / LIBRARY  # the library of this checkout
+BESIDE = Path(workflow.basedir) / LIBRARY  # the library of this checkout
 if BESIDE.is_dir() and not BESIDE.samefile(PACKAGE):
     sys.exit(f"the library is {PACKAGE}; allowed: that of this checkout, by PYTHONPATH=src")
+
+# Snakemake does not quote the interpreter of a script
+if not re.fullmatch(r"[\w/.,:@%+~-]+", sys.executable):
+    sys.exit(
+        f"the path {sys.executable} has a blank or a sign of the shell; allowed: a folder whose path has none"
+    )
 
 
 def project_file(name):
@@ -33,33 +44,52 @@ CLAIMS = f"{CONFIG}/claims.yaml"
 PAPER_TABLES = f"{CONFIG}/paper_tables.yaml"
 INPUTS = f"{CONFIG}/inputs.yaml"
 STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
+
+# ---- the settings, before Snakemake reads their files: its errors do not name the file
+
+try:
+    settings = read_settings(config, CONFIG, *workflow.overwrite_configfiles)
+except ValueError as error:
+    sys.exit(str(error))
+
+# a named run keeps all its files in results/NAME
+RESULTS = f"results/{settings['run']}" if settings["run"] else "results"
+LOGS = f"{RESULTS}/logs" if settings["run"] else "logs"
+for folder in [RESULTS, LOGS]:
+    if Path(folder).is_dir() and not os.access(folder, os.W_OK):
+        sys.exit(f"{folder} is read-only; allowed: a writable folder")
+# without its record, Snakemake takes products of another configuration for those of this one
+if (
+    workflow.is_main_process
+    and Path(RESULTS, "datasets").is_dir()
+    and not Path(".snakemake/metadata").is_dir()
+):
+    sys.exit(
+        f"{RESULTS} has products without .snakemake, which records what they were made of; allowed: both or none"
+    )
+
+# on a full disk, lines that do not fit into Snakemake's log are dropped
+logging.raiseExceptions = False
+
+# ---- what a job depends on, as parameters of its rule: Snakemake names the text that has changed
+
+SOFTWARE = settings["software"]
 IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
 
 
-def figure_files(figure, category):
-    """The files of a figure by kind; the PNG goes into Snakemake's report."""
-    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
-    caption, labels = "../report/product.rst", {"figure": figure}
-    return files | {"png": report(files["png"], caption, category=category, labels=labels)}
-
-
-def sources_of(script, *modules):
-    """A text for each file that a script runs: the script, ``modules``, those that it imports, all their
-    imports, and the data beside them.
-
-    As parameters of a rule, they rerun it after an edit, for the reason of which Snakemake names the file.
-    """
-    file, named = HOME / "workflow/scripts" / script, set(modules)
-    for statement in ast.walk(ast.parse(file.read_bytes())):
+def sources_of(script):
+    """A text for each file that a script runs: itself, the modules that it imports, all that these import,
+    and the data beside them."""
+    path, imported = HOME / "workflow/scripts" / script, set()
+    for statement in ast.walk(ast.parse(path.read_bytes())):
         if isinstance(statement, ast.ImportFrom):
-            named.add(statement.module)
-            named |= {f"{statement.module}.{each.name}" for each in statement.names}
-    used = named & IMPORTS.modules
-    for name in list(used):
-        used |= IMPORTS.find_upstream_modules(name)
-    packages = {name.rpartition(".")[0] for name in used}
-    modules = [module_file for name in used | packages for module_file in module_files(name)]
-    return sorted(map(file_text, {file, *modules}))
+            names = [f"{statement.module}.{alias.name}" for alias in statement.names]
+            imported.update([statement.module, *names])
+    modules = imported & IMPORTS.modules
+    modules = modules.union(*map(IMPORTS.find_upstream_modules, modules))
+    packages = {name.rpartition(".")[0] for name in modules}
+    files = {path}.union(*map(module_files, modules | packages))
+    return sorted(map(file_text, files))
 
 
 @cache
@@ -73,10 +103,10 @@ def module_files(name):
 
 
 @cache
-def file_text(file):
+def file_text(path):
     """The name of a file, and the first digits of its SHA-256."""
-    name = Path(file).relative_to(HOME) if Path(file).is_relative_to(HOME) else file
-    return f"{name} {sha256(Path(file).read_bytes()).hexdigest()[:8]}"
+    name = path.relative_to(HOME) if path.is_relative_to(HOME) else path
+    return f"{name} {sha256(path.read_bytes()).hexdigest()[:8]}"
 
 
 @cache
@@ -88,3 +118,66 @@ def settings_text(path, kind=dict):
     except ValueError as error:
         sys.exit(str(error))
     return f"{path} {sha256(content.encode()).hexdigest()[:8]}"
+
+
+# ---- the files of a figure
+
+
+def figure_files(figure, category):
+    """The files of a figure by kind; the PNG goes into Snakemake's report."""
+    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
+    caption, labels = "../report/product.rst", {"figure": figure}
+    return files | {"png": report(files["png"], caption, category=category, labels=labels)}
+
+
+# ---- the searches of the calibration
+
+CALIBRATION = settings["calibration"]
+SEEDS = CALIBRATION["seeds"]
+FOLDS = range(len(CALIBRATION["folds"]))
+SEARCHED_WIDELY = [
+    name for name, entry in CALIBRATION["interpretations"].items() if "nearby" not in entry
+]
+
+
+def settings_of(wildcards):
+    """The settings for one interpretation, independent of the others."""
+    names = [wildcards.interpretation, *nearby(wildcards)]
+    return {
+        **CALIBRATION,
+        "interpretations": {name: CALIBRATION["interpretations"][name] for name in names},
+    }
+
+
+def nearby(wildcards):
+    """The interpretation from whose best inputs that of a job is searched, if there is one."""
+    entry = CALIBRATION["interpretations"][wildcards.interpretation]
+    return [entry["nearby"]] if "nearby" in entry else []
+
+
+def start_of(wildcards):
+    """The files with the inputs from which a search starts."""
+    for name in nearby(wildcards):
+        if "fold" in wildcards.keys():
+            return [f"{RESULTS}/calibration/{name}/fold{wildcards.fold}.csv"]
+        return searches_of(name)
+    return [f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"]
+
+
+def searches_of(name):
+    """The files of the searches over all statements of an interpretation."""
+    seeds = SEEDS if name in shortlisted() else SEEDS[:1]
+    return [f"{RESULTS}/calibration/{name}/seed{seed}.csv" for seed in seeds]
+
+
+def shortlisted():
+    chosen = checkpoints.shortlist.get().output.chosen
+    return json.loads(Path(chosen).read_text(encoding="utf-8"))
+
+
+def is_cross_validated(wildcards):
+    """Whether an interpretation, or the one from which its starts come in the end, is on the shortlist."""
+    name = wildcards.interpretation
+    while "nearby" in CALIBRATION["interpretations"][name]:
+        name = CALIBRATION["interpretations"][name]["nearby"]
+    return name in shortlisted()

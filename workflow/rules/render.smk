@@ -64,6 +64,7 @@ rule render_sensitivity:
         "<logs>/render_sensitivity.log",
     params:
         *sources_of("render_sensitivity.py"),
+        settings_text(INPUTS),
     script:
         "../scripts/render_sensitivity.py"
 

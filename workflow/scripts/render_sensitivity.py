@@ -2,6 +2,7 @@
 
 import matplotlib.style
 
+from thirdbody.inputs import read_entries
 from thirdbody.paper.figures.captions import caption
 from thirdbody.paper.figures.files import save
 from thirdbody.paper.figures.sensitivity import plot
@@ -10,6 +11,7 @@ from thirdbody.paper.tables import TABLES, read_csv
 
 with job(snakemake) as output:
     rows = read_csv(snakemake.input.data, TABLES["sensitivity"])
+    symbols = {name: entry["symbol"] for name, entry in read_entries().items()}
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
-        save(plot(rows), output.png.with_suffix(""), caption("sensitivity"))
+        save(plot(rows, symbols), output.png.with_suffix(""), caption("sensitivity"))
     print(f"{len(rows)} rows drawn")

@@ -2,16 +2,15 @@
 
 from pathlib import Path
 
-from thirdbody.files import require_sums
 from thirdbody.paper.archive.citation import Release
 from thirdbody.paper.archive.staging import stage
-from thirdbody.paper.job_log import logged
+from thirdbody.paper.job_log import logged, require_as_made
 
 with logged(snakemake.log[0]):
     place = Path(snakemake.output.sealed).parent
     products = snakemake.input.products
     sources = snakemake.input.sources
-    require_sums(snakemake.input.sums)
+    require_as_made(products, Path(snakemake.log[0]).parent)
     release = Release.of("pyproject.toml", "CITATION.cff", snakemake.params.is_paper)
     stage(
         place,

@@ -19,6 +19,7 @@ MATERIALS = (  # of which the elastic factor consists
 )
 # ASSUME: what the paper leaves open. X_min is 0, the film fills the separation of the mean planes
 WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
+OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
 
@@ -154,10 +155,10 @@ class Parameters:
     particle_plane: str  # from which particles meet the separation
     # force balance
     film_load: str  # the load in W of Eq. 8
-    # other sets of inputs that explain the paper about equally well, and the materials that inputs were derived from;
-    # ``dataclasses.replace`` drops both
+    # other sets of inputs that explain the paper about equally well, and what inputs were derived from: materials and
+    # an oil; ``dataclasses.replace`` drops both
     members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
-    bodies: object = field(default=None, init=False, repr=False, compare=False)
+    rig: object = field(default=None, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         for name, words in WORDS.items():
@@ -205,6 +206,14 @@ class Parameters:
                 f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {materials}; "
                 f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
             )
+
+    def entrainment_speed(self, oil_density: float | None = None) -> float:
+        """The speed u = (u_1 + u_2)/2 [m/s] that U over the viscosity stands for, in an oil of this density [kg m-3],
+        by default that of the rig, or else 850: U/nu = rho u/(E_ss R_x)."""
+        if oil_density is None:
+            oil_density = getattr(self.rig, "oil_density_kg_per_m3", OIL_DENSITY)
+        stiffness = self.elastic_modulus_surfaces * self.ball_radius
+        return self.speed_per_viscosity * stiffness / oil_density
 
     def check_ball(self) -> None:
         """Raise ``ValueError`` if the cross-section of the ball is smaller than A_n."""
@@ -312,7 +321,7 @@ class Parameters:
         members = [replace(member, **inputs) for member in self.members]
         if all(member == members[0] for member in members):
             members = []
-        return replace(self, **inputs).with_members(members).with_bodies(self.bodies)
+        return replace(self, **inputs).with_members(members).with_rig(self.rig)
 
     def with_members(self, members: Iterable["Parameters"]) -> "Parameters":
         """The same inputs with other ``members``."""
@@ -320,10 +329,10 @@ class Parameters:
         object.__setattr__(inputs, "members", tuple(members))
         return inputs
 
-    def with_bodies(self, bodies: object) -> "Parameters":
-        """The same inputs and members, derived from these ``bodies``."""
+    def with_rig(self, rig: object) -> "Parameters":
+        """The same inputs and members, derived from this ``rig``."""
         inputs = self.with_members(self.members)
-        object.__setattr__(inputs, "bodies", bodies)
+        object.__setattr__(inputs, "rig", rig)
         return inputs
 
 

@@ -86,6 +86,8 @@ STATES = {
     "contact_mode": ContactMode,
     "solution_status": SolutionStatus,
 }
+# states by code; -1 is the last, if there is one
+_BY_CODE = {name: np.array([*states], object) for name, states in STATES.items()}
 # what the values 0, 1, ... of each flag stand for
 FLAG_MEANINGS = {name: states.names() for name, states in STATES.items()}
 LUBRICATION_REGIMES, CONTACT_MODES, SOLUTION_STATUSES = FLAG_MEANINGS.values()
@@ -161,8 +163,7 @@ def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
 
 def states_of(name: str, codes: ArrayLike) -> NDArray[np.object_]:
     """The states of a flag called ``name`` for its codes, of the same shape."""
-    states = np.array([*STATES[name]], object)  # -1 is the last, if there is one
-    return np.asarray(states[np.asarray(codes)], object)
+    return np.asarray(_BY_CODE[name][np.asarray(codes)], object)
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:

@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.bearings import USUAL_DENSITY, implied_speed, speed_note
+from thirdbody.bearings import speed_note
 from thirdbody.conditions import (
     checked_number,
     from_si,
@@ -16,7 +16,7 @@ from thirdbody.conditions import (
     read_conditions,
     without_warnings,
 )
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.inputs import or_calibrated
 from thirdbody.lab.estimates import MEASURED, fitted_coefficients, measurable
 from thirdbody.lab.reading import SPEED, UNITS, read_measured
@@ -216,10 +216,13 @@ def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = No
 
 
 def read_runs(
-    measured: str | PathLike | pd.DataFrame, parameters: Parameters, conditions: Mapping[str, Any]
+    measured: str | PathLike | pd.DataFrame,
+    parameters: Parameters,
+    conditions: Mapping[str, Any],
+    is_measured: bool = True,
 ) -> tuple[pd.DataFrame, pd.DataFrame, list[str]]:
-    """The measured quantities, their conditions, with the speed if there is one, and notes."""
-    columns, notes = read_measured(measured)
+    """The measured quantities, if there are to be some, their conditions, with the speed if there is one, and notes."""
+    columns, notes = read_measured(measured, is_measured)
     observed = columns[[name for name in columns if name in MEASURED]]
     # dict refuses a condition that is a column and an argument
     arguments = dict(**columns.drop(columns=observed.columns), **conditions)
@@ -244,21 +247,24 @@ def read_runs(
 def oil_density(density: float | None, has_speeds: bool) -> float:
     """The density of the oil [kg m-3], for speeds."""
     if density is None:
-        return USUAL_DENSITY
+        return OIL_DENSITY
     if not has_speeds:
         raise ValueError(f"oil_density_kg_per_m3 is {density}, without speeds; allowed: None")
     return checked_number("oil_density_kg_per_m3", density, unit="kg m-3")
 
 
-def solve_runs(table: pd.DataFrame, inputs: Iterable[Parameters], density: float) -> list[Solution]:
-    """The solutions of conditions for each of several inputs; the film depends on speed times viscosity."""
+def solve_runs(
+    table: pd.DataFrame, inputs: Iterable[Parameters], density: float | None
+) -> list[Solution]:
+    """The solutions of conditions for each of several inputs; the film depends on speed times viscosity, and on the
+    ``density`` of the oil [kg m-3], by default that of the inputs."""
     conditions = {key: table[key].to_numpy() for key in BY_ALIAS}
     viscosity = conditions.pop("viscosity_cSt")
     solutions = []
     with without_warnings():
         for each in inputs:
             ratio = (
-                table[SPEED].to_numpy() / implied_speed(each, density) if SPEED in table else 1.0
+                table[SPEED].to_numpy() / each.entrainment_speed(density) if SPEED in table else 1.0
             )
             film = viscosity * ratio
             solutions.append(

@@ -6,9 +6,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.bearings import USUAL_DENSITY
 from thirdbody.conditions import checked_number, common_index, numbers_in, warn_outside
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.inputs import or_calibrated
 
 SIZES = 4, 6, 14  # um(c), the sizes counted in a code of ISO 4406:2021
@@ -105,7 +104,7 @@ def debris_density(
     ppm: ArrayLike | None = None,
     percent: ArrayLike | None = None,
     material_density_kg_per_m3: float = STEEL_DENSITY,
-    oil_density_kg_per_m3: float = USUAL_DENSITY,
+    oil_density_kg_per_m3: float = OIL_DENSITY,
     enrichment: float = 1.0,
     parameters: Parameters | None = None,
 ) -> pd.DataFrame:

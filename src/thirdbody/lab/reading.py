@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from thirdbody.conditions import numbers_in, registry, unit_text, warn_outside
+from thirdbody.conditions import UNIT, numbers_in, registry, unit_text, warn_outside
 from thirdbody.lab.estimates import MEASURED
 from thirdbody.variables import AXES, BY_ALIAS, decimal
 
@@ -29,20 +29,19 @@ RATIOS = {
     "film_thickness_nm": None,
     "separation_nm": None,
 }  # F_t*; H_c is left out
-# names, powers and products: pint evaluates no other text
-TERM = r"(?:[^\W\d]|[%⁻])+(?:(?:\*\*|\^)?-?\d)?"
-UNIT = rf"((?:1\s*/\s*)?{TERM}(?:(?:\s*[*/]\s*|\s+){TERM})*|1|-)"
-HEADING = re.compile(rf"(.*?)\s*(?:\[{UNIT}\]|\({UNIT}\)|/\s*{UNIT})?\s*", re.DOTALL)
+HEADING = re.compile(rf"(.*?)\s*(?:\[({UNIT})\]|\(({UNIT})\)|/\s*({UNIT}))?\s*", re.DOTALL)
 NUMBER = r"[-+]?\d*[.,]?\d*(?:[eE][-+]?\d+)?"
 THOUSANDS = r"[-+]?[1-9]\d{0,2},\d{3}"
 FIRST_LINES = 100  # in which the headings are
 
 
-def read_measured(measured: str | PathLike | pd.DataFrame) -> tuple[pd.DataFrame, list[str]]:
+def read_measured(
+    measured: str | PathLike | pd.DataFrame, is_measured: bool = True
+) -> tuple[pd.DataFrame, list[str]]:
     """The conditions and measured quantities of a file or table, by column and in its unit; and notes.
 
     Raises ``ValueError`` for a number without a unit, a second column of one quantity, commas that may
-    stand between thousands, and a table without measured quantities.
+    stand between thousands, and, if it ``is_measured``, a table without measured quantities.
     """
     table, notes = (measured, []) if isinstance(measured, pd.DataFrame) else _read_csv(measured)
     numbers, others = {}, []
@@ -63,7 +62,7 @@ def read_measured(measured: str | PathLike | pd.DataFrame) -> tuple[pd.DataFrame
             notes.append(f"{heading} has no number in {missing} of {len(column)} rows")
     if others:
         notes.append(f"columns left out: {', '.join(others)}")
-    if not MEASURED.keys() & numbers.keys():
+    if is_measured and not MEASURED.keys() & numbers.keys():
         names = ", ".join(quantity.heading for quantity in MEASURED.values())
         message = "; ".join(["measured has no measured quantity", *notes])
         raise ValueError(f"{message}; allowed: one or more of {names}")

@@ -1,26 +1,41 @@
-"""The log file and the products of a job of the workflow."""
+"""The log and the products of a job of the workflow."""
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from thirdbody.files import DamagedFile, atomic_write
+from thirdbody.files import DamagedFile, atomic_write, digest
+
+SUM = re.compile(r"^([0-9a-f]{64})  (.+)$", re.MULTILINE)  # of a product, as `sha256sum` prints it
 
 
 @contextmanager
 def job(snakemake: Any) -> Iterator[SimpleNamespace]:
     """Run a script of the workflow, whose ``snakemake`` this is.
 
-    What it prints goes to its log.  The paths of its outputs, which are yielded by their names, are temporary:
-    all are moved into place together once the script has ended, so that a run that is killed leaves no
-    half of a file, nor do two runs at once.
+    What it prints goes to its log, and then the SHA-256 of each output.  The paths of its outputs, which are yielded by
+    their names, are temporary: all are moved into place together once the script has ended, so that a run that
+    is killed leaves no half of a file, nor do two runs at once.
     """
     output = snakemake.output
     with logged(snakemake.log[0]), atomic_write(*output) as parts:
         paths = [parts] if isinstance(parts, Path) else parts
         yield SimpleNamespace(**dict(zip(output.keys(), paths, strict=True)))
+        for name, path in zip(output, paths, strict=True):
+            print(f"{digest(path)}  {name}")
+
+
+def require_as_made(products: Iterable[str], logs: str | Path) -> dict[str, str]:
+    """The SHA-256 of each product in the log of its job; ``DamagedFile`` for a product of another content."""
+    texts = [path.read_text(encoding="utf-8") for path in Path(logs).rglob("*.log")]
+    sums = {name: digits for text in texts for digits, name in SUM.findall(text)}
+    for product in products:
+        if digest(product) != sums.get(product):
+            raise DamagedFile(product, "is not as its job made it")
+    return sums
 
 
 @contextmanager

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import LogLocator, NullLocator
 
-from thirdbody.plotting.scales import SCALES, ZONES, power_text
+from thirdbody.plotting.scales import SCALES, ZONES, power_text, typeset
 
 ABOVE_NEWTONS = 16.0  # points between the axes and their title
 ZONE = "0.955"  # grey of the middle zone
@@ -12,10 +12,10 @@ ZONE = "0.955"  # grey of the middle zone
 
 def set_scales(
     axes: Axes, x: str, y: str, newtons_per_load: float | None = None, least: float = 0.0
-) -> None:
+) -> Axes | None:
     """Set scales, ticks, labels and limits of axes after all data have been drawn; with
     ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge; a fraction is
-    logarithmic from ``least`` on, if it is given."""
+    logarithmic from ``least`` on, if it is given.  Returns the axes with the names of zones, if it has some."""
     axes.margins(x=0.02, y=0.04)
     limits = axes.dataLim
     for axis, name, (low, high) in (
@@ -23,7 +23,7 @@ def set_scales(
         (axes.yaxis, y, limits.intervaly),
     ):
         variable = SCALES[name]
-        axis.set_label_text(variable.axis)
+        axis.set_label_text(typeset(variable.axis))
         spread = 3.0 if variable.is_logarithmic else 10.0
         logarithmic = (variable.is_logarithmic or axis is axes.xaxis) and 0.0 < spread * low < high
         if logarithmic:
@@ -34,13 +34,14 @@ def set_scales(
             if logarithmic:
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.set_minor_locator(NullLocator())
+    zones = None
     if SCALES[y].zones:
         over_sizes = x == "diameter_ratio"  # where tolerances are shaded
         top = limits.y1 if 0.0 < limits.y1 < 0.5 and not over_sizes else 1.0
         axes.set_ylim(-0.08 * top, 1.08 * top)
         if least:
             axes.set(yscale="log", ylim=(least, 1.3))
-        _draw_zones(axes, SCALES[y], shaded=not over_sizes)
+        zones = _draw_zones(axes, SCALES[y], shaded=not over_sizes)
     if x == "load" and newtons_per_load is not None:
         ends = lambda load: load * newtons_per_load, lambda newtons: newtons / newtons_per_load
         upper = axes.secondary_xaxis("top", functions=ends)
@@ -48,6 +49,7 @@ def set_scales(
         upper.xaxis.set_minor_locator(NullLocator())
         upper.set_in_layout(False)  # the title leaves room for it
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
+    return zones
 
 
 def _in_unit(axis, unit):
@@ -79,3 +81,4 @@ def _draw_zones(axes, scale, shaded):
     right.set_yticks(*zip(*named, strict=True))
     right.yaxis.set_minor_locator(NullLocator())
     right.tick_params(length=0)
+    return right

@@ -1,64 +1,96 @@
-"""What keeps a panel readable: levels written at their curves, and one mark where several would coincide."""
+"""What keeps a panel readable: names at the ends of curves, and one mark where several would coincide."""
 
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from matplotlib.text import Text
+from matplotlib.transforms import ScaledTranslation
 from numpy.typing import NDArray
+from scipy.optimize import isotonic_regression
 
-ROUNDS = 5  # loads at which levels are written
-FEWEST = 2  # levels at one load
-BESIDE, BELOW = 0.10, 0.055  # distances of texts, in widths and heights of a panel
 NEAR = 0.03  # marks closer than this coincide, in widths and heights of a panel
-FROM_MARKER = 0.035  # of a text, in widths and heights of a panel
-BOX = {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.4}
-TEXT = {"fontsize": 6, "zorder": 3.05, "ha": "center", "va": "center", "bbox": BOX}
-GREY_TEXT = "0.3"  # at grey curves
+MOST_NAMES = 12  # of curves, written at their ends; a key has all
+COINCIDE = 0.015  # ends closer than this have one name, in heights of a panel
+LINE, TOP = 0.058, 1.02  # distance and highest place of names, in heights of a panel
+NAME_SIZE = 7.0  # of names [points]
+LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
+TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 1}
+SEVERAL = "0.3"  # colour of a name of several curves
 
 
-def label_curves(axes: Axes, texts: Mapping[Line2D, str], marks: Sequence[Line2D] = ()) -> None:
-    """Write ``texts`` on their lines over the same loads, where neighbours, markers and ``marks`` are far
-    enough."""
-    if len(texts) <= FEWEST:
-        return
-    lines = list(texts)
-    places = np.array([_in_axes(axes, line) for line in lines])  # [lines, loads, 2]
-    margins = 0.02 + 0.01 * max(map(len, texts.values())), 0.04
-    inside = (np.abs(places - 0.5) < 0.5 - np.array(margins)).all(axis=2)
-    for line, own, there in zip(lines, places, inside, strict=True):
-        if (every := line.get_markevery()) is not None:
-            markers = own[every[0] :: every[1]]
-            distances = np.abs(own[:, None] - markers).max(axis=2)
-            there &= (
-                np.fmin.reduce(distances, axis=1) > FROM_MARKER
-            )  # where a curve has no value: nan
-    free = set(range(len(lines)))
-    written = [place for mark in marks for place in _in_axes(axes, mark)]
-    for _ in range(ROUNDS):
-        candidates = range(places.shape[1])
-        chosen = max((_that_fit(places, inside, free, written, at) for at in candidates), key=len)
-        if len(chosen) < FEWEST:
-            return
-        for line, at in chosen:
-            colour = lines[line].get_color()
-            style = TEXT | {"color": GREY_TEXT if isinstance(colour, str) else colour}
-            axes.text(*places[line, at], texts[lines[line]], transform=axes.transAxes, **style)
-            written.append(places[line, at])
-            free.remove(line)
+def name_ends(axes: Axes, texts: Mapping[Line2D, str]) -> float:
+    """Write ``texts`` beside the ends of their lines, where more ends are apart: right of the panel, or left of
+    the curves, in room that the axis gains.  Returns the width taken right of the panel [points]."""
+    right, left = (_groups(axes, texts, end) for end in (-1, 0))
+    at_left = len(left) > len(right)
+    groups = left if at_left else right
+    if not 1 < len(groups) <= MOST_NAMES:
+        return 0.0
+    base = axes.get_xaxis_transform() if at_left else axes.transAxes
+    shift = (-LEADER if at_left else LEADER) / 72.0
+    beside = base + ScaledTranslation(shift, 0.0, axes.figure.dpi_scale_trans)
+    ends = [float(np.mean([height for *_, height in group])) for group in groups]
+    names = []
+    for group, end, height in zip(groups, ends, _spread(ends), strict=True):
+        colours = {line.get_color() for line, *_ in group}
+        x = group[0][1] if at_left else 1.0
+        name = axes.annotate(
+            _joined(texts[line] for line, *_ in group),
+            (x, end),
+            (x, height),
+            xycoords=base,
+            textcoords=beside,
+            color=colours.pop() if len(colours) == 1 else SEVERAL,
+            fontsize=NAME_SIZE,
+            ha="right" if at_left else "left",
+            va="center",
+            arrowprops=TO_END,
+            annotation_clip=False,
+        )
+        names.append(name)
+    widest = max(Text.get_window_extent(name).width for name in names)
+    width = LEADER + widest * 72.0 / axes.figure.dpi + GAP
+    if not at_left:
+        return width
+    low, high = axes.get_xlim()
+    room = width / (axes.get_window_extent().width * 72.0 / axes.figure.dpi)
+    axes.set_xlim(low * (low / high) ** (room / (1.0 - room)), high)
+    return 0.0
 
 
-def _that_fit(places, inside, free, written, at) -> list[tuple[int, int]]:
-    """Lines, with the place ``at`` which their texts are apart from all curves' texts there, from the lowest on."""
-    chosen, taken = [], list(written)
-    for line in sorted(free, key=lambda line: places[line, at, 1]):
-        place = places[line, at]
-        others = np.delete(places[:, at, 1], line)
-        clear = np.fmin.reduce(np.abs(others - place[1])) > 0.5 * BELOW
-        if inside[line, at] and clear and _is_apart(place, taken, BESIDE, BELOW):
-            chosen.append((line, at))
-            taken.append(place)
-    return chosen
+def _groups(axes, texts, end) -> list[list[tuple[Line2D, float, float]]]:
+    """Lines whose first or last points coincide, from the lowest on: each with its x, and its height in the panel."""
+    places = []
+    for line in texts:
+        points = line.get_xydata()
+        known = points[np.isfinite(points).all(axis=1)]
+        if len(known):
+            height = axes.transAxes.inverted().transform(axes.transData.transform(known[end]))[1]
+            places.append((line, known[end][0], float(height)))
+    groups = []
+    for place in sorted(places, key=lambda place: place[2]):
+        if groups and place[2] - groups[-1][0][2] < COINCIDE:
+            groups[-1].append(place)
+        else:
+            groups.append([place])
+    order = list(texts)
+    return [sorted(group, key=lambda place: order.index(place[0])) for group in groups]
+
+
+def _joined(texts) -> str:
+    """A name for several curves: all, or the first and the last of many."""
+    texts = list(dict.fromkeys(texts))
+    return ", ".join(texts) if len(texts) < 3 else f"{texts[0]} … {texts[-1]}"
+
+
+def _spread(heights) -> NDArray:
+    """Heights of texts, as near as possible to the increasing ``heights`` and a line apart, in the panel."""
+    lines = LINE * np.arange(len(heights))
+    spread = isotonic_regression(np.array(heights) - lines).x + lines
+    spread -= max(spread[-1] - TOP, 0.0)
+    return spread
 
 
 def keep_apart(axes: Axes, marks: Sequence[Line2D]) -> None:

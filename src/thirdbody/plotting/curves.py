@@ -3,45 +3,26 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
-import matplotlib
 import numpy as np
-from matplotlib import rcParams
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.legend_handler import HandlerLine2D
-from matplotlib.lines import Line2D
 
 from thirdbody.curves import Condition, condition_key, curves_of
 from thirdbody.netcdf import PlainDataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
-from thirdbody.plotting.crowding import hide_bars, keep_apart, label_curves
+from thirdbody.plotting.crowding import hide_bars, keep_apart, name_ends
 from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
+from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
-from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, value_text
+from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
+from thirdbody.plotting.styles import HAIRLINE, Look, curve_styles
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
-KEY_COLUMNS = 5  # of a key below the panels
-KEY_ROWS = 11  # of a key in the free cell beside the last panel
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
-KEY_HEIGHT, KEY_LINE = 0.9, 0.16  # of a key below the panels, at least, and of its lines [inches]
-KEY_LETTERS, HANDLE_LETTERS = 118, 10  # across a figure; as wide as the handle of an entry
-MARKERS = "os^vPX>"  # every second one is hollow, so that neighbouring levels differ; diamonds are printed values
-DARKEST, LIGHTEST = (
-    0.05,
-    0.59,
-)  # of the colour map: two-body contact is darker, lighter is faint on white paper
-GREY = "0.5"
-BLUE = "#0072B2"  # of a single curve of an interface, or of the model
-MARKERS_PER_CURVE = 5
-# Dry curves are broad, grey and under the lubricated ones, which then are seen on them.
-DRY = {"linestyle": "-", "linewidth": 2.6, "zorder": 1.8, "color": "0.6"}
-DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 2.4, "zorder": 1.7, "color": GREY}
-DRY_GREYS = 0.45, 0.65  # of dry curves at the first and last of several levels
 
 
 def curves_in(
@@ -79,7 +60,7 @@ class Content:
     """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``.
 
     ``surface`` is the only one shown, 0 the smoothest and -1 the roughest; with ``locus`` a line joins the
-    turning points; a logarithmic axis of a fraction begins at ``least``.
+    turning points; a logarithmic axis of a fraction begins at ``least``; the title ends with the ``remark``.
     """
 
     y: str
@@ -87,6 +68,7 @@ class Content:
     surface: int | None = None
     locus: bool = False
     least: float = 0.0
+    remark: str = ""
 
 
 @dataclass(frozen=True)
@@ -94,13 +76,14 @@ class CurveFigure:
     """A figure of curves that differ in one ``parameter``.
 
     With ``each_surface``, each panel is drawn for every roughness.  Without ``two_body``, two-body contact is
-    only the reference of areas.
+    only the reference of areas.  If levels of the parameter [SI] are ``strong``, the others are hairlines.
     """
 
     parameter: str
     contents: tuple[Content, ...]
     each_surface: bool = False
     two_body: bool = True
+    strong: tuple[float, ...] = ()
 
     def plot(
         self,
@@ -110,7 +93,7 @@ class CurveFigure:
         windows: Sequence[Mapping] = (),
         axes: Sequence[Axes] = (),
         further: Callable[[Content, Sequence[Curve]], Iterable[Series]] | None = None,
-        mark_looks: Mapping[str, Mapping[str, Any]] = marks.LOOKS,
+        mark_looks: Mapping[str, Look] = marks.LOOKS,
     ) -> Figure:
         """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
@@ -125,7 +108,7 @@ class CurveFigure:
         # in the order of the key
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
-        looks = curve_styles(conditions, self.parameter, data.sizes["load"])
+        looks, key = curve_styles(conditions, self.parameter, data.sizes["load"], self.strong)
         curves = [replace(curve, look=looks[curve.condition]) for curve in curves]
         common = shared_notes(conditions)
         panels = []
@@ -145,9 +128,7 @@ class CurveFigure:
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
-        return draw_panels(
-            panels, looks.values(), title, common, newtons_per_load, axes, mark_looks
-        )
+        return draw_panels(panels, key, title, common, newtons_per_load, axes, mark_looks)
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
         """The content of each panel with its curves, those of one surface if it has one."""
@@ -161,7 +142,7 @@ class CurveFigure:
         several = len({(each.x, each.y) for each in self.contents}) > 1
         shown = panel_title(content.x, content.y) if several or not own else ""
         return Panel(
-            title="\n".join(filter(None, (shown, own))),
+            title="\n".join(filter(None, (shown, ", ".join(filter(None, (own, content.remark)))))),
             x=content.x,
             y=content.y,
             series=series,
@@ -208,7 +189,7 @@ def _curve_series(content, curves) -> Iterator[Series]:
     if content.locus or y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
     if y == marks.RATIO and x == "load":
-        yield from marks.slight_series(x, y, curves)
+        yield from marks.slight_series(x, y, curves, content.least)
     if x in ("load", "normal_load"):
         for curve in curves:
             yield from marks.range_of(curve, x, y)
@@ -222,35 +203,31 @@ def _window_series(content, curves, windows) -> Iterator[Series]:
 
 def draw_panels(
     panels: Sequence[Panel],
-    looks: Iterable[Mapping[str, Any]],
+    key: Groups,
     title: str = "",
     common: Sequence[str] = (),
     newtons_per_load: float | None = None,
     axes: Sequence[Axes] = (),
-    mark_looks: Mapping[str, Mapping[str, Any]] = marks.LOOKS,
+    mark_looks: Mapping[str, Look] = marks.LOOKS,
 ) -> Figure:
-    """Draw panels of curves, and a key for ``looks`` with a label and for ``mark_looks`` of marks that are
-    drawn; with ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  With ``axes``, one for each panel, they are drawn there, and
-    the key is in the last of them; otherwise on a new figure."""
+    """Draw panels of curves, and a key for the groups of ``key`` and for ``mark_looks`` of marks that are
+    drawn; with ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  With ``axes``, one for each
+    panel, they are drawn there, and the key is in the last of them; otherwise on a new figure."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
     labels = {series.look.get("label") for panel in panels for series in panel.series}
-    looks = [*looks, *(look for look in mark_looks.values() if look.get("label") in labels)]
-    entries = {
-        look["label"]: Line2D([], [], **look)
-        for look in looks
-        if look.get("label", "_")[0] != "_"  # as matplotlib has it
-    }
+    drawn = [look for look in mark_looks.values() if look.get("label") in labels - {None}]
+    groups = [group for group in (*key, drawn) if group]
     if len(axes):
         for each, panel in zip(axes, panels, strict=True):
             _draw_panel(each, panel, newtons_per_load)
-        if entries:
-            axes[-1].legend(handles=list(entries.values()), title=title or None)
+        if groups:
+            lines = [handle(each) for group in groups for each in group]
+            axes[-1].legend(handles=lines, title=typeset(title) or None)
         return axes[0].figure
-    rows, beside = math.ceil(len(panels) / 2), len(panels) % 2 == 1
-    beside = beside and key_columns(entries, 0.5) * KEY_ROWS >= len(entries)
-    lines = math.ceil(len(entries) / key_columns(entries))
-    below = 0.0 if beside else max(KEY_HEIGHT, KEY_LINE * lines)
+    rows = math.ceil(len(panels) / 2)
+    beside = len(panels) % 2 == 1 and is_beside(groups)
+    below = key_height(groups) if groups and not beside else 0.0
     figure = empty_panels(panels, (TWO_COLUMNS, rows * CELL_HEIGHT + below))
     for each, panel in zip(figure.axes, figure.panels, strict=True):
         _draw_panel(each, panel, newtons_per_load)
@@ -259,8 +236,8 @@ def draw_panels(
         each.sharex(over_sizes[0])
     if len(over_sizes) > 1:
         over_sizes[0].autoscale(axis="x")
-    if entries:
-        add_key(figure, list(entries.values()), title, common, beside)
+    if groups:
+        add_key(figure, groups, title, common, beside)
     return figure
 
 
@@ -279,23 +256,29 @@ def _draw_panel(axes, panel, newtons_per_load):
         elif series.drawn_as == LINE:
             y = np.maximum(series.y, panel.least or -np.inf)
             (lines[series],) = axes.plot(series.x, y, **series.look)
-            if series.tolerance:
+            if series.tolerance and series.x.size > 1:
+                axes.fill_between(series.x, *series.tolerance[1], **series.tolerance_look)
+            elif series.tolerance:
                 bars += axes.plot(*series.tolerance, **series.tolerance_look)
-    set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
+    zones = set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
     peaks = marks.TURNING_POINTS, marks.SLIGHT
     stars = [line for series, line in lines.items() if series.kind in peaks]
     keep_apart(axes, stars)
-    numbers = [line for series, line in lines.items() if series.tolerance]
-    points = [line for line in numbers if len(line.get_xdata()) == 1]
+    points = [line for one, line in lines.items() if one.tolerance and one.x.size == 1]
     keep_apart(axes, points)
-    hide_bars(axes, list(zip(numbers, bars, strict=True)))
-    if panel.x == "load":
-        texts = {
-            lines[one]: text
-            for one in panel.of_kind(CURVE)
-            if (text := one.look.get("label", "").lstrip("_"))[:1].isdigit()
-        }
-        label_curves(axes, texts, [*stars, *points])
+    hide_bars(axes, list(zip(points, bars, strict=True)))
+    if panel.x in ("load", "normal_load"):
+        texts = {lines[one]: _name(one.look) for one in panel.of_kind(CURVE) if _name(one.look)}
+        width = name_ends(axes, texts)
+        if zones is not None and width:
+            zones.tick_params(axis="y", pad=width)
+
+
+def _name(look) -> str:
+    """The level of a curve, written at its end; hairlines and two-body contact have no name."""
+    text = look.get("label", "").lstrip("_").split(", ")[-1]
+    is_level = text[:1].isdigit() or text == "dry"
+    return typeset(text) if is_level and look.get("linewidth") != HAIRLINE["linewidth"] else ""
 
 
 def _some_ranges(ranges):
@@ -303,85 +286,3 @@ def _some_ranges(ranges):
     coloured = [one for one in ranges if len({*one.look["facecolor"]}) > 1]
     places = np.linspace(0, max(len(coloured) - 1, 0), MOST_RANGES).round().astype(int)
     return [coloured[place] for place in np.unique(places) if coloured]
-
-
-def key_columns(labels: Iterable[str], width: float = 1.0) -> int:
-    """How many columns of a key with these labels fit on a fraction ``width`` of a figure."""
-    lengths = [len(each) for each in labels]
-    for columns in range(KEY_COLUMNS, 1, -1):
-        parts = np.array_split(lengths, columns)
-        letters = sum(part.max(initial=0) + HANDLE_LETTERS for part in parts if part.size)
-        if letters <= width * KEY_LETTERS:
-            return columns
-    return 1
-
-
-def add_key(
-    figure: Figure,
-    entries: Sequence[Line2D],
-    title: str = "",
-    common: Sequence[str] = (),
-    beside: bool = False,
-) -> None:
-    """Add a key below all panels, or beside the last one in the free cell of two columns, with a title and
-    the conditions common to all curves."""
-    columns = key_columns([str(each.get_label()) for each in entries])
-    place = {"loc": "outside lower center", "ncols": columns}
-    if beside:
-        cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
-        columns = math.ceil(len(entries) / KEY_ROWS)
-        place = {"loc": "center", "bbox_to_anchor": cell, "ncols": columns}
-    text = "\n".join(filter(None, (title, ", ".join(common))))
-    ends = {each: HandlerLine2D(numpoints=2) for each in entries if each.get_marker() == "|"}
-    figure.legend(handles=entries, title=text or None, handler_map=ends, **place)
-
-
-def level_styles(count: int, size: int = 1) -> list[dict]:
-    """Line properties of curves of ``size`` points at ``count`` ordered levels: colours become
-    lighter, and each has its own marker, at other points than the next one."""
-    colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(DARKEST, LIGHTEST, count))
-    step = max(size // MARKERS_PER_CURVE, 1)
-    return [
-        {"color": colour, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
-        | {"markerfacecolor": "white" if index % 2 else colour, "markeredgecolor": colour}
-        | {"markevery": (int(step * (index + 0.5) / count), step)}
-        for index, colour in enumerate(map(tuple, colours.tolist()))
-    ]
-
-
-def curve_styles(
-    curves: Sequence[Condition], parameter: str, size: int
-) -> dict[Condition | str, dict]:
-    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by its
-    level.  Two-body contact is black or grey; with lubricated contact, dry contact is broad and grey, the
-    lighter the higher its level, or dotted without particles."""
-    media = {each.viscosity for each in curves}
-    compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2
-    levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
-    looks = dict(zip(levels, level_styles(len(levels), size), strict=True))
-    looks[0.0] = {"color": "black"}
-    greys = dict(zip(sorted(looks), np.linspace(*DRY_GREYS, len(looks)).tolist(), strict=True))
-    styles = {}
-    for each in curves:
-        level = getattr(each, parameter)
-        look = looks[level] | {"label": _level_text(each, parameter)}
-        if each.is_dry and parameter == "viscosity" and each.is_two_body:
-            look = DRY_TWO_BODY | {"label": look["label"]}
-        elif compares_media and each.is_dry:  # written at the curve, but not in the key
-            look = DRY | {"color": str(greys[level]), "label": f"_{look['label']}"}
-        elif each.is_dry and any(media):
-            look = DRY | {"label": look["label"]}
-        styles[each] = look
-    for viscosity in sorted(media, reverse=True) if compares_media else ():
-        text = f"{value_text('viscosity', viscosity)} cSt" if viscosity else "dry"
-        styles[text] = ({"color": GREY} if viscosity else DRY) | {"label": text}
-    return styles
-
-
-def _level_text(condition, parameter):
-    level = getattr(condition, parameter)
-    if level:
-        return value_text(parameter, level)
-    if parameter == "viscosity":
-        return "dry, two-body" if condition.is_two_body else "dry"
-    return "none (two-body)"

@@ -16,6 +16,7 @@ from thirdbody.variables import CONDITION_AXES, STATUS
 TURNING_POINTS, LOCUS, SLIGHT = "turning points", "locus of the turning points", "slight peaks"
 WINDOW, BAND = "window", "band"
 LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
+FROM_ZERO = 0.05  # of a slight peak on a linear axis, in heights of the highest curve
 VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
 BAND_STEP = 2  # every second load is enough for the edge of a range
 TINT = 0.13  # of the colour in a range, the rest is white
@@ -72,14 +73,17 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
         yield Series(kind, "", *np.array(places), look=LOOKS[kind])
 
 
-def slight_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """Peaks of A_sa,t* that are no turning points, in a panel where other curves have some."""
+def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
+    """Peaks of A_sa,t* that are no turning points, in a panel where other curves have some; on a linear axis,
+    without ``least``, those that are apart from its zero."""
     places = []
+    highest = max((np.nanmax(curve.values[RATIO]) for curve in curves), default=0.0)
     for curve in curves if any(curve.turning_point for curve in curves) else ():
         ratio = curve.values[RATIO]
         top = int(np.nanargmax(ratio))
         rise = ratio[top] - max(np.nanmin(ratio[: top + 1]), np.nanmin(ratio[top:]))
-        if not curve.turning_point and rise >= LEAST_RISE:
+        is_apart = least > 0.0 or ratio[top] > FROM_ZERO * highest
+        if not curve.turning_point and rise >= LEAST_RISE and is_apart:
             places.append([curve.values[name][top] for name in (x, y)])
     if places:
         yield Series(SLIGHT, "", *np.array(places).T, look=LOOKS[SLIGHT])
@@ -117,6 +121,12 @@ def range_series(
     return Series(BAND, name, x, y, condition, look, drawn_as=OUTLINE)
 
 
+def ends_of(outline: Series) -> tuple[NDArray, NDArray, NDArray]:
+    """x, the low and the high end of a range, from its outline."""
+    half = (outline.x.size - 1) // 2
+    return outline.x[:half], outline.y[:half], outline.y[half : 2 * half][::-1]
+
+
 def range_of(curve: Curve, x: str, y: str) -> Iterator[Series]:
     """The range of ``y`` around a curve over ``x``, if it has one."""
     if curve.has(f"{y}_low"):
@@ -131,7 +141,9 @@ def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Seri
     ends = np.array([row["diameter_over_roughness"] for row in windows if is_on(row, roughness)])
     ends = ends[np.isfinite(ends)]
     if ends.size:
-        yield Series(WINDOW, "", ends, np.zeros(ends.size), look=LOOKS[WINDOW], drawn_as=UPRIGHT)
+        yield Series(
+            WINDOW, "", ends, np.full(ends.size, np.nan), look=LOOKS[WINDOW], drawn_as=UPRIGHT
+        )
 
 
 def is_on(row: Mapping, roughness: float) -> bool:

@@ -20,16 +20,15 @@ from thirdbody.attributes import GIVEN_AS
 from thirdbody.conditions import axis_of, checked_variables
 from thirdbody.netcdf import OF_THE_FILE, read_plain
 from thirdbody.plotting.curves import (
-    BLUE,
     LUBRICATED,
     curve_figure,
     draw_panels,
-    level_styles,
 )
 from thirdbody.plotting.drawing import STYLE, Drawing
 from thirdbody.plotting.marks import range_series, read_turning_points
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
+from thirdbody.plotting.styles import BLUE, level_styles
 from thirdbody.variables import BY_ALIAS, DIMENSIONS, NORMAL_LOAD, STATUS
 
 
@@ -91,7 +90,7 @@ def plot(
     >>> figure.axes[0].get_ylabel()
     '$A_{sa,t}^*$'
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
-    'Viscosity ν (cSt)'
+    'Viscosity $ν$ (cSt)'
     """
     variables = checked_variables(variables, LUBRICATED)
     axes = [] if ax is None else np.ravel(np.asarray(ax, object))
@@ -130,7 +129,7 @@ def _plot_over(
     if varying:
         looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
-    return draw_panels(panels, looks, common=common, axes=axes)
+    return draw_panels(panels, [looks if varying else []], common=common, axes=axes)
 
 
 def plot_curve(

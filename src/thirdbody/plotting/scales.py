@@ -8,6 +8,9 @@ from thirdbody.curves import Condition
 from thirdbody.variables import AXES, CONDITION_AXES, DERIVED, NORMAL_LOAD, QUANTITIES
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+LETTERS = str.maketrans("ₐₛₜ", "ast")
+SYMBOL = re.compile(r"([A-Za-zσην])([ₐₛₜ]+(?:,[ₐₛₜ]+)?)(\*?)")
+ALONE = re.compile(r"(?<![\w$])([σην])(?![\w$])")
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 
 
@@ -16,6 +19,15 @@ def power_text(value: float) -> str:
     mantissa, exponent = f"{value:.3e}".split("e")
     power = "10" + str(int(exponent)).translate(SUPERSCRIPTS)
     return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
+
+
+def typeset(text: str) -> str:
+    """A text with symbols for matplotlib, as on the axes of variables: ηₐ as $η_a$."""
+    text = SYMBOL.sub(
+        lambda found: f"${found[1]}_{{{found[2].translate(LETTERS)}}}{'^*' if found[3] else ''}$",
+        text,
+    )
+    return ALONE.sub(r"$\1$", text)
 
 
 def unit_text(parameter: str) -> str:

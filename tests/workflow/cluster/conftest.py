@@ -6,7 +6,7 @@ import shutil
 import pytest
 from single_node import PLUGIN, PROGRAMS, Cluster
 
-PACKAGES = "slurm-wlm munge slurmdbd mariadb-server"
+PACKAGES = "slurm-wlm munge"
 
 
 def what_is_missing():

@@ -1,4 +1,4 @@
-"""A cluster of one node: SLURM with accounting, from Debian's packages, in a temporary folder."""
+"""A cluster of one node: SLURM without accounting, from Debian's packages, in a temporary folder."""
 
 import getpass
 import os
@@ -10,8 +10,8 @@ import subprocess
 import time
 from pathlib import Path
 
-PROGRAMS = ("munged", "mariadbd", "mariadb-install-db", "slurmdbd", "slurmctld", "slurmd")
-NODE, PARTITION, ACCOUNT, PASSWORD = "node", "batch", "tribology", "secret"
+PROGRAMS = ("munged", "slurmctld", "slurmd")
+NODE, PARTITION = "node", "batch"
 # Snakemake's plugin: not beside Snakemake, as it slows every command where no controller answers
 PLUGIN = Path(__file__).resolve().parents[3] / ".venv" / "slurm"
 # the node has a host name and temporary files of its own, and the configuration where clusters have it
@@ -42,11 +42,7 @@ MpiDefault=none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core_Memory
 JobAcctGatherType=jobacct_gather/none
-AccountingStorageType=accounting_storage/slurmdbd
-AccountingStorageHost=localhost
-AccountingStoragePass={place}/munge.socket
-AccountingStoragePort={ports[2]}
-AccountingStorageEnforce=associations
+AccountingStorageType=accounting_storage/none
 ReturnToService=2
 KillWait=2
 MessageTimeout=2
@@ -54,24 +50,6 @@ MinJobAge=3600
 SchedulerParameters=sched_interval=1,bf_interval=1
 NodeName={node} NodeAddr=127.0.0.1 CPUs=2 RealMemory=4000
 PartitionName={partition} Nodes=ALL Default=YES State=UP
-"""
-DATABASE_DAEMON = """
-AuthType=auth/munge
-AuthInfo=socket={place}/munge.socket
-DbdHost=localhost
-DbdPort={ports[2]}
-SlurmUser={user}
-PidFile={place}/slurmdbd.pid
-StorageType=accounting_storage/mysql
-StorageHost=127.0.0.1
-StoragePort={ports[3]}
-StorageUser=slurm
-StoragePass={password}
-StorageLoc=accounting
-"""
-GRANT = f"""
-CREATE USER slurm@127.0.0.1 IDENTIFIED BY '{PASSWORD}';
-GRANT ALL ON accounting.* TO slurm@127.0.0.1;
 """
 WAIT = 60.0  # seconds, for a machine that is busy
 
@@ -87,21 +65,18 @@ class Cluster:
         self.daemons = {}
         for name in ("state", "spool", "own"):
             (place / name).mkdir()
-        self.ports = free_ports(4)
+        ports = free_ports(2)
         known = {
             "host": platform.node().partition(".")[0],
             "node": NODE,
             "partition": PARTITION,
-            "password": PASSWORD,
             "place": place,
-            "ports": self.ports,
+            "ports": ports,
             "user": getpass.getuser(),
         }
         self.write("munge.key", os.urandom(128), 0o600)
-        self.write("grant.sql", GRANT.encode(), 0o600)
         self.write("prolog", f"#!/bin/sh\necho export TMPDIR={place}/own\n".encode(), 0o755)
         self.write("slurm.conf", SLURM.format(**known).encode(), 0o644)
-        self.write("slurmdbd.conf", DATABASE_DAEMON.format(**known).encode(), 0o600)
         os.environ["SLURM_CONF"] = str(place / "slurm.conf")
 
     def write(self, name, content, mode):
@@ -119,13 +94,6 @@ class Cluster:
     def start_all(self):
         """Start all daemons, and wait until the node can be had."""
         self.start_munge()
-        self.start_database()
-        self.start("slurmdbd", "-D")
-        listing = ["sacctmgr", "list", "cluster"]
-        wait_until(lambda: subprocess.run(listing, capture_output=True).returncode == 0)
-        self.ask("sacctmgr", "-i", "add", "cluster", "tests")
-        self.ask("sacctmgr", "-i", "add", "account", ACCOUNT)
-        self.ask("sacctmgr", "-i", "add", "user", getpass.getuser(), f"account={ACCOUNT}")
         self.start_controller()
         self.start_node()
 
@@ -135,30 +103,6 @@ class Cluster:
         options = [f"--{option}={self.place}/munge.{kind}" for option, kind in files.items()]
         self.start("munged", "--foreground", "--force", f"--log-file={self.place}/munge", *options)
         wait_until((self.place / "munge.socket").exists)
-
-    def start_database(self):
-        """Start MariaDB with its data and its port."""
-        data = f"--datadir={self.place}/database"
-        user = f"--user={getpass.getuser()}"
-        subprocess.run(
-            ["mariadb-install-db", "--no-defaults", data, user, "--skip-test-db"],
-            check=True,
-            capture_output=True,
-        )
-        self.start(
-            "mariadbd",
-            "--no-defaults",
-            data,
-            user,
-            "--bind-address=127.0.0.1",
-            f"--port={self.ports[3]}",
-            f"--socket={self.place}/mariadb.socket",
-            f"--pid-file={self.place}/mariadb.pid",
-            f"--init-file={self.place}/grant.sql",
-            "--skip-name-resolve",
-            "--innodb-flush-log-at-trx-commit=0",
-        )
-        wait_until((self.place / "mariadb.pid").exists)
 
     def start_node(self):
         """Start the node, and wait until it can be had."""
@@ -184,6 +128,7 @@ class Cluster:
     def stop(self):
         """End all daemons, and what they started."""
         subprocess.run(["scancel", "--user", getpass.getuser()], capture_output=True)
+        self.daemons["unshare"].kill()
         for daemon in reversed(self.daemons.values()):
             daemon.terminate()
             try:

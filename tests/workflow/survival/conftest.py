@@ -6,7 +6,7 @@ from harm import complete, products
 
 @pytest.fixture(scope="session")
 def undisturbed(finished):
-    """Content of each product of a full minimal run, by its name under ``results/``."""
+    """Content of each product of a run, by its name under ``results/``."""
     return products(finished.root / "results")
 
 

@@ -16,9 +16,9 @@ LONG = os.environ.get("SURVIVAL") == "long"  # `make test-survival`
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH = 24, 1, 2
 
 
-def complete(workspace: Workspace, *arguments, **options) -> str:
+def complete(workspace: Workspace, *arguments) -> str:
     """What a run says that must succeed."""
-    code, said = ended(start(workspace, *arguments, **options))
+    code, said = ended(start(workspace, *arguments))
     assert code == 0, said
     return said
 
@@ -36,9 +36,10 @@ def obey_permissions() -> None:
             assert ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, capability, 0, 0, 0) == 0
 
 
-def jobs_begun(workspace: Workspace) -> int:
-    """Jobs of a run that have a log."""
-    return sum(1 for _ in workspace.root.glob("logs/**/*.log"))
+def jobs_begun(workspace: Workspace, since: float = 0.0) -> int:
+    """Jobs whose log was written at the time ``since`` or later."""
+    logs = workspace.root.glob("logs/**/*.log")
+    return sum(log.stat().st_mtime >= since for log in logs)
 
 
 def kill_all(run: subprocess.Popen) -> None:
@@ -68,11 +69,16 @@ WAYS = (kill_main, kill_job, kill_all)
 
 
 def kill_at(
-    workspace: Workspace, jobs: int, chance: random.Random, *arguments, kill=kill_all, **options
+    workspace: Workspace,
+    jobs: int,
+    chance: random.Random,
+    *arguments,
+    kill=kill_all,
+    since=0.0,
 ) -> bool:
     """Start a run and ``kill`` it soon after ``jobs`` jobs have begun; False if it ended before."""
-    run = start(workspace, *arguments, **options)
-    while jobs_begun(workspace) < jobs and run.poll() is None:
+    run = start(workspace, *arguments)
+    while jobs_begun(workspace, since) < jobs and run.poll() is None:
         time.sleep(0.02)
     time.sleep(chance.uniform(0.0, 1.0))
     alive = run.poll() is None

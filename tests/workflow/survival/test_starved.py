@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 from harm import LONG, assert_same, complete, ended, obey_permissions, products, start
-from workspace import MINIMAL, SNAKEMAKE
+from workspace import SNAKEMAKE
 
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
 # runs in a disk of its own: little room, what it left, more room, what it left
@@ -49,7 +49,7 @@ def test_a_full_disk_is_named_and_the_run_completes_when_it_has_room(
     files = [path for path in sources.root.rglob("*") if path.is_file()]
     needed = sum(-(-path.stat().st_size // 4096) * 4 for path in files)
     given = str(needed + room), disk, sources.root, kept
-    command = [*NAMESPACE, "sh", "-c", ON_A_SMALL_DISK, "sh", *given, *SNAKEMAKE, *MINIMAL]
+    command = [*NAMESPACE, "sh", "-c", ON_A_SMALL_DISK, "sh", *given, *SNAKEMAKE]
     ran = subprocess.run(command, capture_output=True, text=True)
     said = (kept / "full.txt").read_text(errors="replace")
     assert ran.returncode == 0, ran.stderr + said + (kept / "roomy.txt").read_text()

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.core.regimes import BOUNDARY_LIMIT
 from thirdbody.paper.sampling import TINY, first_fall, logarithm
@@ -14,20 +15,32 @@ if TYPE_CHECKING:
 BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
 
 
+def area_slope(load: NDArray, area: NDArray) -> NDArray:
+    """The slope of A_t* over F_t*, both on logarithmic axes [1]."""
+    return np.gradient(np.log(np.maximum(area, np.finfo(float).tiny)), np.log(load))
+
+
+def crossings(load: NDArray, areas: NDArray) -> NDArray:
+    """Loads F_t* [1] above which A_t* increases from each curve to the next; shape (curves - 1,)."""
+    gaps = np.diff(logarithm(areas), axis=0)
+    return np.array([first_fall(load[::-1], gap[::-1]) for gap in gaps])
+
+
+def bend_load(load: NDArray, slope: NDArray, reference: NDArray) -> float:
+    """The load F_t* [1] at which the ``slope`` of A_t* has fallen by ``BEND`` below that of the reference."""
+    return first_fall(load, BEND - (reference - slope))
+
+
 def reversal_load(claim: "Claim", evidence: "Evidence") -> list[float]:
     """Load F_t* [1] above which A_t* increases from curve to curve, in the order of the claim."""
-    loads, areas = claim.table(evidence, claim.curves, "total_contact_area")
-    gaps = np.diff(logarithm(areas), axis=0)
-    return [np.max([first_fall(loads[::-1], gap[::-1]) for gap in gaps])]
+    return [np.max(crossings(*claim.table(evidence, claim.curves, "total_contact_area")))]
 
 
 def bend_loads(claim: "Claim", evidence: "Evidence") -> list[float]:
     """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below that of the reference."""
     slope = "total_contact_area_slope"
-    return [
-        first_fall(curve["load"], BEND - (other[slope] - curve[slope]))
-        for other, curve in claim.pairs(evidence)
-    ]
+    pairs = claim.pairs(evidence)
+    return [bend_load(curve["load"], curve[slope], other[slope]) for other, curve in pairs]
 
 
 def mixed_loads(claim: "Claim", evidence: "Evidence") -> list[float]:

@@ -44,11 +44,7 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
         number = FIGURE.match(claim.place)
         levels = [(name, value) for name, value in claim.limits.items() if name in CURVE_QUANTITIES]
         at_quantity, at_level = levels[0] if levels else ("", None)
-        curves = claim.curves
-        # one number: that of the middle curve
-        if claim.quantity == "total_contact_area_reversal_load":
-            curves = curves[len(curves) // 2 :][:1]
-        for condition, (extreme, quantity, value) in product(curves, claim.printed_numbers):
+        for condition, (extreme, quantity, value) in product(claim.curves, claim.printed_numbers):
             low, high = claim.interval(value)
             known = {n: None if np.isnan(v) else v for n, v in condition.columns.items()}
             rows.append(

@@ -11,6 +11,7 @@ from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.turning_points import TurningPoints, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.curves import Condition
+from thirdbody.paper.claims.between_curves import area_slope
 from thirdbody.paper.sampling import SolvedCurve
 from thirdbody.variables import QUANTITIES
 
@@ -50,12 +51,10 @@ class Evidence:
 def curve_of(solved: SolvedCurve) -> SolvedCurve:
     """The quantities of a curve over the load, from ``QUANTITIES``, ``load`` and ``normal_load``;
     ``film_thickness`` is d/R_x [1], with or without a film."""
-    area = np.maximum(solved["total_contact_area"], np.finfo(float).tiny)
     return {
         **solved,
         "solid_load": solved["solid_load_fraction"] * solved["load"],
-        # on logarithmic axes
-        "total_contact_area_slope": np.gradient(np.log(area), np.log(solved["load"])),
+        "total_contact_area_slope": area_slope(solved["load"], solved["total_contact_area"]),
     }
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from thirdbody.curves import Condition
 from thirdbody.paper.figures import printed
+from thirdbody.paper.figures.curves import OURS
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel
 from thirdbody.plotting.scales import (
@@ -21,6 +22,7 @@ from thirdbody.plotting.scales import (
 )
 from thirdbody.variables import AXES
 
+LEAST_OUTSIDE = 0.005  # of a curve, of a fraction or of its height: half a line's width
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 
 
@@ -61,58 +63,54 @@ CAPTIONS = {
         place="Figure 1",
         title="A lubricated interface with third-body particles",
         message=(
-            "The load F_t is carried by summits of both surfaces, by particles, and by the "
-            "lubricant. The band is the elastic zone h_e of Eqs. 4 and 5 below the mean plane of "
-            "surface 1: in the model every particle that reaches into it carries load, also one "
-            "that does not touch surface 1 here. Such particles are dark, others pale. Dashed "
-            "lines are the mean planes. Surfaces and sizes are drawn from the distributions of "
-            "the model, at the separation d computed for the load F_t."
+            "The load F_t is carried by summits of both surfaces, by particles, and by the lubricant. "
+            "The tint is the elastic zone h_e of Eqs. 4 and 5 below the mean plane of surface 1: in the "
+            "model every particle that reaches into it carries load, also one that does not touch surface 1 "
+            "here. Such particles are dark, others pale. Dashed lines are the mean planes. Surfaces and "
+            "sizes are drawn from the distributions of the model, at the separation d computed for the "
+            "load F_t."
         ),
         alternative=(
-            "A cut through two rough surfaces, one above the other, with lubricant and round "
-            "particles in the gap. Lines name surfaces, lubricant, a particle and a contact; "
-            "arrows mark the separation d and the load, a band h_e."
+            "A cut through two rough surfaces, one above the other, with lubricant and round particles in "
+            "the gap. Lines name surfaces, lubricant, a particle and a contact; arrows mark the separation "
+            "d, the load and the depth of the tinted zone h_e."
         ),
     ),
     "fig02": Caption(
         place="Figure 2",
         title="The three contact modes",
         message=(
-            "In the s-s mode (A) summits carry the load, in the p-s mode (B) particles, in the "
-            "hybrid mode (C) both. Dark particles carry load, as in Figure 1; pale ones, the "
-            "specks in A, do not. Surfaces and sizes are drawn from the distributions of the "
-            "model, at the separation d computed for the load F_t."
+            "At the same load, in the s-s mode (A) summits carry it, in the p-s mode (B) particles, in the "
+            "hybrid mode (C) both. Dark particles, which reach into the tinted zone h_e, carry load, as in "
+            "Figure 1; pale ones, the specks in A, do not. Surfaces and sizes are drawn from the "
+            "distributions of the model, at the separation d computed for the load F_t."
         ),
         alternative=(
-            "Three cuts through two rough surfaces with round particles between them. In A "
-            "summits touch and particles are free; in B only particles carry load; in C both do."
+            "Three cuts through two rough surfaces with round particles between them. In A summits touch "
+            "and particles are free; in B only particles carry load; in C both do."
         ),
     ),
     "claims": Caption(
         title="Verdict on each statement of the paper",
         message=(
-            "A shaded line has the statements of one figure that hold; every other statement has "
-            "a line of its own, in words, which end in … where they are long. Each marker is at "
-            "the deviation of the model in tolerances, linear up to one and logarithmic beyond; "
-            "a statement holds up to the vertical line. Statements that are not tested have no "
-            "marker. Diamonds do not hold when their figure is left out of the search for "
-            "inputs. Hollow markers: less than three quarters of the ensemble give the same "
-            "verdict."
+            "Each bar has the statements of one figure, or of the conclusions and the abstract, by their "
+            "verdict. Below it are all statements that do not hold, in the order of the paper, with the "
+            "colour of their verdict."
         ),
         alternative=(
-            "Markers in horizontal lines, grouped by the figure of the paper; the statements "
-            "beyond one tolerance are named."
+            "A stacked bar for each part of the paper with the number of statements of each verdict, and a "
+            "list of the statements that do not hold."
         ),
     ),
     "sensitivity": Caption(
         title="Sensitivity of results to the unprinted inputs",
         message=(
-            "Each column is a result, each row an input. An elasticity is the change of the "
-            "result in per cent for one per cent of the input. Inputs stand in the order of "
-            "their largest elasticity. Cells without a number are near zero; the table has them "
-            "all. Colours stop at the ends of the scale, numbers do not."
+            "Each column is a result, each row an input. An elasticity is the change of the result in per "
+            "cent for one per cent of the input. Inputs stand in the order of their largest elasticity. "
+            "Cells without a number are near zero; the table has them all. Colours stop at the ends of the "
+            "scale, numbers do not."
         ),
-        alternative=("A heat map with a number in each cell that is not negligible."),
+        alternative="A heat map with a number in each cell that is not negligible.",
     ),
     "largest_particle": Caption(
         title="Largest particles that avoid the particle-surface mode",
@@ -171,7 +169,7 @@ MESSAGES = {
     ),
     "fig09": (
         "The paper: particles of about 250 to 400 nm, 0.83 to 1.33 times σ, have a turning "
-        "point, where the grey areas in D show what counts as about; larger ones enter the p-s "
+        "point, where the brackets in D show what counts as about; larger ones enter the p-s "
         "mode at low loads."
     ),
     "fig10": (
@@ -181,8 +179,7 @@ MESSAGES = {
     "fig11": (
         "The paper: viscosity shifts the turning point to higher loads once the lubrication is "
         "mixed, but not its height; over the film thickness all curves coincide. In B the "
-        "upright bar is the boundary regime, which the paper names without a number; in C "
-        "printed numbers stand across the panel, because the paper prints the film thickness alone."
+        "diamond at 100 % stands for the boundary regime, which the paper names without a number."
     ),
     "fig12": (
         "The paper: on the smoother surface there is no turning point from 50 cSt on, as the "
@@ -217,18 +214,19 @@ MEANINGS = {
         "Blue vertical lines: limits of the range with turning points, computed between the "
         "sizes of the curves too."
     ),
-    printed.PRINTED: (
-        "Diamonds: numbers that the paper prints; bars: their tolerances, where longer than the "
-        "diamond."
+    printed.PRINTED: "Diamonds: numbers that the paper prints; bars: their tolerances.",
+    printed.ALONG_X: (
+        "Upright dashed lines: numbers that the paper prints along x alone, without the height, in the "
+        "colour of their curve if it is one; the bracket around a line is its tolerance."
     ),
-    printed.PRINTED_LIMIT: (
-        "Dashed vertical lines: limits that the paper prints for this surface; grey areas: "
-        "tolerances."
+    printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
+    printed.COMPUTED: (
+        "Hexagons: the bends or the crossing of the computed curves for which the dashed line is printed; "
+        "outside the bracket the model misses the number."
     ),
-    printed.LIMIT_OF_ALL: ("Dotted vertical lines: limits that the paper prints for all surfaces."),
     printed.EVERY_LOAD: (
-        "Level lines with a stroke at each end: numbers that the paper prints for every load; "
-        "upright bars: their tolerances, where longer than the strokes."
+        "Level lines with a stroke at each end: numbers that the paper prints for every load; strips: "
+        "their tolerances."
     ),
     marks.BAND: (
         "Shaded in colour: the range, 5 to 95 %, over the ensemble of inputs that explain the "
@@ -271,12 +269,40 @@ def _notes(panels) -> list[str]:
     sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in named]
+    sentences += _outside(panels)
+    ours = [panel.letter for panel in panels if OURS in panel.title]
+    if ours:
+        sentences.append(f"Not in the paper: {' and '.join(ours)}.")
     if len({condition.is_dry for condition in conditions}) > 1:
-        sentences.append("Broad grey curves: dry contact.")
+        sentences.append("Dashed black curves: dry contact.")
     sentences += [
         ZONES[zones] for zones in dict.fromkeys(SCALES[panel.y].zones for panel in panels) if zones
     ]
     return sentences
+
+
+def _outside(panels) -> list[str]:
+    """A sentence on how far curves lie outside their own ranges, if one is seen to."""
+    texts = []
+    for panel in panels:
+        is_fraction = bool(SCALES[panel.y].zones)
+        curves = {curve.name: curve for curve in panel.of_kind(CURVE)}
+        most = 0.0
+        for band in panel.of_kind(marks.BAND):
+            x, low, high = marks.ends_of(band)
+            y = np.interp(x, curves[band.name].x, curves[band.name].y)
+            beyond = np.maximum(low - y, y - high)
+            most = max(most, float(np.max(beyond if is_fraction else beyond / y)))
+        if most >= LEAST_OUTSIDE:
+            text = (
+                axis_text(panel.y, most) if is_fraction else f"{100.0 * most:.2g} % of its height"
+            )
+            texts.append(f"by {text} in {panel.letter}")
+    if not texts:
+        return []
+    return [
+        f"The curve of the default that lies farthest outside its own range does so {', '.join(texts)}."
+    ]
 
 
 def _conditions(conditions) -> str:

@@ -5,11 +5,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import xarray as xr
 
-from thirdbody.plotting.curves import draw_panels, level_styles
+from thirdbody.plotting.curves import draw_panels
 from thirdbody.plotting.drawing import Drawing
 from thirdbody.plotting.marks import range_series
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import note, parameter_title, value_text
+from thirdbody.plotting.styles import level_styles
 from thirdbody.variables import CONDITION_AXES
 
 
@@ -28,7 +29,7 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
         for chart in charts
     ]
     newtons_per_load = float((charts[0]["normal_load"] / charts[0]["load"])[-1])
-    figure = draw_panels(panels, looks, parameter_title("roughness"), (), newtons_per_load)
+    figure = draw_panels(panels, [looks], parameter_title("roughness"), (), newtons_per_load)
     for axes, panel, chart in zip(figure.axes, panels, charts, strict=True):
         axes.set_xlim(*chart["load"].values[[0, -1]])
         if not any(np.isfinite(one.y).any() for one in panel.series):

@@ -1,6 +1,7 @@
 """The figures of curves in the paper, and those of other scenes, with the printed numbers."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from matplotlib.figure import Figure
 
@@ -10,9 +11,10 @@ from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.panels import Curve, Series
 
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
-AREA, RELATIVE_AREA = Content("total_contact_area"), Content("total_contact_area_over_two_body")
-FILM = Content("film_thickness")
-TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio")
+AREA, FILM = Content("total_contact_area"), Content("film_thickness")
+OURS = "not in the paper"
+RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=OURS)
+TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio", remark=OURS)
 # the conditions of the curves have the same name in config/scenes.yaml; other scenes need no entry here
 CURVE_FIGURES: dict[str, CurveFigure] = {
     # dry: from the p-s over the hybrid to the s-s mode
@@ -22,41 +24,44 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     # the same on two surfaces
     "fig05": CurveFigure("viscosity", (SOLID,), each_surface=True),
     # lubricated and dry contact
-    "fig06": CurveFigure("particle_diameter", (AREA, SOLID, RATIO, RELATIVE_AREA)),
-    "fig07": CurveFigure("particle_density", (AREA, SOLID, RATIO, RELATIVE_AREA)),
+    "fig06": CurveFigure(
+        "particle_diameter",
+        (AREA, SOLID, RATIO, RELATIVE_AREA),
+        strong=(300e-9, 500e-9, 700e-9, 1000e-9),
+    ),
+    "fig07": CurveFigure(
+        "particle_density",
+        (AREA, SOLID, RATIO, RELATIVE_AREA),
+        strong=(1e10, 1e11, 5e11, 5e12),
+    ),
     "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE_AREA), two_body=False),
     # dry: where the turning point occurs
     "fig09": CurveFigure(
         "particle_diameter",
         (
             RATIO,
-            Content("total_contact_area", locus=True),
-            Content("total_contact_area_over_two_body", locus=True),
+            replace(AREA, locus=True),
+            replace(RELATIVE_AREA, locus=True),
             TURNING_POINTS,
         ),
         two_body=False,
+        strong=(250e-9, 300e-9, 350e-9, 400e-9, 500e-9),
     ),
-    "fig10": CurveFigure("diameter_ratio", (RATIO, TURNING_POINTS), each_surface=True),
+    "fig10": CurveFigure(
+        "diameter_ratio",
+        (RATIO, TURNING_POINTS),
+        each_surface=True,
+        strong=(0.8, 1.0, 1.2, 1.3, 1.5),
+    ),
     # how lubricants shift it: over the load and over the film
-    "fig11": CurveFigure(
-        "viscosity",
-        (RATIO, SOLID, Content("particle_contact_area_ratio", x="film_thickness")),
-    ),
+    "fig11": CurveFigure("viscosity", (RATIO, SOLID, replace(RATIO, x="film_thickness"))),
     # on two surfaces
     "fig12": CurveFigure(
         "viscosity",
-        (
-            Content("particle_contact_area_ratio", surface=0),
-            Content("solid_load_fraction", surface=0),
-            Content("particle_contact_area_ratio", surface=-1),
-        ),
+        (replace(RATIO, surface=0), replace(SOLID, surface=0), replace(RATIO, surface=-1)),
     ),
     # and with other particle densities
-    "fig13": CurveFigure(
-        "particle_density",
-        (Content("particle_contact_area_ratio", least=0.003),),
-        each_surface=True,
-    ),
+    "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.003),), each_surface=True),
 }
 
 

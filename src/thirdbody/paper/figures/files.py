@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from thirdbody.paper.figures.captions import Caption
-from thirdbody.paper.figures.printed import EVERY_LOAD, PRINTED
+from thirdbody.paper.figures.printed import ALONG_X, EVERY_LOAD, PRINTED
 from thirdbody.paper.tables import DRAWN_POINTS, write_csv
 from thirdbody.plotting.drawing import FORMATS, Drawing
 from thirdbody.plotting.marks import LOCUS, TURNING_POINTS
-from thirdbody.plotting.panels import CURVE, Panel, Series
+from thirdbody.plotting.panels import CURVE, UPRIGHT, Panel, Series
 from thirdbody.variables import AXES, VARIABLES
 
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md", "json"))
@@ -59,25 +59,31 @@ def _panel_record(panel):
         "y": panel.y,
         "least": panel.least,
         "curves": [curve._asdict() for curve in curves if curve],
-        "printed": [mark for series in panel.of_kind(PRINTED) for mark in _marks(series)],
-        "levels": [mark for series in panel.of_kind(EVERY_LOAD) for mark in _marks(series)],
+        "printed": [_mark(series) for series in panel.of_kind(PRINTED)],
+        "limits": [_mark(series) for series in panel.of_kind(ALONG_X)],
+        "levels": [_mark(series) for series in panel.of_kind(EVERY_LOAD)],
         "turning_points": TURNING_POINTS in kinds,
         "locus": LOCUS in kinds,
     }
 
 
-def _marks(series):
-    """The known numbers of a series: each at its first point, with both ends of its tolerance."""
-    points = np.array([series.x[0], series.y[0]]), *np.transpose(series.tolerance)
-    if np.isfinite(points).all():
-        at, *ends = ([float(f"{each:.{DIGITS}g}") for each in point] for point in points)
-        yield {"id": series.name, "at": at, "ends": ends}
+def _mark(series):
+    """The printed number of a series: its first point, with both ends of its tolerance; y is None for a number
+    along x alone."""
+    points = [(series.x[0], series.y[0]), *zip(*series.tolerance)]
+    at, *ends = ([_rounded(each) for each in point] for point in points)
+    return {"id": series.name, "at": at, "ends": ends}
+
+
+def _rounded(number):
+    return float(f"{number:.{DIGITS}g}") if np.isfinite(number) else None
 
 
 def _points(panel: Panel, series: Series) -> Iterator[dict]:
     """Rows of the known points of a series, then of both ends of its tolerance."""
     kind = "" if series.kind == CURVE else series.kind
-    yield from _rows(panel, kind, series.name, series.x, series.y)
+    known = np.isfinite(series.x) & (np.isfinite(series.y) | (series.drawn_as == UPRIGHT))
+    yield from _rows(panel, kind, series.name, series.x[known], series.y[known])
     if series.tolerance:
         yield from _rows(panel, TOLERANCE, series.name, *series.tolerance)
 
@@ -85,9 +91,8 @@ def _points(panel: Panel, series: Series) -> Iterator[dict]:
 def _rows(panel, kind, name, x, y):
     curve = "; ".join(filter(None, (kind, name)))
     names = dict(panel=panel.letter, curve=curve, x_name=panel.x, y_name=panel.y)
-    known = np.isfinite(x) & np.isfinite(y)
-    for one, other in zip(x[known].tolist(), y[known].tolist(), strict=True):
-        yield names | {"x": one, "y": other}
+    for one, other in zip(x.tolist(), y.tolist(), strict=True):
+        yield names | {"x": one, "y": None if np.isnan(other) else other}
 
 
 def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:

@@ -7,13 +7,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.curves import condition_key, row_key
+from thirdbody.paper.claims.between_curves import area_slope, bend_load, crossings
 from thirdbody.plotting import marks
 from thirdbody.plotting.marks import AREA, RATIO, RELATIVE_AREA, is_on
 from thirdbody.plotting.panels import UPRIGHT, Curve, Series
 from thirdbody.plotting.scales import SCALES
 
 PRINTED, EVERY_LOAD = "printed", "printed at every load"
-PRINTED_LIMIT, LIMIT_OF_ALL = "printed limit", "printed limit of all surfaces"
+ALONG_X, OF_ALL = "printed along x", "printed along x for all surfaces"
+COMPUTED = "computed"
 # how matplotlib draws each kind of mark; those with a label have an entry in the key, in this order
 LOOKS: dict[str, dict[str, Any]] = {
     PRINTED: {
@@ -38,22 +40,34 @@ LOOKS: dict[str, dict[str, Any]] = {
         "markeredgewidth": 1.4,
         "zorder": 2.9,
     },
-    PRINTED_LIMIT: {
-        "label": "printed limits, tolerance in grey",
+    ALONG_X: {
+        "label": "printed along x, with tolerance",
         "color": "black",
-        "linestyle": "--",
+        "linestyle": (0, (3.0, 1.2)),
+        "linewidth": 1.3,
+        "zorder": 1.7,
     },
-    LIMIT_OF_ALL: {
-        "label": "printed limits, all surfaces",
+    OF_ALL: {
+        "label": "the same, of all surfaces",
         "color": "black",
         "linestyle": ":",
         "linewidth": 1.6,
+        "zorder": 1.7,
+    },
+    COMPUTED: {
+        "label": "bend or crossing, computed",
+        "linestyle": "none",
+        "marker": "H",
+        "markersize": 6.0,
+        "markerfacecolor": "C1",
+        "markeredgecolor": "black",
+        "zorder": 3.2,
     },
 }
-ALL_LOOKS = marks.LOOKS | LOOKS
-# a bar with a stroke across each end, and a zone of a limit
+ALL_LOOKS = LOOKS | marks.LOOKS
+# a bar with a stroke across each end, and a bracket or strip of a number that lacks an ordinate
 BAR = {"linewidth": 1.4, "markersize": 5.0, "markeredgewidth": 1.2, "zorder": 3.0}
-ZONE = {"color": "0.93", "linewidth": 0.0, "zorder": 0.5}
+STRIP = {"facecolor": "#FBEFD0", "edgecolor": "#B8923A", "linewidth": 0.6, "zorder": 0.6}
 
 SOLID = "solid_load_fraction"
 # panels over the load for numbers that are not variables: loads, and values at a turning point
@@ -69,69 +83,118 @@ AT_TURNING_POINT = {
 }
 
 
-def _printed_limit(row) -> Series:
-    """A number printed without an ordinate, across the panel; one for all surfaces has a line of its own."""
-    value, ends = np.array([row["value"]]), np.array([row["low"], row["high"]])
-    own = row["id"].startswith(row["figure"] or "none")
-    look = LOOKS[PRINTED_LIMIT if own else LIMIT_OF_ALL]
-    return Series(
-        kind=PRINTED,
-        name=row["id"],
-        x=value,
-        y=np.zeros(1),
-        look=look,
-        drawn_as=UPRIGHT,
-        tolerance=(ends, np.zeros(2)),
-        tolerance_look=ZONE,
-    )
-
-
 def printed_series(
     x: str, y: str, curves: Sequence[Curve], printed: Sequence[Mapping]
 ) -> Iterator[Series]:
     """Printed numbers of ``curves``, rows of the table ``printed``, in a panel of ``x`` and ``y``;
     each position is shown once, even if several curves have it."""
     if x == "diameter_ratio":
-        for row in printed:
-            if row["quantity"].startswith("window") and is_on(row, curves[0].condition.roughness):
-                yield _printed_limit(row)
+        (roughness,) = {curve.condition.roughness for curve in curves}
+        rows = [row for row in printed if row["quantity"].startswith("window")]
+        yield from (_along_x(row) for row in rows if is_on(row, roughness))
         return
-    if x == "film_thickness":
-        shown = {condition_key(curve.condition) for curve in curves}
-        for row in printed:
-            if row["quantity"] == x and row_key(row) in shown:
-                yield _printed_limit(row)
-        return
+    shown = {condition_key(curve.condition): curve for curve in curves}
+    rows = [row for row in printed if row_key(row) in shown]
+    for group in _groups(row for row in rows if _lacks_ordinate(row, x, y, rows)):
+        of_group = [shown[row_key(row)] for row in group]
+        yield _along_x(group[0], of_group)
+        yield from _computed(group[0], y, of_group, curves)
     drawn = set()
     for curve in curves:
-        key, colour = condition_key(curve.condition), {"color": curve.look["color"]}
-        if isinstance(curve.look["color"], str):  # grey or black
-            colour = {"color": "black"}
-        own = [row for row in printed if row_key(row) == key]
+        key, colour = condition_key(curve.condition), _colour([curve])
+        own = [row for row in rows if row_key(row) == key]
         numbers = {row["quantity"]: row["value"] for row in own}
         for row in own:
+            if _lacks_ordinate(row, x, y, rows):
+                continue
             points = _low_value_high(curve, row, x, y, numbers)
             place = row["id"], tuple(np.ravel(points))
             if points and place not in drawn:
                 drawn.add(place)
                 points = np.array(points)
                 kind, (number_x, number_y) = PRINTED, points[:, 1:2]
-                if _is_at_every_load(row, x, y):
-                    kind, number_y = EVERY_LOAD, np.full(2, row["value"])
-                    number_x = curve.values[x][_within(curve, row)][[0, -1]]
-                    points[0] = np.sqrt(number_x.prod())  # the tolerance in their middle
-                hidden = {"marker": ""} if _is_regime(row, y) else {}
                 end = "|" if points[0, 0] < points[0, 2] else "_"
+                look = BAR | colour | {"marker": end}
+                if _is_at_every_load(row, x, y):
+                    kind, number_y, look = EVERY_LOAD, np.full(2, row["value"]), STRIP
+                    number_x = curve.values[x][_within(curve, row)][[0, -1]]
+                    points[0] = np.sqrt(number_x.prod())
                 yield Series(
                     kind=kind,
                     name=row["id"],
                     x=number_x,
                     y=number_y,
                     curve=curve.condition,
-                    look=LOOKS[kind] | colour | hidden,
+                    look=LOOKS[kind] | colour,
                     tolerance=(points[0, ::2], points[1, ::2]),
-                    tolerance_look=BAR | colour | {"marker": end},
+                    tolerance_look=look,
                 )
+
+
+def _groups(rows) -> Iterator[list[Mapping]]:
+    """Rows of the same number: of one statement, with one value."""
+    groups: dict[tuple, list[Mapping]] = {}
+    for row in rows:
+        groups.setdefault((row["id"], row["value"]), []).append(row)
+    yield from groups.values()
+
+
+def _colour(curves) -> dict[str, Any]:
+    """The colour of one curve, or black for several and for a black or grey one."""
+    colours = {curve.look["color"] for curve in curves}
+    colour = colours.pop() if len(colours) == 1 else "black"
+    return {"color": "black" if isinstance(colour, str) else colour}
+
+
+def _lacks_ordinate(row, x, y, rows) -> bool:
+    """Whether the paper prints the number in ``row`` along x alone."""
+    quantity = row["quantity"]
+    if x == "film_thickness":
+        return quantity == x
+    if x != "load" or y not in LOADS.get(quantity, ()):
+        return False
+    same = (one["quantity"] for one in rows if row_key(one) == row_key(row))
+    return quantity != "turning_point_load" or "turning_point_ratio" not in same
+
+
+def _along_x(row, curves=()) -> Series:
+    """A number printed along x alone, across the panel between the ends of its tolerance; one for all
+    surfaces has a line of its own."""
+    kind = ALONG_X if row["id"].startswith(row["figure"] or "none") else OF_ALL
+    nothing = np.full(2, np.nan)
+    return Series(
+        kind=ALONG_X,
+        name=row["id"],
+        x=np.array([row["value"]]),
+        y=nothing[:1],
+        look=LOOKS[kind] | (_colour(curves) if curves else {}),
+        drawn_as=UPRIGHT,
+        tolerance=(np.array([row["low"], row["high"]]), nothing),
+        tolerance_look=STRIP,
+    )
+
+
+def _computed(row, y, of_group, curves) -> Iterator[Series]:
+    """Where the model has the bends or the crossing of ``row``; a turning point has a star."""
+    load = curves[0].values["load"]
+    areas = [curve.values[AREA] for curve in of_group]
+    if row["quantity"] == "total_contact_area_reversal_load":
+        loads = crossings(load, np.array(areas))
+        last = int(np.argmax(loads))
+        places = [(of_group[last], loads[last])]
+    elif row["quantity"] == "bend_load":
+        places = []
+        for curve, area in zip(of_group, areas, strict=True):
+            dry = curve.condition._replace(viscosity=0.0)
+            reference = next(one.values[AREA] for one in curves if one.condition == dry)
+            slopes = area_slope(load, area), area_slope(load, reference)
+            places.append((curve, bend_load(load, *slopes)))
+    else:
+        return
+    for curve, at in places:
+        if load[0] <= at <= load[-1]:
+            place = np.array([at]), np.array([curve.at(y, at)])
+            yield Series(COMPUTED, row["id"], *place, curve.condition, LOOKS[COMPUTED])
 
 
 def _is_at_every_load(row, x, y) -> bool:
@@ -140,14 +203,9 @@ def _is_at_every_load(row, x, y) -> bool:
     return x == "load" and row["quantity"] == y and bool(row["extreme"]) and row["value"] in ends
 
 
-def _is_regime(row, y) -> bool:
-    """Whether the paper names the zone up to the end of an axis, so that only the tolerance is told."""
-    return bool(SCALES[y].zones) and row["at_quantity"] == "load" and row["value"] in (0.0, 1.0)
-
-
 def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None:
     """The number in ``row`` between the ends of its tolerance, as points in a panel of ``x`` and
-    ``y``, along the other axis at the curve, of a turning point at the printed one of ``numbers``,
+    ``y``, along the other axis at the curve, of a turning point at the printed one of ``numbers``;
     None if the panel does not show it."""
     quantity, number = row["quantity"], np.array([row["low"], row["value"], row["high"]])
     if x != "load":
@@ -155,9 +213,7 @@ def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None
     if quantity == "load" and y == row["at_quantity"]:
         return number, np.full(3, row["at_level"])
     if y in LOADS.get(quantity, ()):
-        if quantity == "turning_point_load" and "turning_point_ratio" in numbers:
-            return number, np.full(3, numbers["turning_point_ratio"])
-        return number, np.full(3, curve.at(y, number[1]))
+        return number, np.full(3, numbers["turning_point_ratio"])
     if y != AT_TURNING_POINT.get(quantity, quantity):
         return None
     load = _load_of(curve, row)

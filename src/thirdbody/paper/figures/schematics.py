@@ -11,7 +11,7 @@ from thirdbody.netcdf import PlainDataset
 from thirdbody.paper.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
-from thirdbody.plotting.scales import label, shared_notes
+from thirdbody.plotting.scales import label, shared_notes, typeset
 
 INTERFACE, MODES = 3.6, 2.75  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
@@ -34,13 +34,7 @@ LOOKS: dict[str, dict[str, Any]] = {
     PARTICLE: {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8},
     "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.7},
     SUMMITS: {"color": "C1", "linewidth": 3.2},
-    "elastic zone": {
-        "facecolor": "none",
-        "edgecolor": "C1",
-        "hatch": "////",
-        "linewidth": 0.8,
-        "zorder": 2.2,
-    },
+    "elastic zone": {"facecolor": "C1", "alpha": 0.13, "linewidth": 0.0, "zorder": 2.2},
 }
 FROM_END_TO_END = {"shrinkA": 0, "shrinkB": 0}
 LEADER = FROM_END_TO_END | {"arrowstyle": "-", "color": "0.2", "linewidth": 0.7}
@@ -51,6 +45,7 @@ LOAD = FROM_END_TO_END | {
     "linewidth": 2.0,
     "mutation_scale": 14,
 }
+BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
 STRETCHED = f"heights stretched {STRETCH:g} times, particles drawn round"
 
@@ -89,7 +84,7 @@ def plot_modes(data: PlainDataset) -> Drawing:
     for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
         _draw_section(axes, panel, section, MODES_SHAPE)
         _name_parts(axes, section)
-    figure.supxlabel(f"{', '.join(common)}; {STRETCHED}", fontsize="medium")
+    figure.supxlabel(typeset(f"{', '.join(common)}; {STRETCHED}"), fontsize="medium")
     return figure
 
 
@@ -117,6 +112,8 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
     if section["viscosity"] > 0.0:
         axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
+    reached = section["separation"] - section["elastic_depth"]
+    axes.axhspan(max(reached, middle - reach), section["separation"], **LOOKS["elastic zone"])
     for series in panel.series:
         if series.name in edges:
             axes.fill_between(series.x, series.y, edges[series.name], **series.look)
@@ -129,8 +126,9 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     corner, end = middle - 0.94 * reach, 0.97 * length
     start = end - STRETCH * SCALE
     axes.plot([start, end, end], [corner, corner, corner + SCALE], color="black", linewidth=1.5)
-    across, up = STRETCH * SCALE / MICROMETRE, SCALE / MICROMETRE
-    axes.text(start, corner, f"{across:g} × {up:g} µm ", ha="right", va="bottom")
+    across, up = f"{STRETCH * SCALE / MICROMETRE:g} µm", f"{SCALE / MICROMETRE:g} µm"
+    axes.text(start, corner, f"{across} ", ha="right", va="center", zorder=4)
+    axes.text(end, corner + 0.38 * SCALE, f"{up} ", ha="right", va="center", zorder=4, bbox=BEHIND)
     facts = [
         f"$F_t$ = {section['normal_load']:.3g} N",
         f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
@@ -156,7 +154,7 @@ def _name_parts(axes, section):
     x, y, size, carries = (section[name] for name in PARTICLES)
     if carries.any():
         largest = np.argmax(np.where(carries, size, 0.0))
-        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.67 * length, 0.5 * bottom))
+        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.5 * length, 0.5 * bottom))
     if section["viscosity"] > 0.0:
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
@@ -174,12 +172,12 @@ def _draw_arrows(axes, section):
     length, d = section["position"][-1], section["separation"]
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
-    place = 0.025 * length
-    axes.annotate("", (place, 0.0), (place, d), arrowprops=SEPARATION)
-    axes.text(place, 0.5 * d, "  $d$", va="center")
     bottom, top = axes.get_ylim()
-    axes.axhspan(max(d - section["elastic_depth"], bottom), d, 0.05, 0.064, **LOOKS["elastic zone"])
-    axes.text(0.072 * length, 0.4 * bottom, "$h_e$", va="center")
+    reached = max(d - section["elastic_depth"], bottom)
+    for place, low, symbol in ((0.02, 0.0, "$d$"), (0.06, reached, "$h_e$")):
+        x = place * length
+        axes.annotate("", (x, low), (x, d), arrowprops=SEPARATION)
+        axes.text(x, 0.35 * low + 0.65 * d, f" {symbol}", va="center", zorder=4, bbox=BEHIND)
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")

@@ -79,7 +79,7 @@ const KEY = {
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level", hasEnds: true },
   windows: { text: "limits of turning points", color: "var(--accent)", kind: "window" },
-  limits: { text: "printed limits (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit" },
+  limits: { text: "printed along x alone (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit" },
   ranges: { text: "range, 5 to 95 %", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
   here: { text: "at your conditions", color: "var(--accent)", kind: "here" },

@@ -149,6 +149,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     ranges: ranges.filter(({ points }) => points),
     ranged: ranged.map(({ condition }) => condition),
     levels: marksOf(panel.levels, statement, curves),
+    limits: panel.limits.map((mark) => ({ ...mark, kind: "limit" })),
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
@@ -227,11 +228,11 @@ function windowSpec(figure, panel, engine, surface) {
   return specOf({
     letter: panel.letter,
     title: `${VARIABLES[panel.y].words}, ${label}`,
-    x: axisFor(panel.x, "linear", [...sizes, ...panel.printed.flatMap(({ ends }) => ends.map(([end]) => end))]),
+    x: axisFor(panel.x, "linear", [...sizes, ...panel.limits.flatMap(({ ends }) => ends.map(([end]) => end))]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color: "none", points }],
     windows: ends.filter(Number.isFinite),
-    limits: panel.printed.map((mark) => ({ ...mark, kind: mark.id.startsWith(figure.name) ? "limit" : "limit all" })),
+    limits: panel.limits.map((mark) => ({ ...mark, kind: mark.id.startsWith(figure.name) ? "limit" : "limit all" })),
     stars: points.filter(({ y }) => Number.isFinite(y)),
   });
 }

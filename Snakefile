@@ -1,48 +1,16 @@
 # Every dataset, table and figure of Chen & Horng (2024), from the printed equations: snakemake -c2
 
-import re
-import sys
 from snakemake.utils import min_version
-from thirdbody.paper.configuration.settings import read_settings
 
 min_version("9.12")
 
 
-include: "rules/common.smk"
-
-
-# Snakemake does not quote the interpreter of a script
-if not re.fullmatch(r"[\w/.,:@%+~-]+", sys.executable):
-    sys.exit(
-        f"the path {sys.executable} has a blank or a sign of the shell; allowed: a folder whose path has none"
-    )
-
-# before Snakemake reads the files: its errors do not give the location
-try:
-    settings = read_settings(config, CONFIG, *workflow.overwrite_configfiles)
-except ValueError as error:
-    sys.exit(str(error))
+# the settings, checked; where files are; what a job depends on
+include: "workflow/rules/common.smk"
 
 
 configfile: f"{CONFIG}/config.yaml"
 configfile: f"{CONFIG}/scenes.yaml"
-
-
-# a named run keeps all its files in results/NAME
-RESULTS = f"results/{settings['run']}" if settings["run"] else "results"
-LOGS = f"{RESULTS}/logs" if settings["run"] else "logs"
-
-SCHEMATICS = ["fig01", "fig02"]
-SCENES = [name for name in settings["scenes"] if name.startswith("fig")]
-FIGURES = [*SCHEMATICS, *SCENES, "claims", "sensitivity"]
-TABLES = [
-    *["table1", "table2", "tpca_loads", "tpca_windows", "transitions"],
-    *["sensitivity", "deviations", "departures"],
-]
-CHARTS = ["largest_particle", "least_viscosity"]  # of the atlas
-FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]
-TABLE_KINDS = ["csv", "html", "tex"]
-SOFTWARE = settings["software"]
 
 
 pathvars:
@@ -50,7 +18,25 @@ pathvars:
     logs=LOGS,
 
 
-report: "report/workflow.rst"
+report: "workflow/report/workflow.rst"
+
+
+SCHEMATICS = ["fig01", "fig02"]
+SCENES = [f"fig{number:02d}" for number in range(3, 14)]
+FIGURES = [*SCHEMATICS, *SCENES, "claims", "sensitivity"]
+TABLES = [
+    "table1",
+    "table2",
+    "tpca_loads",
+    "tpca_windows",
+    "transitions",
+    "sensitivity",
+    "deviations",
+    "departures",
+]
+CHARTS = ["largest_particle", "least_viscosity"]  # of the atlas
+FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]
+TABLE_KINDS = ["csv", "html", "tex"]
 
 
 wildcard_constraints:
@@ -81,25 +67,19 @@ rule all:
         "<results>/SHA256SUMS",
 
 
-include: "rules/datasets.smk"
-include: "rules/extract.smk"
-include: "rules/render.smk"
-include: "rules/claims.smk"
-include: "rules/explorer.smk"
-include: "rules/publish.smk"
+include: "workflow/rules/datasets.smk"
+include: "workflow/rules/extract.smk"
+include: "workflow/rules/claims.smk"
+include: "workflow/rules/render.smk"
+include: "workflow/rules/explorer.smk"
+include: "workflow/rules/publish.smk"
 # on demand: snakemake -c2 calibrate, atlas, accuracy, release
-include: "rules/shortlist.smk"
-include: "rules/search.smk"
-include: "rules/calibrate.smk"
-include: "rules/atlas.smk"
+include: "workflow/rules/calibrate.smk"
+include: "workflow/rules/atlas.smk"
+include: "workflow/rules/accuracy.smk"
 
 
-# the repository alone has benchmarks, and the sources that go into a release
-if (HOME / "benchmarks").is_dir():
-
-    include: "rules/accuracy.smk"
-
-
+# a release has the sources, which only the repository has
 if Path.cwd() == HOME:
 
-    include: "rules/archive.smk"
+    include: "workflow/rules/archive.smk"

@@ -1,0 +1,61 @@
+"""The key of a figure: groups of entries, each in columns of its own."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from matplotlib.figure import Figure
+from matplotlib.legend_handler import HandlerLine2D
+from matplotlib.lines import Line2D
+
+from thirdbody.plotting.scales import typeset
+
+ROWS_BESIDE = 12  # of a key in the free cell beside the last panel
+HEIGHT, LINE = 0.55, 0.16  # of a key below the panels without lines, and of its lines [inches]
+LETTERS, HANDLE = 112, 9  # letters across a figure; as wide as the handle of an entry
+
+Groups = Sequence[Sequence[Mapping[str, Any]]]
+
+
+def key_columns(groups: Groups) -> list[list[Mapping[str, Any]]]:
+    """The columns of the lowest key that is no wider than a figure: each group has its own, unless one
+    column is all that fits."""
+    count = sum(map(len, groups))
+    for rows in range(1, count + 1):
+        columns = [group[i : i + rows] for group in groups for i in range(0, len(group), rows)]
+        widths = [max(len(each["label"]) for each in column) + HANDLE for column in columns]
+        if sum(widths) <= LETTERS:
+            return [[*column] for column in columns]
+    return [[each for group in groups for each in group]]
+
+
+def key_height(groups: Groups) -> float:
+    """The height of a key below the panels [inches]."""
+    return HEIGHT + LINE * max(map(len, key_columns(groups)))
+
+
+def is_beside(groups: Groups) -> bool:
+    """Whether a key fits into one cell of two columns."""
+    return sum(map(len, groups)) <= ROWS_BESIDE
+
+
+def handle(look: Mapping[str, Any]) -> Line2D:
+    """The line of an entry."""
+    return Line2D([], [], **{**look, "label": typeset(look["label"])})
+
+
+def add_key(
+    figure: Figure, groups: Groups, title: str, common: Sequence[str], beside: bool
+) -> None:
+    """Add a key below all panels, or beside the last one in the free cell of two columns, with a title and
+    the conditions common to all curves."""
+    columns = [[each for group in groups for each in group]] if beside else key_columns(groups)
+    most = max(map(len, columns))
+    blank = {"linestyle": "none", "label": " "}
+    lines = [handle(each) for column in columns for each in column + [blank] * (most - len(column))]
+    place = {"loc": "outside lower center", "ncols": len(columns)}
+    if beside:
+        cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
+        place = {"loc": "center", "bbox_to_anchor": cell}
+    text = typeset("\n".join(filter(None, (title, ", ".join(common)))))
+    ends = {each: HandlerLine2D(numpoints=2) for each in lines if each.get_marker() == "|"}
+    figure.legend(handles=lines, title=text or None, alignment="left", handler_map=ends, **place)
