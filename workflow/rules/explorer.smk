@@ -18,6 +18,8 @@ rule build_explorer:
             category="Explorer",
             labels={"page": "explorer"},
         ),
+    message:
+        "Build the explorer"
     log:
         "<logs>/build_explorer.log",
     params:

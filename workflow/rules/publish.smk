@@ -15,6 +15,8 @@ rule write_index:
     output:
         page="<results>/index.html",
         captions="<results>/captions.md",
+    message:
+        "Write the index page"
     log:
         "<logs>/write_index.log",
     params:
@@ -31,6 +33,8 @@ rule write_sums:
         [product for product in rules.all.input if not product.endswith("SHA256SUMS")],
     output:
         sums="<results>/SHA256SUMS",
+    message:
+        "Write the sums of all products"
     log:
         "<logs>/write_sums.log",
     params:

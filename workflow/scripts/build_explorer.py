@@ -48,7 +48,12 @@ with job(snakemake) as output:
     entries = read_yaml(snakemake.params.entries)
     titles = {name: each["title"] for name, each in settings["interpretations"].items()}
     interpretations = [
-        {"name": name, "title": titles[name], "inputs": each["inputs"]}
+        {
+            "name": name,
+            "title": titles[name],
+            "inputs": each["inputs"],
+            "ensemble": each["ensemble"],
+        }
         for each in map(read_yaml, snakemake.params.calibrated)
         if (name := each["interpretation"]) in titles
     ]

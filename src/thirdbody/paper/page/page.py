@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from thirdbody.core.parameters import BOUNDS
-from thirdbody.variables import AXES, QUANTITIES, STATUS_MEANINGS
+from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
 FIRST = "main.js"  # the script that imports all others
@@ -18,6 +18,7 @@ IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
 NODES = 48  # of the integrals computed in the page
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+RAISED = re.compile(r"(?<=[a-z])-\d")
 # what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
 MARKUP = {
     r"\\text\s*\{([^}]*)\}": r"\1",
@@ -54,8 +55,8 @@ def page_content(
     ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
     departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
-    ``interpretations`` have ``name``, ``title`` and ``inputs`` of each calibrated one, ``ensemble`` the
-    inputs of each member that differ from the default, ``ranges`` the first and last value of each
+    ``interpretations`` have ``name``, ``title``, ``inputs`` and ``ensemble`` of each calibrated one, ``ensemble``
+    the inputs of each member that differ from the default, ``ranges`` the first and last value of each
     condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
     oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
     ``usual_density`` of an oil; and the least and most of each number that a reader gives.
@@ -73,6 +74,10 @@ def page_content(
             for axis in AXES.values()
         ],
         "quantities": list(QUANTITIES),
+        "variables": {
+            each.name: _variable(each)
+            for each in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
+        },
         "statuses": dict(STATUS_MEANINGS),
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
@@ -87,6 +92,14 @@ def page_content(
         **{key: judged[key] for key in ("held", "judged", "counts")},
         "statements": [_statement(row, departures) for row in judged["statements"]],
     }
+
+
+def _variable(variable):
+    """What the page calls a variable, and how it shows its values: in a unit, as a multiple of that in SI."""
+    unit = RAISED.sub(lambda found: found[0].translate(SUPERSCRIPTS), variable.shown_unit)
+    factor = {} if variable.scale == 1.0 else {"factor": float(f"{1.0 / variable.scale:.12g}")}
+    names = {"symbol": variable.symbol, "words": variable.title, "unit": unit}
+    return names | factor | {"log": variable.is_logarithmic}
 
 
 def _statement(row, departures):

@@ -1,7 +1,7 @@
 // The figures of the paper as specs of charts, with what the user chose in place of their conditions.
 
 import { conditionAxes, content } from "./content.js";
-import { changedInputs, chosenConditions, state } from "./state.js";
+import { chosenConditions, isCalibrated, state } from "./state.js";
 import { currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
 import { outlineOf, withRange } from "./ranges.js";
@@ -131,7 +131,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const { x, y, letter, locus, least } = panel;
   const ofPaper = curves.filter(({ mine }) => !mine);
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
-  const changed = Object.keys(changedInputs()).length > 0 || ofPaper.some(isMoved);
+  const changed = !isCalibrated() || state.interpretation !== "" || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
   // at an end of a load percentage the paper names a regime: its bar alone tells all
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
