@@ -12,7 +12,7 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
-from thirdbody.bearings import bearing
+from thirdbody.bearings import bearing, hertz_contact
 from thirdbody.curves import Condition
 from thirdbody.inputs import load_parameters
 from thirdbody.lab.oil import oil_viscosity
@@ -186,6 +186,29 @@ def test_another_interpretation_is_another_model(explorer):
     assert explorer.one("[name=figure]").get_attribute("value") == "fig11"
     explorer.choose("[name=figure]", "fig04")
     assert explorer.curve("ν = 90 cSt") == before
+
+
+def test_an_interpretation_brings_its_ensemble_and_what_is_changed_is_known(explorer, page):
+    """Its verdicts are judged; an input that is changed on top has the same value in all members."""
+    ranges = """return [...document.querySelectorAll('#point .frame:first-child tbody tr')].map((row) =>
+        [row.querySelector('th').textContent, row.querySelectorAll('td')[1]?.textContent ?? ''])"""
+    names = explorer.open("figure=fig04").run(
+        "return [...document.querySelectorAll('#interpretation option')].map(({ value }) => value)"
+    )
+    explorer.choose("#interpretation", names[-1])
+    assert "not judged" not in explorer.one("#tally").text
+    with_ranges = dict(explorer.run(ranges))
+    assert with_ranges["Load percentage of solid, Ls"] and with_ranges["Nominal area, an input, An"]
+    explorer.enter("#input-apparent_area", "3")
+    assert not dict(explorer.run(ranges))["Nominal area, an input, An"]
+    assert parse_qs(explorer.run("return location.hash.slice(1)"))["interpretation"] == names[-1:]
+
+
+def test_the_answer_has_the_nominal_and_the_hertz_pressure(explorer, defaults):
+    text = explorer.open("load_N=20").one("#point").text
+    area, pressure = (float(number) for number in hertz_contact(20.0, defaults))
+    for value in (1e6 * area, 1e-6 * pressure, 1e-6 * 20.0 / defaults.apparent_area):
+        assert f"{value:.3g}" in text, value
 
 
 def test_hovering_reads_the_library_s_values(explorer, defaults):

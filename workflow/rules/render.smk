@@ -73,6 +73,7 @@ rule render_sensitivity:
     params:
         *sources_of("render_sensitivity.py"),
         settings_text(INPUTS),
+        entries=INPUTS,
     script:
         "../scripts/render_sensitivity.py"
 

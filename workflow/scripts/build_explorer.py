@@ -4,8 +4,8 @@ import json
 from itertools import product
 from pathlib import Path
 
-from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, USUAL_DENSITY, bearing
-from thirdbody.core.parameters import Parameters
+from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
+from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
 from thirdbody.paper.job_log import job
 from thirdbody.paper.page.page import page_content, page_text
@@ -34,7 +34,7 @@ def rig_content(parameters):
     return {
         "materials": materials,
         "oils": oils,
-        "usual_density": USUAL_DENSITY,
+        "usual_density": OIL_DENSITY,
         **{name: USUAL_BEARING[name][:2] for name in numbers},
         "temperature_C": [COLDEST, HOTTEST],
         "oil_viscosity_cSt": [LEAST, MOST],

@@ -2,16 +2,17 @@
 
 import matplotlib.style
 
-from thirdbody.inputs import read_entries
 from thirdbody.paper.figures.captions import caption
 from thirdbody.paper.figures.files import save
 from thirdbody.paper.figures.sensitivity import plot
 from thirdbody.paper.job_log import job
 from thirdbody.paper.tables import TABLES, read_csv
+from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:
     rows = read_csv(snakemake.input.data, TABLES["sensitivity"])
-    symbols = {name: entry["symbol"] for name, entry in read_entries().items()}
+    entries = read_yaml(snakemake.params.entries)
+    symbols = {name: entry["symbol"] for name, entry in entries.items()}
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         save(plot(rows, symbols), output.png.with_suffix(""), caption("sensitivity"))
     print(f"{len(rows)} rows drawn")
