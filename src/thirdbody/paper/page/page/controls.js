@@ -2,7 +2,7 @@
 
 import { axes, content, defaultInputs } from "./content.js";
 import { BODIES, GRADES, MATERIALS, materialInputs, oilViscosity, speedOf } from "./rig.js";
-import { NUMBERS, change, currentInputs, currentPoint, isDefault, state, toDefault } from "./state.js";
+import { NUMBERS, change, currentInputs, currentPoint, isDefault, ofRun, otherInterpretations, state, toDefault } from "./state.js";
 import { areHard, conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, setInterpretation, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
 import { VARIABLES, capital, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
@@ -68,7 +68,7 @@ function controlOf({ id, label, hint, changed, choose }, markup) {
 // A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
 // steps, and `note` gives the range, as a text or by a function. `read` gives what a value is in SI, undefined if it is not allowed.
 function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
-  const label = `${words} <i>${typeset(symbol)}</i>${unit && ` [${unit}]`}`;
+  const label = `${typeset(words)} <i>${typeset(symbol)}</i>${unit && ` [${unit}]`}`;
   const control = controlOf(
     { label, ...given },
     `<input type="range" min="0" max="${STEPS}">
@@ -262,14 +262,11 @@ function wordControl(name) {
 
 // All inputs of a calibrated interpretation at once, with its ensemble.
 function presetControl() {
-  const isOther = ({ inputs }) => Object.entries(inputs).some(([name, value]) => defaultInputs[name] !== value);
-  const same = content.interpretations.find((each) => !isOther(each));
-  const others = content.interpretations.filter(isOther);
   return choiceControl({
     id: "interpretation",
     label: "Calibrated inputs",
     hint: "All unprinted inputs as calibrated under one interpretation",
-    options: [["", plain(same?.title ?? "those of this run")], ...others.map(({ name, title }) => [name, plain(title)])],
+    options: [["", plain(ofRun?.title ?? "those of this run")], ...otherInterpretations.map(({ name, title }) => [name, plain(title)])],
     value: () => state.interpretation,
     changed: () => !isDefault("interpretation"),
     choose: (name) => setInterpretation(name ?? ""),

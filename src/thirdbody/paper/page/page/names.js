@@ -76,5 +76,6 @@ export const modeText = ({ mode, regime }) => (regime === FULL_FILM ? "full film
 export const stateText = ({ mode, regime }) =>
   regime === FULL_FILM ? "full film" : `${MODE_TEXT[mode]} mode, ${REGIME_TEXT[regime]} lubrication`;
 export const statusText = (status) => (status === "converged" ? "" : `${spaced(status)}: ${content.statuses[status]}`);
-export const capital = (text) => text[0].toUpperCase() + text.slice(1);
+// a capital letter at the beginning of a word, not of a symbol
+export const capital = (text) => text.replace(/^[a-z](?![a-z]*_)/, (letter) => letter.toUpperCase());
 export const inputWords = (name) => capital(content.inputs[name].description);

@@ -9,6 +9,11 @@ export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
 const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
 
+// Calibrated interpretations, that of the run apart
+const isOther = ({ inputs }) => Object.entries(inputs).some(([name, value]) => defaultInputs[name] !== value);
+export const ofRun = content.interpretations.find((each) => !isOther(each));
+export const otherInterpretations = content.interpretations.filter(isOther);
+
 // What can be chosen, and its default
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
@@ -28,7 +33,7 @@ export const CHOICES = {
   flat: MATERIALS,
   particle: MATERIALS,
   oil_grade: ["", ...GRADES],
-  interpretation: ["", ...content.interpretations.map(({ name }) => name)],
+  interpretation: ["", ...otherInterpretations.map(({ name }) => name)],
 };
 // Numbers that can be chosen, with bounds and default; the speed is by default that of the inputs
 export const NUMBERS = {
@@ -57,7 +62,7 @@ export const toDefault = (...names) => change(Object.fromEntries(names.map((name
 
 // The calibrated interpretation that is chosen; undefined for that of the run.
 export const chosenInterpretation = () => interpretationNamed(state.interpretation);
-const interpretationNamed = (wanted) => content.interpretations.find(({ name }) => name === wanted);
+const interpretationNamed = (wanted) => otherInterpretations.find(({ name }) => name === wanted);
 const calibratedInputs = (name) => ({ ...defaultInputs, ...interpretationNamed(name)?.inputs });
 
 // Values that are chosen and differ from the calibrated inputs.
