@@ -46,6 +46,8 @@ wildcard_constraints:
 
 rule all:
     default_target: True
+    message:
+        "All products are there"
     input:
         expand("<results>/datasets/{figure}.nc", figure=SCENES),
         expand("<results>/bands/{figure}.nc", figure=SCENES if settings["bands"] else []),

@@ -4,7 +4,6 @@ import hashlib
 import json
 import re
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
@@ -14,56 +13,16 @@ from thirdbody.paper.page.page import figure_content, page_text, plain_text
 from thirdbody.plain_yaml import config_directory
 
 HERE = Path(building.__file__).parent
-CURVE = "nu = 90 cSt; x_a = 300 nm; sigma = 300 nm; eta_a = 1e+11 m-2"
-DRAWN = f"""panel,curve,x_name,x,y_name,y
-A,{CURVE},load,1e-6,separation,4e-7
-A,{CURVE},load,1e-5,separation,3e-7
-A,printed; fig99-value,load,1e-5,separation,3.123456e-7
-A,tolerance; fig99-value,load,1e-5,separation,2e-7
-A,tolerance; fig99-value,load,1e-5,separation,4e-7
-A,printed at every load; fig99-level,load,1e-6,separation,3e-7
-A,printed at every load; fig99-level,load,1e-5,separation,3e-7
-A,tolerance; fig99-level,load,1e-6,separation,2e-7
-A,tolerance; fig99-level,load,1e-6,separation,4e-7
-A,printed at every load; fig99-level,load,1e-6,separation,6e-7
-A,printed at every load; fig99-level,load,1e-5,separation,6e-7
-A,tolerance; fig99-level,load,1e-6,separation,5e-7
-A,tolerance; fig99-level,load,1e-6,separation,7e-7
-A,turning points,load,1e-5,separation,3e-7
-A,printed along x; fig99-limit,load,2e-6,separation,
-A,tolerance; fig99-limit,load,1e-6,separation,
-A,tolerance; fig99-limit,load,3e-6,separation,
-"""
-CAPTION = SimpleNamespace(title="Figure 99. A title", text="What it tells.")
+SOME, OTHER = {"viscosity": 9e-5, "roughness": 3e-7}, {"viscosity": 0.0, "roughness": 3e-7}
 
 
-@pytest.fixture
-def figure(tmp_path):
-    """The content of a small figure."""
-    (tmp_path / "fig99.csv").write_text(DRAWN, encoding="utf-8")
-    return figure_content(tmp_path / "fig99.csv", CAPTION, least=0.0)
-
-
-def test_a_figure_has_its_conditions_marks_and_caption(figure):
-    assert (figure["name"], figure["title"]) == ("fig99", "Figure 99. A title")
-    assert figure["caption"] == "What it tells."
-    (condition,) = figure["curves"]
-    assert condition == {
-        "viscosity": 9e-5, "particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11,
-    }  # fmt: skip
-    (panel,) = figure["panels"]
-    assert panel["curves"] == [0] and panel["turning_points"] and not panel["locus"]
-    (mark,) = panel["printed"]
-    assert mark == {
-        "id": "fig99-value",
-        "at": [1e-5, 3.1235e-7],
-        "ends": [[1e-5, 2e-7], [1e-5, 4e-7]],
-    }
-    (limit,) = panel["limits"]
-    assert limit["at"] == [2e-6, None] and limit["ends"] == [[1e-6, None], [3e-6, None]]
-    first, second = panel["levels"]
-    assert first["id"] == "fig99-level" and first["at"][1] == 3e-7
-    assert second["at"][1] == 6e-7 and [y for _, y in second["ends"]] == [5e-7, 7e-7]
+def test_a_curve_of_several_panels_is_in_the_page_once():
+    panels = [{"letter": "A", "curves": [SOME]}, {"letter": "B", "curves": [OTHER, SOME]}]
+    record = {"place": "Figure 99", "heading": "Figure 99. A title", "text": "What it tells."}
+    figure = figure_content("fig99", record | {"panels": panels})
+    assert (figure["name"], figure["part"]) == ("fig99", "Figure 99")
+    assert figure["curves"] == [SOME, OTHER]
+    assert [panel["curves"] for panel in figure["panels"]] == [[0], [1, 0]]
 
 
 def test_quotes_are_read_without_latex():

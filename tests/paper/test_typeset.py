@@ -15,6 +15,7 @@ from thirdbody.paper.typeset import html, latex, mathtext
             "$A_{sa,t}$* of 5.96×10$^{−5}$",
         ),
         ("eta_a = 1e+11", "<i>η</i><sub>a</sub> = 10<sup>11</sup>", "$η_{a}$ = 10$^{11}$"),
+        ("Aₛₐ,ₜ* at 10⁻⁶", "<i>A</i><sub>sa,t</sub>* at 10<sup>−6</sup>", "Aₛₐ,ₜ* at 10⁻⁶"),
         ("a nuisance, summit_radius", "a nuisance, summit_radius", "a nuisance, summit_radius"),
     ],
 )

@@ -21,6 +21,8 @@ rule judge_claims:
             labels={"table": "claims"},
         ),
         data="<results>/claims/claims.json",
+    message:
+        "Judge the statements of the paper"
     log:
         "<logs>/judge_claims.log",
     params:
@@ -45,6 +47,8 @@ rule judge_departures:
         deviations="<results>/extracted/deviations/all.csv",
         departures="<results>/extracted/departures/all.csv",
         verdicts="<results>/extracted/departures/verdicts.json",
+    message:
+        "Judge the statements without each departure from the print"
     log:
         "<logs>/judge_departures.log",
     params:

@@ -4,6 +4,8 @@
 rule solve_scene:
     output:
         dataset="<results>/datasets/{scene}.nc",
+    message:
+        "Solve the curves of {wildcards.scene}"
     log:
         "<logs>/solve_scene/{scene}.log",
     params:
@@ -20,6 +22,8 @@ rule solve_ensemble:
         dataset="<results>/datasets/{scene}.nc",
     output:
         band="<results>/bands/{scene}.nc",
+    message:
+        "Solve the curves of {wildcards.scene} for the ensemble"
     log:
         "<logs>/solve_ensemble/{scene}.log",
     params:
@@ -34,6 +38,8 @@ rule solve_ensemble:
 rule compute_schematic:
     output:
         sections="<results>/schematics/{schematic}.nc",
+    message:
+        "Compute the sections of {wildcards.schematic}"
     log:
         "<logs>/compute_schematic/{schematic}.log",
     params:

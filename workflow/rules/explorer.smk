@@ -3,8 +3,7 @@
 
 rule build_explorer:
     input:
-        points=expand("<results>/figures/{figure}.csv", figure=SCENES),
-        captions=expand("<results>/figures/{figure}.json", figure=SCENES),
+        figures=expand("<results>/figures/{figure}.json", figure=SCENES),
         verdicts="<results>/claims/claims.json",
         departures="<results>/extracted/departures/verdicts.json",
         page=[
@@ -19,6 +18,8 @@ rule build_explorer:
             category="Explorer",
             labels={"page": "explorer"},
         ),
+    message:
+        "Build the explorer"
     log:
         "<logs>/build_explorer.log",
     params:

@@ -7,6 +7,8 @@ rule extract_curves:
     output:
         tpca_loads="<results>/extracted/tpca_loads/{scene}.csv",
         transitions="<results>/extracted/transitions/{scene}.csv",
+    message:
+        "Find the turning points and transitions of {wildcards.scene}"
     log:
         "<logs>/extract_curves/{scene}.log",
     params:
@@ -20,6 +22,8 @@ rule extract_curves:
 rule find_windows:
     output:
         windows="<results>/extracted/tpca_windows/all.csv",
+    message:
+        "Find the ranges of x_a/sigma with a turning point"
     log:
         "<logs>/find_windows.log",
     params:
@@ -36,6 +40,8 @@ rule find_windows:
 rule compute_sensitivities:
     output:
         elasticities="<results>/extracted/sensitivity/all.csv",
+    message:
+        "Compute how much each input changes each result"
     log:
         "<logs>/compute_sensitivities.log",
     params:
@@ -51,6 +57,8 @@ rule compute_sensitivities:
 rule gather_printed:
     output:
         table="<results>/extracted/printed/all.csv",
+    message:
+        "Gather the numbers that the paper prints"
     log:
         "<logs>/gather_printed.log",
     params:
@@ -65,6 +73,8 @@ rule recompute_paper_tables:
     output:
         table1="<results>/extracted/table1/all.csv",
         table2="<results>/extracted/table2/all.csv",
+    message:
+        "Recompute Tables 1 and 2 of the paper"
     log:
         "<logs>/recompute_paper_tables.log",
     params:

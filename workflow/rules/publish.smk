@@ -4,8 +4,8 @@ from importlib.metadata import version
 
 rule write_index:
     input:
-        captions=expand("<results>/figures/{figure}.json", figure=FIGURES),
-        thumbnails=expand("<results>/figures/{figure}.png", figure=FIGURES),
+        figures=expand("<results>/figures/{figure}.json", figure=FIGURES),
+        pictures=expand("<results>/figures/{figure}.png", figure=FIGURES),
         tables=expand("<results>/tables/{table}.html", table=TABLES),
         verdicts="<results>/claims/claims.json",
         explorer="<results>/explorer/index.html",
@@ -15,6 +15,8 @@ rule write_index:
     output:
         page="<results>/index.html",
         captions="<results>/captions.md",
+    message:
+        "Write the index page"
     log:
         "<logs>/write_index.log",
     params:
@@ -31,6 +33,8 @@ rule write_sums:
         [product for product in rules.all.input if not product.endswith("SHA256SUMS")],
     output:
         sums="<results>/SHA256SUMS",
+    message:
+        "Write the sums of all products"
     log:
         "<logs>/write_sums.log",
     params:

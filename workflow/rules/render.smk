@@ -17,6 +17,8 @@ rule render_figure:
     output:
         **figure_files("{scene}", "Figures"),
         wide="<results>/figures/{scene}_wide.csv",
+    message:
+        "Draw {wildcards.scene}"
     log:
         "<logs>/render_figure/{scene}.log",
     params:
@@ -31,6 +33,8 @@ rule render_schematic:
         style=STYLE,
     output:
         **figure_files("{schematic}", "Figures"),
+    message:
+        "Draw {wildcards.schematic}"
     log:
         "<logs>/render_schematic/{schematic}.log",
     params:
@@ -46,6 +50,8 @@ rule render_claims:
         style=STYLE,
     output:
         **figure_files("claims", "Statements"),
+    message:
+        "Draw the verdicts"
     log:
         "<logs>/render_claims.log",
     params:
@@ -60,6 +66,8 @@ rule render_sensitivity:
         style=STYLE,
     output:
         **figure_files("sensitivity", "Statements"),
+    message:
+        "Draw the sensitivities"
     log:
         "<logs>/render_sensitivity.log",
     params:
@@ -88,6 +96,8 @@ rule write_table:
             category="Tables",
             labels={"table": "{table}"},
         ),
+    message:
+        "Write the table {wildcards.table}"
     log:
         "<logs>/write_table/{table}.log",
     wildcard_constraints:

@@ -7,8 +7,6 @@ from pathlib import Path
 from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
 from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
-from thirdbody.paper.figures.captions import read_caption
-from thirdbody.paper.figures.curves import CURVE_FIGURES
 from thirdbody.paper.job_log import job
 from thirdbody.paper.page.page import page_content, page_text
 from thirdbody.plain_yaml import read_yaml
@@ -50,7 +48,12 @@ with job(snakemake) as output:
     entries = read_yaml(snakemake.params.entries)
     titles = {name: each["title"] for name, each in settings["interpretations"].items()}
     interpretations = [
-        {"name": name, "title": titles[name], "inputs": each["inputs"]}
+        {
+            "name": name,
+            "title": titles[name],
+            "inputs": each["inputs"],
+            "ensemble": each["ensemble"],
+        }
         for each in map(read_yaml, snakemake.params.calibrated)
         if (name := each["interpretation"]) in titles
     ]
@@ -58,14 +61,16 @@ with job(snakemake) as output:
         name: entry | unknowns.get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()
     }
-    drawn, captions = snakemake.input.points, map(read_caption, snakemake.input.captions)
-    least = [max(each.least for each in CURVE_FIGURES[Path(path).stem].contents) for path in drawn]
-    judged, departures = (
+    judged, departures, *figures = (
         json.loads(Path(path).read_text(encoding="utf-8"))
-        for path in (snakemake.input.verdicts, snakemake.input.departures)
+        for path in (
+            snakemake.input.verdicts,
+            snakemake.input.departures,
+            *snakemake.input.figures,
+        )
     )
     content = page_content(
-        zip(drawn, captions, least, strict=True),
+        {Path(path).stem: each for path, each in zip(snakemake.input.figures, figures)},
         judged,
         departures,
         inputs,

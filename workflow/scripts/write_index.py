@@ -2,44 +2,57 @@
 
 import json
 import struct
+from collections import Counter
 from pathlib import Path
 
 import jinja2
 from markupsafe import Markup
 
-from thirdbody.paper.figures.captions import read_caption
+from thirdbody.paper.claims.judge import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+from thirdbody.paper.figures.captions import markdown_text
 from thirdbody.paper.job_log import job
-from thirdbody.paper.places import part_of_paper
 from thirdbody.paper.typeset import html
 
+FRONT = "fig11"  # the figure on the first screen
 # a line on each table
 TABLES = {
-    "table1": "Mechanical properties, as printed and recomputed",
-    "table2": "Operating conditions, as printed and recomputed",
+    "table1": "Table 1: mechanical properties, as printed and recomputed",
+    "table2": "Table 2: operating conditions, as printed and recomputed",
     "tpca_loads": "Loads of the turning points of the contact area on every curve",
     "tpca_windows": "Ranges of x_a/σ in which dry contact has a turning point",
     "transitions": "Loads at which lubrication regime or contact mode change",
     "sensitivity": "How much each unprinted input changes each result",
+    "deviations": "Printed numbers beside computed ones",
+    "departures": "What each departure from the words of the paper is worth",
 }
 
 
-def figure_entry(caption, picture, statements, scenes):
-    """Content of the page for one figure: its title, what it shows, its caption, and its statements."""
-    stem, written = Path(caption).stem, read_caption(caption)
-    number = int(stem.removeprefix("fig")) if stem.startswith("fig") else None
-    here = [each for each in statements if part_of_paper(each["place"]) == f"Figure {number}"]
-    failed = [each for each in here if each["verdict"] == "fails"]
-    return {
+def figure_entry(path, picture, statements, scenes):
+    """Content of the page for one figure: its record, its picture, and the statements about it."""
+    stem, record = Path(path).stem, json.loads(Path(path).read_text(encoding="utf-8"))
+    here = [row for row in statements if row["part"] == record["place"]]
+    return record | {
         "stem": stem,
         "size": struct.unpack(">2I", Path(picture).read_bytes()[16:24]),  # of a PNG, in dots
-        "title": written.title,
-        "shows": written.message,
-        "text": written.text,
-        "alternative": written.alternative,
-        "held": sum(each["verdict"] == "holds" for each in here),
         "wide": stem in scenes,
-        "failed": [f"{each['place']}: {each['statement']}" for each in failed],
+        "held": sum(row["verdict"] == HOLDS for row in here),
+        "failed": [row for row in here if row["verdict"] == FAILS],
     }
+
+
+def score_tiles(judged):
+    """The numbers on the first screen: how many, of how many, and of what."""
+    met = [row["verdict"] == HOLDS for row in judged["headline"]]
+    tiles = [
+        (judged["held"], judged["judged"], "statements of the paper hold, with one set of inputs"),
+        (sum(met), len(met), "headline numbers are met within their tolerances"),
+        (
+            judged["predicted"],
+            judged["predicted_of"],
+            "statements hold when their figure was left out of the search for inputs",
+        ),
+    ]
+    return [tile for tile in tiles if tile[1]]
 
 
 with job(snakemake) as output:
@@ -53,20 +66,24 @@ with job(snakemake) as output:
         undefined=jinja2.StrictUndefined,
     )
     environment.filters["typeset"] = lambda text: Markup(html(text))
+    environment.filters["markdown"] = markdown_text
     statements, titles = judged["statements"], snakemake.params.titles
+    figures = [
+        figure_entry(*files, statements, titles)
+        for files in zip(snakemake.input.figures, snakemake.input.pictures, strict=True)
+    ]
+    counts = Counter(row["verdict"] for row in statements)
     content = {
-        "figures": [
-            figure_entry(*files, statements, titles)
-            for files in zip(snakemake.input.captions, snakemake.input.thumbnails, strict=True)
-        ],
+        "figures": figures,
+        "front": next((figure for figure in figures if figure["stem"] == FRONT), None),
+        "tiles": score_tiles(judged),
+        "verdicts": {word: counts[word] for word in (HOLDS, FAILS, CONTRADICTED, NOT_TESTED)},
         "tables": {
             name: TABLES.get(name, name)
             for name in (Path(table).stem for table in snakemake.input.tables)
         },
         "datasets": {Path(path).name: titles[Path(path).stem] for path in snakemake.input.datasets},
         "score": f"{judged['score']} {judged['counts']}",
-        "held": judged["held"],
-        "judged": judged["judged"],
         "version": snakemake.params.version,
     }
     for path, template in zip((output.page, output.captions), templates, strict=True):

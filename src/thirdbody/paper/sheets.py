@@ -3,15 +3,14 @@
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
-from html import escape
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from itertools import groupby
 from pathlib import Path
 from statistics import fmean, median
-from string import Template
-from typing import NamedTuple
 
-from tabulate import tabulate
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
 
 from thirdbody.curves import row_key
 from thirdbody.paper.typeset import html, latex
@@ -28,14 +27,15 @@ RESULTS = {
     "solid_load_fraction": "load where Lₛ = {:.0%}",
     "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
 }
-CROSSINGS = {  # columns of the transitions: heading, quantity and level
-    "Lₛ = 90 % [N]": ("solid_load_fraction", 0.9),
-    "Lₛ = 3 % [N]": ("solid_load_fraction", 0.03),
-    "Aₛₐ,ₜ* = 0.95 [N]": ("particle_contact_area_ratio", 0.95),
-    "Aₛₐ,ₜ* = 0.05 [N]": ("particle_contact_area_ratio", 0.05),
+CROSSINGS = {  # columns of the transitions: symbol, limit, quantity and level
+    ("Lₛ", "90 %"): ("solid_load_fraction", 0.9),
+    ("Lₛ", "3 %"): ("solid_load_fraction", 0.03),
+    ("Aₛₐ,ₜ*", "0.95"): ("particle_contact_area_ratio", 0.95),
+    ("Aₛₐ,ₜ*", "0.05"): ("particle_contact_area_ratio", 0.05),
 }
 NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
-ARROWS = {"rising": "↑ ", "falling": "↓ "}
+ARROWS = {"rising": "↑", "falling": "↓"}
+WORDS = ("", "none", "dry")  # in columns of numbers
 HEADING = re.compile(r"(.+) \[(.+)\]")  # a name and its unit
 UNITS_IN_LATEX = {
     "nm": r"\nm",
@@ -51,6 +51,10 @@ DOCUMENT = r"""% needs \usepackage{{booktabs, longtable, siunitx}} and \sisetup{
 \toprule
 {headings}
 \midrule
+\endfirsthead
+\toprule
+{headings}
+\midrule
 \endhead
 \bottomrule
 \endfoot
@@ -59,22 +63,35 @@ DOCUMENT = r"""% needs \usepackage{{booktabs, longtable, siunitx}} and \sisetup{
 """
 
 
-class Sheet(NamedTuple):
+@dataclass(frozen=True, kw_only=True)
+class Sheet:
     """A table for reading: title, note, and rows of texts by heading."""
 
     title: str
     note: str
     rows: Sequence[Mapping[str, str]]
 
-    def html(self) -> str:
-        """The rows as HTML, with subscripts and powers of ten."""
-        rows = [{html(name): html(text) for name, text in row.items()} for row in self.rows]
-        return tabulate(rows, headers="keys", tablefmt="unsafehtml", disable_numparse=True)
+    @cached_property
+    def decimals(self) -> dict[str, int]:
+        """The largest number of digits behind the point in each column of numbers."""
+        columns = {name: [row[name] for row in self.rows] for name in (self.rows or [{}])[0]}
+        return {
+            name: max(map(_decimals, texts))
+            for name, texts in columns.items()
+            if all(text in WORDS or NUMBER.fullmatch(text) for text in texts)
+        }
+
+    def padding(self, name: str, text: str) -> str:
+        """What a number lacks behind it, so that the points of a column of numbers stand below each other."""
+        missing = self.decimals.get(name, 0) - _decimals(text)
+        if missing == 0 or text in WORDS or "e" in text:
+            return ""
+        return "0" * missing if _decimals(text) else "." + "0" * missing
 
     def latex(self, label: str) -> str:
         """The table for LaTeX, with its caption and ``label``; columns of numbers are those of siunitx."""
         names = [*self.rows[0]] if self.rows else []
-        numeric = {name: all(map(_is_number, (row[name] for row in self.rows))) for name in names}
+        numeric = {name: name in self.decimals for name in names}
         lines = [
             " & ".join(_latex_cell(text, numeric[name]) for name, text in row.items())
             for row in self.rows
@@ -120,22 +137,20 @@ def readable(
 ) -> list[Sheet]:
     """The sheets of a ``table`` of ``READABLE`` from its ``rows`` and those of the table
     ``printed``, without empty columns; ``newtons_per_load`` is F_t/F_t* [N]."""
-    sheets = []
-    for title, note, lines in READABLE[table](rows, printed, newtons_per_load):
-        kept = [name for name in lines[0] if any(line[name] for line in lines)] if lines else []
-        filled = [{name: line[name] for name in kept} for line in lines]
-        sheets.append(Sheet(title, note if lines else "There are none.", filled))
-    return sheets
+    return [_without_empty(sheet) for sheet in READABLE[table](rows, printed, newtons_per_load)]
+
+
+def _without_empty(sheet):
+    """A sheet without empty columns, or one that says that there are no rows."""
+    if not sheet.rows:
+        return replace(sheet, note="There are none.")
+    names = [name for name in sheet.rows[0] if any(row[name] for row in sheet.rows)]
+    return replace(sheet, rows=[{name: row[name] for name in names} for row in sheet.rows])
 
 
 def page(sheets: Sequence[Sheet]) -> str:
     """A self-contained HTML page of ``sheets``, one below the other."""
-    parts = (
-        f"<p><strong>{html(each.title)}.</strong> {html(each.note)}</p>\n{each.html()}"
-        for each in sheets
-    )
-    template = Template(Path(__file__).with_name("sheets.html").read_text(encoding="utf-8"))
-    return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
+    return ENVIRONMENT.get_template("sheets.html").render(sheets=sheets)
 
 
 def latex_text(table: str, sheets: Sequence[Sheet]) -> str:
@@ -144,8 +159,9 @@ def latex_text(table: str, sheets: Sequence[Sheet]) -> str:
     return "\n".join(sheet.latex(label) for sheet, label in zip(sheets, labels, strict=True))
 
 
-def _is_number(text):
-    return text in ("", "none") or NUMBER.fullmatch(text) is not None
+def _decimals(text):
+    """How many digits a number, or its last one, has behind the point."""
+    return 0 if "e" in text else len(text.rpartition(" ")[2].partition(".")[2])
 
 
 def _latex_cell(text, numeric):
@@ -174,7 +190,11 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
         for row in rows
     ]
     title += ", as printed and recomputed"
-    return [Sheet(title, "Recomputed from the other printed values where possible.", lines)]
+    note = (
+        "Recomputed from the other printed values where possible. A value agrees if it is the printed one "
+        "once it is rounded to as many digits as the paper prints."
+    )
+    return [Sheet(title=title, note=note, rows=lines)]
 
 
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
@@ -198,7 +218,7 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
             }
         )
     note = f"Each row is a curve. Numbers of the paper are given with their tolerances. {NEWTONS}"
-    return [Sheet("Turning points of the contact area", note, lines)]
+    return [Sheet(title="Turning points of the contact area", note=note, rows=lines)]
 
 
 def _windows(rows, printed, _newtons_per_load) -> list[Sheet]:
@@ -212,29 +232,29 @@ def _windows(rows, printed, _newtons_per_load) -> list[Sheet]:
             sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
         lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
     note = "Turning points occur between two ends of xₐ/σ. Ends of the paper have their tolerances."
-    return [Sheet("Windows of the turning point in dry contact", note, lines)]
+    return [Sheet(title="Windows of the turning point in dry contact", note=note, rows=lines)]
 
 
 def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
     lines = []
     for line, some, paper in _curves(rows, printed):
-        for heading, (quantity, level) in CROSSINGS.items():
-            found = {
-                rounded(row["load"] * newtons_per_load): ARROWS[row["direction"]]
-                for row in some
-                if (row["quantity"], row["level"]) == (quantity, level)
-            }
-            texts = [arrow + load for load, arrow in found.items()]
+        for (symbol, limit), (quantity, level) in CROSSINGS.items():
+            for direction, arrow in ARROWS.items():
+                loads = dict.fromkeys(
+                    rounded(row["load"] * newtons_per_load)
+                    for row in some
+                    if (row["quantity"], row["level"], row["direction"])
+                    == (quantity, level, direction)
+                )
+                line[f"{symbol} {arrow} {limit} [N]"] = ", ".join(loads)
             at = {"quantity": "load", "at_quantity": quantity, "at_level": level}
-            spread = _spread(paper, 1.0 / newtons_per_load, **at)
-            published = f"(paper: {spread})" if spread else ""
-            line[heading] = f"{', '.join(texts)} {published}".strip()
+            line[f"{symbol} = {limit} (paper)"] = _spread(paper, 1.0 / newtons_per_load, **at)
         lines.append(line | {"status": _statuses(some)})
     note = (
-        "Each row is a curve. ↓: the quantity decreases with the load, ↑: it increases. Without an entry "
+        "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. Without an entry "
         f"it does not cross the limit within the loads. {NEWTONS}"
     )
-    return [Sheet("Loads at which the regime or mode changes", note, lines)]
+    return [Sheet(title="Loads at which the regime or mode changes", note=note, rows=lines)]
 
 
 def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
@@ -244,7 +264,8 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
         if row["elasticity"] is not None
     ]
     title = "Sensitivities: elasticities, d ln(result)/d ln(input)"
-    return [Sheet(title, f"0 means less than {NEGLIGIBLE:g}.", _pivoted(cells))]
+    note = f"0 means less than {NEGLIGIBLE:g}."
+    return [Sheet(title=title, note=note, rows=_pivoted(cells))]
 
 
 def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> list[Sheet]:
@@ -266,7 +287,7 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
         "At the load of each column, with the range, 5 to 95 % of the calibrated ensemble, in "
         f"brackets. none, all: of the {limited.replace('_', ' ')} values in the atlas."
     )
-    return [Sheet(title, note, _pivoted(cells))]
+    return [Sheet(title=title, note=note, rows=_pivoted(cells))]
 
 
 def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
@@ -286,7 +307,7 @@ def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
         f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of H_c are those from "
         "0.04 to 80 N."
     )
-    return [Sheet("Printed numbers and computed ones", note, lines)]
+    return [Sheet(title="Printed numbers and computed ones", note=note, rows=lines)]
 
 
 def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
@@ -304,7 +325,7 @@ def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
     note = (
         "Each departure of the calibrated inputs from the words of the paper is taken back alone."
     )
-    return [Sheet("What carries the agreement", note, lines)]
+    return [Sheet(title="What carries the agreement", note=note, rows=lines)]
 
 
 def _percent(fraction) -> str:
@@ -361,6 +382,8 @@ def _conditions(row, axes) -> dict[str, str]:
 
 
 def _in_unit(name, value) -> str:
+    if name == "viscosity" and value == 0.0:
+        return "dry"
     return _short(f"{AXES[name].from_si(value):.6g}")
 
 
@@ -380,6 +403,16 @@ def _range(row, name) -> str:
 def _short(text) -> str:
     """A number without the sign and the zero of an exponent."""
     return re.sub(r"e\+?(-?)0*", r"e\1", text)
+
+
+ENVIRONMENT = Environment(
+    loader=FileSystemLoader(Path(__file__).parent),
+    autoescape=True,
+    trim_blocks=True,
+    lstrip_blocks=True,
+    undefined=StrictUndefined,
+)
+ENVIRONMENT.filters["typeset"] = lambda text: Markup(html(text))
 
 
 def _elasticity(row) -> str:

@@ -31,7 +31,7 @@ IN_LATEX = re.compile(
 
 def html(text: str) -> str:
     """A text as HTML: escaped, with subscripts and powers of ten."""
-    text = ALONE.sub(r"<i>\1</i>", escape(_with_letters(text)))
+    text = ALONE.sub(r"<i>\1</i>", escape(_with_letters(_plain(text))))
     text = SYMBOL.sub(r"<i>\1</i><sub>\2</sub>", text)
     text = POWER.sub(lambda found: "{}10<sup>{}</sup>".format(*_power(found)), text)
     text = RAISED.sub(lambda found: f"<sup>{found[1].replace('-', '−')}</sup>", text)
@@ -40,9 +40,7 @@ def html(text: str) -> str:
 
 def latex(text: str) -> str:
     """A text for LaTeX with the package siunitx: escaped, with subscripts and powers of ten."""
-    text = SMALL_BELOW.sub(lambda found: f"{found[1]}_{found[2].translate(BELOW)}", text)
-    text = SMALL_ABOVE.sub(lambda found: f"^{found[0].translate(ABOVE)}", text)
-    return IN_LATEX.sub(_in_latex, PER.sub("^-2", _with_letters(text)))
+    return IN_LATEX.sub(_in_latex, PER.sub("^-2", _with_letters(_plain(text))))
 
 
 def _in_latex(found):
@@ -62,6 +60,12 @@ def mathtext(text: str) -> str:
 
 def _with_letters(text):
     return LETTER.sub(lambda found: GREEK[found[1]], text)
+
+
+def _plain(text):
+    """A text in which small letters below stand behind a low line, and small digits above behind a caret."""
+    text = SMALL_BELOW.sub(lambda found: f"{found[1]}_{found[2].translate(BELOW)}", text)
+    return SMALL_ABOVE.sub(lambda found: f"^{found[0].translate(ABOVE)}", text)
 
 
 def _power(found):

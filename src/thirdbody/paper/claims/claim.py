@@ -39,7 +39,7 @@ class Verdict(NamedTuple):
     tolerances [1], and the largest deviation, computed minus published, relative [1] if the tolerance is.
 
     ``numbers`` are those compared [unit of the quantity], ``worst`` the index of that with the deviation.
-    A claim is ``tested`` if the model reaches its condition within the loads.
+    A claim is ``tested`` if the model reaches its condition within the loads.  ``finding`` is a sentence.
     """
 
     computed: str
@@ -48,6 +48,7 @@ class Verdict(NamedTuple):
     numbers: tuple[float, ...] = ()
     worst: int = 0
     tested: bool = True
+    finding: str = ""
 
     @property
     def score(self) -> float:
@@ -113,7 +114,13 @@ class Claim:
         except NotReached as short:
             (lack,) = short.args
             text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
-            found = Verdict(text, distance, np.nan, tested=self.must_be_reached)
+            found = Verdict(
+                computed=text,
+                distance=distance,
+                deviation=np.nan,
+                tested=self.must_be_reached,
+                finding=f"No load of the paper meets the condition; the nearest misses it by {lack:.3g}.",
+            )
         return self._if_visible(found, evidence) if self.source == "turning_point" else found
 
     def _if_visible(self, found, evidence):
@@ -125,9 +132,13 @@ class Claim:
         height = least / evidence.effort.window.prominence
         # smooth: 1 where it is just visible, 0 from twice that height on
         faintness = max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
-        remark = "" if height >= 1.0 else f"; stands out by {least:.2g}"
         distance = float(np.maximum(found.distance, faintness))
-        return found._replace(computed=found.computed + remark, distance=distance)
+        if height < 1.0:
+            found = found._replace(
+                computed=f"{found.computed}; stands out by {least:.2g}",
+                finding=f"{found.finding} One maximum of A_sa,t* stands out by {least:.2g} only.",
+            )
+        return found._replace(distance=distance)
 
     @cached_property
     def curves(self) -> tuple[Condition, ...]:
@@ -240,7 +251,7 @@ class Claim:
         """Values as they are compared: their logarithms if the tolerance is relative."""
         return logarithm(values) if self.relative else values
 
-    def against_published(self, computed: ArrayLike, text: str) -> Verdict:
+    def against_published(self, computed: ArrayLike, text: str, finding: str = "") -> Verdict:
         """The verdict on ``computed`` numbers against the published ones."""
         published = np.asarray(self.published)
         deviation = np.ravel(computed - published)
@@ -254,12 +265,23 @@ class Claim:
             distance = np.log(ratio) / np.log(np.where(ratio < 1.0, low, high))
         worst = int(np.argmax(distance))
         numbers = tuple(np.ravel(computed).tolist())
-        return Verdict(text, float(distance[worst]), float(deviation[worst]), numbers, worst)
+        return Verdict(
+            computed=text,
+            distance=float(distance[worst]),
+            deviation=float(deviation[worst]),
+            numbers=numbers,
+            worst=worst,
+            finding=finding,
+        )
 
-    def missed(self, text: str, miss: float) -> Verdict:
+    def missed(self, text: str, miss: float, finding: str = "") -> Verdict:
         """The verdict if a course or an order is missed by ``miss``, scaled as ``step``."""
-        deviation = np.expm1(miss) if self.relative else miss
-        return Verdict(text, float(np.maximum(miss / self.step, 0.0)), float(deviation))
+        return Verdict(
+            computed=text,
+            distance=float(np.maximum(miss / self.step, 0.0)),
+            deviation=float(np.expm1(miss) if self.relative else miss),
+            finding=finding,
+        )
 
 
 def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:

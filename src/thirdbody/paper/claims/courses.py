@@ -92,8 +92,8 @@ def _excursion(curve, step):
     return np.min(excursions, axis=0)
 
 
-def passed_states(curve: SolvedCurve, published: Sequence[str]) -> str:
-    """Text of the states along a curve: regimes, modes or both, as in the ``published`` sequence."""
+def passed_states(curve: SolvedCurve, published: Sequence[str]) -> list[str]:
+    """The states along a curve: regimes, modes or both, as in the ``published`` sequence."""
     names = " ".join(published).replace(" or ", " ").split()
     families = {STATES[name][0] for name in names}
     inside = {
@@ -102,5 +102,4 @@ def passed_states(curve: SolvedCurve, published: Sequence[str]) -> str:
         if quantity in families
     }
     passed = groupby(zip(*(values.tolist() for values in inside.values())))
-    states = (" ".join(name for name, there in zip(inside, row) if there) for row, _ in passed)
-    return " > ".join(states).strip()
+    return [" ".join(name for name, there in zip(inside, row) if there) for row, _ in passed]

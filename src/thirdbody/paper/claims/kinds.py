@@ -15,6 +15,7 @@ from thirdbody.paper.claims.between_curves import (
 )
 from thirdbody.paper.claims.claim import TURNING_POINT_QUANTITIES, WINDOW_QUANTITIES, Claim, Verdict
 from thirdbody.paper.claims.courses import COURSES, passed_states, peak_height, sequence_miss
+from thirdbody.paper.claims.words import NAMES, beginning, listed, passed, sentence, size
 
 if TYPE_CHECKING:
     from thirdbody.paper.claims.evidence import Evidence
@@ -46,14 +47,20 @@ class NumberClaim(Claim):
         extreme = np.max if self.extreme == "maximum" else np.min
         return np.array([extreme(course) for course in self.courses(evidence)])
 
-    def text_of(self, evidence: "Evidence", values: NDArray) -> str:
-        """Numbers as text; a load beyond the computed ones is written ``> last`` or ``< first``."""
+    def texts_of(self, evidence: "Evidence", values: NDArray) -> list[str]:
+        """Numbers as texts; a load beyond the computed ones is written ``> last`` or ``< first``."""
         texts = [f"{value:.4g}" for value in values]
         if self.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
             first, last = evidence.curves[self.curves[0]]["load"][[0, -1]]
             texts = [f"> {last:.4g}" if v >= last else text for v, text in zip(values, texts)]
             texts = [f"< {first:.4g}" if v <= first else text for v, text in zip(values, texts)]
-        return ", ".join(texts)
+        return texts
+
+    def finding(self, texts: Sequence[str], published: str = "") -> str:
+        """The numbers in a sentence, with what is ``published``."""
+        is_change = bool(self.references) and self.quantity not in BETWEEN_CURVES
+        start = beginning(self.quantity, self.extreme, self.limits, is_change)
+        return sentence(f"{start} {listed(texts)}", published and f"{published} is printed")
 
     def is_tested(self, evidence: "Evidence") -> bool:
         """Whether a claim on loads is decided: a load beyond the last one is only known to be larger."""
@@ -82,11 +89,20 @@ class Value(NumberClaim):
 
     def check(self, evidence: "Evidence") -> Verdict:
         values = self.numbers(evidence)
-        text = self.text_of(evidence, values)
-        each = [self.against_published(value, text) for value in self.compared(values)]
+        texts = self.texts_of(evidence, values)
+        finding = self.finding(texts, self.published_words)
+        each = [
+            self.against_published(value, ", ".join(texts), finding)
+            for value in self.compared(values)
+        ]
         pick = np.argmin if self.any_curve else np.argmax
         chosen = int(pick([found.distance for found in each]))
         return each[chosen]._replace(numbers=tuple(values.tolist()), worst=chosen)
+
+    @property
+    def published_words(self) -> str:
+        """What the paper prints."""
+        return f"{self.published:g}"
 
     def is_decided(self, loads: NDArray, last: float) -> bool:
         # a published number is missed if the last load already misses it
@@ -104,6 +120,10 @@ class Reach(Value):
     """The least (greatest) value along each curve is the published one or beyond it."""
 
     printed_numbers = ()
+
+    @property
+    def published_words(self) -> str:
+        return f"{self.published:g} or {'less' if self.extreme == 'minimum' else 'more'}"
 
     def compared(self, values: NDArray) -> NDArray:
         beyond = np.maximum if self.extreme == "minimum" else np.minimum
@@ -128,7 +148,12 @@ class Span(Claim):
         newtons = np.interp(self.published, course[order], curve["normal_load"][order])
         loads = " and ".join(f"{newton:.3g} N" for newton in newtons)
         text = f"{ends[0]:.4g} to {ends[1]:.4g}; nearest to the printed ends at {loads}"
-        found = self.against_published(np.clip(self.published, *ends), text)
+        low, high = self.published
+        finding = sentence(
+            f"{NAMES[self.quantity]} goes from {ends[0]:.4g} to {ends[1]:.4g}",
+            f"{low:.4g} to {high:.4g} is printed",
+        )
+        found = self.against_published(np.clip(self.published, *ends), text, finding)
         return found._replace(numbers=tuple(map(float, ends)))
 
     @property
@@ -145,8 +170,13 @@ class Window(Claim):
 
     def check(self, evidence: "Evidence") -> Verdict:
         windows = np.array([evidence.windows[condition.roughness] for condition in self.curves])
-        text = ", ".join(f"{low:.3f} to {high:.3f}" for low, high in windows)
-        return self.against_published(windows, text)
+        texts = [f"{low:.3f} to {high:.3f}" for low, high in windows]
+        low, high = self.published
+        finding = sentence(
+            f"Turning points occur at x_a/sigma of {listed(texts)}",
+            f"{low:.4g} to {high:.4g} is printed",
+        )
+        return self.against_published(windows, ", ".join(texts), finding)
 
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
@@ -167,11 +197,18 @@ class Ordering(Claim):
         gaps = [sign * gap for gap in self.gaps(evidence)]
         against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
         text = f"in order, apart by up to {apart:.3g}"
+        finding = f"the curves of {NAMES[self.quantity]} are in this order"
+        distance = size(max(apart, 0.0), self.relative)
         if against > ROUNDING:
             text = (
                 f"with the order by up to {max(apart, 0.0):.3g}, against it by up to {against:.3g}"
             )
-        return self.missed(text, np.max([against, 2.0 * self.step - apart]))
+            finding += (
+                f" up to {distance} apart, and against it by up to {size(against, self.relative)}"
+            )
+        else:
+            finding += f", and up to {distance} apart"
+        return self.missed(text, np.max([against, 2.0 * self.step - apart]), sentence(finding))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -184,7 +221,10 @@ class Coincidence(Claim):
 
     def check(self, evidence: "Evidence") -> Verdict:
         widest = np.max([np.abs(gap).max() for gap in self.gaps(evidence)])
-        return self.missed(f"apart by up to {widest:.3g}", widest)
+        finding = (
+            f"the curves of {NAMES[self.quantity]} are up to {size(widest, self.relative)} apart"
+        )
+        return self.missed(f"apart by up to {widest:.3g}", widest, sentence(finding))
 
 
 class CourseClaim(Claim):
@@ -206,6 +246,13 @@ class CourseClaim(Claim):
             text += f", between {least} and {most}"
         return course, self.missed(text, misses[worst])
 
+    def check_along_load(self, evidence: "Evidence") -> Verdict:
+        """The verdict on the quantity along each curve."""
+        _, found = self.check_courses(self.courses(evidence))
+        change = "the change of " if self.references else ""
+        text = f"{change}{NAMES[self.quantity]} goes {found.computed}"
+        return found._replace(finding=sentence(text))
+
 
 @dataclass(frozen=True, kw_only=True)
 class Trend(CourseClaim, NumberClaim):
@@ -219,9 +266,10 @@ class Trend(CourseClaim, NumberClaim):
 
     def check(self, evidence: "Evidence") -> Verdict:
         if self.along == "load":
-            return self.check_courses(self.courses(evidence))[1]
+            return self.check_along_load(evidence)
         course, found = self.check_courses([self.numbers(evidence)])
-        return found._replace(computed=self.text_of(evidence, course))
+        texts = self.texts_of(evidence, course)
+        return found._replace(computed=", ".join(texts), finding=self.finding(texts))
 
     def is_decided(self, loads: NDArray, last: float) -> bool:
         # the order of two neighbours beyond the last load is unknown
@@ -239,7 +287,7 @@ class Absence(CourseClaim):
         return peak_height(course)
 
     def check(self, evidence: "Evidence") -> Verdict:
-        return self.check_courses(self.courses(evidence))[1]
+        return self.check_along_load(evidence)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -256,7 +304,11 @@ class StateSequence(Claim):
         how = self.published, self.tolerance, self.open_end
         misses = [sequence_miss(curve, *how) for curve in curves]
         chosen = int(np.argmin(misses) if self.any_curve else np.argmax(misses))
-        return self.missed(passed_states(curves[chosen], self.published), misses[chosen])
+        states = passed_states(curves[chosen], self.published)
+        finding = sentence(
+            f"the states are {passed(states)}", f"the paper: {passed(self.published)}"
+        )
+        return self.missed(" > ".join(states).strip(), misses[chosen], finding)
 
     @property
     def published_text(self) -> str:

@@ -195,6 +195,7 @@ def claims_markdown(report: Report) -> str:
         counts=counts_by_figure(report),
         comparison=report.comparison,
         limits={claim.id: claim.limit for claim in report.claims},
+        findings=_findings(report),
         statements=table.to_dict("records"),
         failing=failing.to_dict("records"),
     )
@@ -208,14 +209,25 @@ def claims_html(report: Report) -> str:
     reasons = {claim.id: claim.reason for claim in report.claims}
     limits = {claim.id: claim.limit for claim in report.claims}
     template = ENVIRONMENT.get_template("claims.html.j2")
-    given = {"score": score, "counts": counts_sentence(report), "groups": groups}
-    return template.render(reasons=reasons, limits=limits, **given)
+    return template.render(
+        score=score,
+        counts=counts_sentence(report),
+        groups=groups,
+        findings=_findings(report),
+        reasons=reasons,
+        limits=limits,
+    )
+
+
+def _findings(report):
+    """What was found on each statement, in a sentence, by its id."""
+    return {id: verdict.finding for id, verdict in report.verdicts.items()}
 
 
 def claims_json(report: Report) -> str:
     """The same data for programs, as JSON: statements have the columns of the table ``claims``, lists and
-    objects instead of texts, the ensemble range of each number, the reason of the tolerance, and
-    ``verdicts_of``, the verdict with the inputs of each interpretation."""
+    objects instead of texts, the part of the paper, a sentence on what was found, the ensemble range of each number,
+    the reason of the tolerance, and ``verdicts_of``, the verdict with the inputs of each interpretation."""
     held, of = count_once(report.claims, report.verdicts)
     predicted, predicted_of = count_once(report.claims, report.predicted)
     rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")
@@ -234,6 +246,8 @@ def claims_json(report: Report) -> str:
         "statements": [
             row
             | {
+                "part": part_of_paper(claim.place),
+                "finding": report.verdicts[claim.id].finding,
                 "curves": [condition._asdict() for condition in claim.curves],
                 "references": [condition._asdict() for condition in claim.references],
                 "loads": claim.limits,

@@ -1,11 +1,8 @@
 """Captions and alternative texts, from the tables below and from the panels of a figure."""
 
-import json
 import re
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
-from os import PathLike
-from pathlib import Path
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -31,12 +28,19 @@ MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 
 @dataclass(frozen=True, kw_only=True)
 class Caption:
-    """The title of a figure, what it shows, what the paper concludes from it, and a text in its place."""
+    """The place of a figure in the paper and its title, what it shows, what the paper concludes from it, and a
+    text in its place."""
 
+    place: str = ""
     title: str
     shows: str = ""
     message: str = ""
     alternative: str
+
+    @property
+    def heading(self) -> str:
+        """The title behind the place."""
+        return ". ".join(filter(None, (self.place, self.title)))
 
     @property
     def text(self) -> str:
@@ -45,23 +49,19 @@ class Caption:
 
     def markdown(self) -> str:
         """Two paragraphs of Markdown or reStructuredText."""
-        title = MARKUP.sub(r"\\\g<0>", self.title)
-        return f"**{title}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
-
-    def record(self) -> str:
-        """The caption as JSON."""
-        return json.dumps(asdict(self), ensure_ascii=False, indent=1)
+        return f"**{markdown_text(self.heading)}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
 
 
-def read_caption(path: str | PathLike) -> Caption:
-    """The caption in a file of JSON."""
-    return Caption(**json.loads(Path(path).read_text(encoding="utf-8")))
+def markdown_text(text: str) -> str:
+    """A text for Markdown, in which its signs have no meaning."""
+    return MARKUP.sub(r"\\\g<0>", text)
 
 
 # figures whose captions do not follow from curves
 CAPTIONS = {
     "fig01": Caption(
-        title="Figure 1. A lubricated interface with third-body particles",
+        place="Figure 1",
+        title="A lubricated interface with third-body particles",
         message=(
             "The load F_t is carried by summits of both surfaces, by particles, and by the lubricant. "
             "The tint is the elastic zone h_e of Eqs. 4 and 5 below the mean plane of surface 1: in the "
@@ -77,7 +77,8 @@ CAPTIONS = {
         ),
     ),
     "fig02": Caption(
-        title="Figure 2. The three contact modes",
+        place="Figure 2",
+        title="The three contact modes",
         message=(
             "At the same load, in the s-s mode (A) summits carry it, in the p-s mode (B) particles, in the "
             "hybrid mode (C) both. Dark particles, which reach into the tinted zone h_e, carry load, as in "
@@ -241,9 +242,9 @@ def caption(
     from its ``panels``.  ``notes`` are further sentences on what is shown."""
     if name in CAPTIONS:
         return replace(CAPTIONS[name], shows=" ".join(notes))
-    number = f"Figure {int(name.removeprefix('fig'))}. " if name in MESSAGES else ""
     return Caption(
-        title=number + " ".join(title.split()),
+        place=f"Figure {int(name.removeprefix('fig'))}" if name in MESSAGES else "",
+        title=" ".join(title.split()),
         shows=" ".join([*_notes(panels), *notes]),
         message=MESSAGES.get(name, ""),
         alternative=" ".join(map(_description, panels)),

@@ -1,27 +1,33 @@
 """The files of a figure: pictures, the points drawn, and the caption."""
 
 import csv
+import json
 from collections.abc import Iterable, Iterator
+from dataclasses import asdict
 from itertools import zip_longest
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from thirdbody.paper.figures.captions import Caption
+from thirdbody.paper.figures.printed import ALONG_X, EVERY_LOAD, PRINTED
 from thirdbody.paper.tables import DRAWN_POINTS, write_csv
 from thirdbody.plotting.drawing import FORMATS, Drawing
+from thirdbody.plotting.marks import LOCUS, TURNING_POINTS
 from thirdbody.plotting.panels import CURVE, UPRIGHT, Panel, Series
 from thirdbody.variables import AXES, VARIABLES
 
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md", "json"))
 SI_UNITS = {name: each.unit for name, each in (AXES | VARIABLES).items()}
 TOLERANCE = "tolerance"
+DIGITS = 5  # of the coordinates of printed numbers in a record
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
-    """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as .csv, and
-    the caption as .md and .json."""
+    """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as .csv,
+    the caption as .md, and the record of the figure as .json."""
     drawing.get_layout_engine().execute(drawing)
     drawing.set_layout_engine(None)  # once for all formats
     rows = [
@@ -33,7 +39,44 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
         drawing.savefig(f"{stem}.{kind}", format=kind, **options)
     write_csv(f"{stem}.csv", rows, DRAWN_POINTS)
     Path(f"{stem}.md").write_text(caption.markdown(), encoding="utf-8")
-    Path(f"{stem}.json").write_text(caption.record(), encoding="utf-8")
+    record = json.dumps(figure_record(drawing.panels, caption), ensure_ascii=False, indent=1)
+    Path(f"{stem}.json").write_text(record + "\n", encoding="utf-8")
+
+
+def figure_record(panels: Iterable[Panel], caption: Caption) -> dict[str, Any]:
+    """What the index and the explorer need of a figure: its caption, and for each panel the conditions of its
+    curves [SI] and the numbers that the paper prints there."""
+    texts = {"heading": caption.heading, "text": caption.text}
+    return asdict(caption) | texts | {"panels": [*map(_panel_record, panels)]}
+
+
+def _panel_record(panel):
+    kinds = {series.kind for series in panel.series}
+    curves = dict.fromkeys(series.curve for series in panel.of_kind(CURVE))
+    return {
+        "letter": panel.letter,
+        "x": panel.x,
+        "y": panel.y,
+        "least": panel.least,
+        "curves": [curve._asdict() for curve in curves if curve],
+        "printed": [_mark(series) for series in panel.of_kind(PRINTED)],
+        "limits": [_mark(series) for series in panel.of_kind(ALONG_X)],
+        "levels": [_mark(series) for series in panel.of_kind(EVERY_LOAD)],
+        "turning_points": TURNING_POINTS in kinds,
+        "locus": LOCUS in kinds,
+    }
+
+
+def _mark(series):
+    """The printed number of a series: its first point, with both ends of its tolerance; y is None for a number
+    along x alone."""
+    points = [(series.x[0], series.y[0]), *zip(*series.tolerance)]
+    at, *ends = ([_rounded(each) for each in point] for point in points)
+    return {"id": series.name, "at": at, "ends": ends}
+
+
+def _rounded(number):
+    return float(f"{number:.{DIGITS}g}") if np.isfinite(number) else None
 
 
 def _points(panel: Panel, series: Series) -> Iterator[dict]:

@@ -3,28 +3,22 @@ template, style and scripts of the folder ``page/`` and with D3.  It computes th
 
 import json
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from os import PathLike
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from thirdbody.core.parameters import BOUNDS
-from thirdbody.paper.places import part_of_paper
-from thirdbody.paper.tables import DRAWN_POINTS, read_csv
-from thirdbody.variables import AXES, CONDITION_AXES, QUANTITIES, STATUS_MEANINGS
+from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
 FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
 NODES = 48  # of the integrals computed in the page
-DIGITS = 5  # of coordinates in panels
-CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
-PRINTED, LEVEL, TOLERANCE = "printed; ", "printed at every load; ", "tolerance; "
-LIMIT = "printed along x; "
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+RAISED = re.compile(r"(?<=[a-z])-\d")
 # what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
 MARKUP = {
     r"\\text\s*\{([^}]*)\}": r"\1",
@@ -40,13 +34,13 @@ MARKUP = {
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
 STATED = (  # what the page shows of a statement in claims.json
-    *("id", "place", "statement", "verdict", "verdicts_of", "published", "computed"),
+    *("id", "part", "place", "statement", "verdict", "verdicts_of", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
 )
 
 
 def page_content(
-    figures: Iterable[tuple[str | PathLike, Any, float]],
+    figures: Mapping[str, Mapping[str, Any]],
     judged: Mapping[str, Any],
     departures: Sequence[Mapping[str, Any]],
     inputs: Mapping[str, Any],
@@ -55,15 +49,14 @@ def page_content(
     ranges: Mapping[str, Sequence[float]],
     rig: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
+    """Collect the data of the page as plain values for JSON.
 
-    ``figures`` are of each figure of curves the points drawn (.csv), the caption, with ``title`` and ``text``,
-    and where its logarithmic axis of a fraction begins, 0 for a linear one;
+    ``figures`` are the records of the figures of curves, by name;
     ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
     departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
-    ``interpretations`` have ``name``, ``title`` and ``inputs`` of each calibrated one, ``ensemble`` the
-    inputs of each member that differ from the default, ``ranges`` the first and last value of each
+    ``interpretations`` have ``name``, ``title``, ``inputs`` and ``ensemble`` of each calibrated one, ``ensemble``
+    the inputs of each member that differ from the default, ``ranges`` the first and last value of each
     condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
     oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
     ``usual_density`` of an oil; and the least and most of each number that a reader gives.
@@ -81,6 +74,10 @@ def page_content(
             for axis in AXES.values()
         ],
         "quantities": list(QUANTITIES),
+        "variables": {
+            each.name: _variable(each)
+            for each in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
+        },
         "statuses": dict(STATUS_MEANINGS),
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
@@ -91,10 +88,18 @@ def page_content(
         "interpretations": list(interpretations),
         "ensemble": list(ensemble),
         "rig": dict(rig),
-        "figures": [figure_content(*each) for each in figures],
+        "figures": [figure_content(name, record) for name, record in figures.items()],
         **{key: judged[key] for key in ("held", "judged", "counts")},
         "statements": [_statement(row, departures) for row in judged["statements"]],
     }
+
+
+def _variable(variable):
+    """What the page calls a variable, and how it shows its values: in a unit, as a multiple of that in SI."""
+    unit = RAISED.sub(lambda found: found[0].translate(SUPERSCRIPTS), variable.shown_unit)
+    factor = {} if variable.scale == 1.0 else {"factor": float(f"{1.0 / variable.scale:.12g}")}
+    names = {"symbol": variable.symbol, "words": variable.title, "unit": unit}
+    return names | factor | {"log": variable.is_logarithmic}
 
 
 def _statement(row, departures):
@@ -103,7 +108,6 @@ def _statement(row, departures):
         "quote": plain_text(row["quote"]),
         "curves": [*map(_specified, row["curves"])],
         "references": [*map(_specified, row["references"])],
-        "part": part_of_paper(row["place"]),
         "taken_back": {each["name"]: each["verdicts"][row["id"]] for each in departures},
     }
 
@@ -119,61 +123,23 @@ def plain_text(quote: str) -> str:
     return quote
 
 
-def figure_content(points: str | PathLike, caption: Any, least: float) -> dict[str, Any]:
-    """Data of a figure from its ``points`` drawn (.csv), its ``caption`` and the ``least`` fraction on a
-    logarithmic axis: the conditions [SI] of all ``curves``; for each of the ``panels`` their indices and printed
-    numbers."""
-    panels: dict[str, dict] = {}
-    for row in read_csv(points, DRAWN_POINTS):
-        names = {"x": row["x_name"], "y": row["y_name"]}
-        panel = panels.setdefault(row["panel"], {**names, "drawn": {}})
-        panel["drawn"].setdefault(row["curve"], []).append((row["x"], row["y"]))
-    drawn = dict.fromkeys(label for panel in panels.values() for label in panel["drawn"])
-    curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
+def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
+    """What the page shows of a figure, from its ``record``: all ``curves`` once, and in each of the ``panels``
+    their indices."""
+    curves: list[dict] = []
+    for panel in record["panels"]:
+        curves += [curve for curve in panel["curves"] if curve not in curves]
     return {
-        "name": Path(points).stem,
-        "part": caption.title.partition(". ")[0],
-        "title": caption.title,
-        "caption": caption.text,
-        "least": least,
-        "curves": [
-            {axis.name: axis.to_si(float(n)) for axis, n in zip(CONDITION_AXES, found.groups())}
-            for found in curves.values()
+        "name": name,
+        "part": record["place"],
+        "title": record["heading"],
+        "caption": record["text"],
+        "curves": curves,
+        "panels": [
+            {**panel, "curves": [curves.index(curve) for curve in panel["curves"]]}
+            for panel in record["panels"]
         ],
-        "panels": [_panel(letter, panel, [*curves]) for letter, panel in panels.items()],
     }
-
-
-def _panel(letter, panel, labels):
-    drawn = panel["drawn"]
-    return {
-        "letter": letter,
-        "x": panel["x"],
-        "y": panel["y"],
-        "curves": [place for place, label in enumerate(labels) if label in drawn],
-        "printed": [*_marks(PRINTED, drawn)],
-        "limits": [*_marks(LIMIT, drawn)],  # without y
-        "levels": [*_marks(LEVEL, drawn, step=2)],  # the first of both ends
-        "turning_points": "turning points" in drawn,
-        "locus": "locus of the turning points" in drawn,
-    }
-
-
-def _marks(kind, drawn, step=1):
-    """The printed numbers of one kind: each the first of ``step`` points, with both ends of its tolerance."""
-    for label in drawn:
-        if label.startswith(kind):
-            name = label.removeprefix(kind)
-            ends = _rounded(drawn[TOLERANCE + name])
-            for place, point in enumerate(_rounded(drawn[label][::step])):
-                yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
-
-
-def _rounded(points):
-    return [
-        [None if number is None else float(f"{number:.{DIGITS}g}") for number in point]
-        for point in points
-    ]
 
 
 def page_text(content: Mapping[str, Any]) -> str:

@@ -259,7 +259,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   const border = d3.line(({ x }) => toX(x), ({ y }) => toY(y)).digits(1).defined(({ onBorder }) => onBorder);
   const borders = spec.borders.map(({ rings, kind }) => `<path class="${kind}" d="${rings.map(border).join("")}"/>`);
   const ranges = spec.ranges.map(({ points, color, faded }) => {
-    const outline = points.map(([x, y]) => `${inX(x)},${inY(y)}`).join("L");
+    const outline = points.map(([x, y]) => `${inX(x)},${inY(Math.max(y, spec.y.domain[0]))}`).join("L");
     const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });

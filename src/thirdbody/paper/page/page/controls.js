@@ -2,10 +2,10 @@
 
 import { axes, content, defaultInputs } from "./content.js";
 import { BODIES, GRADES, MATERIALS, materialInputs, oilViscosity, speedOf } from "./rig.js";
-import { NUMBERS, change, changedInputs, currentInputs, currentPoint, isDefault, state, toDefault } from "./state.js";
-import { areHard, chosenInterpretation, conditionFrom, inputNamed, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
+import { NUMBERS, change, currentInputs, currentPoint, isDefault, ofRun, otherInterpretations, state, toDefault } from "./state.js";
+import { areHard, conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, setInterpretation, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
-import { VARIABLES, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
+import { VARIABLES, capital, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, plain, readable, significant, typeset } from "./text.js";
 
 const STEPS = 1000; // of a slider
@@ -66,9 +66,9 @@ function controlOf({ id, label, hint, changed, choose }, markup) {
 }
 
 // A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
-// steps, and `note` gives the range. `read` gives what a value is in SI, undefined if it is not allowed.
+// steps, and `note` gives the range, as a text or by a function. `read` gives what a value is in SI, undefined if it is not allowed.
 function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
-  const label = `${words} <i>${typeset(symbol)}</i>${unit && ` [${unit}]`}`;
+  const label = `${typeset(words)} <i>${typeset(symbol)}</i>${unit && ` [${unit}]`}`;
   const control = controlOf(
     { label, ...given },
     `<input type="range" min="0" max="${STEPS}">
@@ -78,7 +78,8 @@ function rangeControl({ words, symbol, unit, scale, digits, note, value, read, .
   const [slider, field] = control.selectAll("input").nodes();
   function tell(error) {
     field.setAttribute("aria-invalid", Boolean(error));
-    control.select(".note").attr("role", error ? "alert" : null).text(error || note);
+    const text = error || (note instanceof Function ? note() : note);
+    control.select(".note").attr("role", error ? "alert" : null).text(text);
   }
   scale.range([0, STEPS]).clamp(true);
   slider.setAttribute("aria-label", `${control.select("label").text()}, slider`);
@@ -177,7 +178,7 @@ function rigNumber(name, given) {
 function materialControl(body) {
   const control = choiceControl({
     id: `rig-${body}`,
-    label: inputWords(body),
+    label: capital(body),
     hint: `Material of the ${body}: moduli, hardness, G, V and U follow, as in thirdbody bearing; particles are as hard as the surfaces or harder`,
     options: MATERIALS.map((name) => [name, name]),
     value: () => state[body],
@@ -221,7 +222,7 @@ function numberControl(name) {
     symbol,
     unit: text,
     hint: `${rangeText([least, most], factor)} ${text} (${source})${SOFTENS.test(name) ? ", with an elastic factor of at most 1" : ""}`,
-    note: bounds ? `searched ${rangeText(bounds, factor)}; ${ensembleText(name, factor)}` : source,
+    note: () => (bounds ? `searched ${rangeText(bounds, factor)}; ${ensembleText(name, factor)}` : source),
     scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain((bounds ?? near).map((end) => end / factor)),
     digits: 4,
     value: () => currentInputs()[name] / factor,
@@ -234,8 +235,8 @@ function numberControl(name) {
 
 // Which values the members of the ensemble have.
 function ensembleText(name, factor) {
-  const [low, high] = d3.extent([defaultInputs, ...content.ensemble], (member) => member[name]);
-  return low === high ? "one value in the ensemble" : `ensemble ${rangeText([low, high], factor)}`;
+  const [low, high] = d3.extent(memberInputs(), (member) => member[name]);
+  return low === high ? "known" : `ensemble ${rangeText([low, high], factor)}`;
 }
 
 // A list of words to choose from.
@@ -259,19 +260,15 @@ function wordControl(name) {
   });
 }
 
-// All inputs of a calibrated interpretation at once.
+// All inputs of a calibrated interpretation at once, with its ensemble.
 function presetControl() {
   return choiceControl({
     id: "interpretation",
     label: "Calibrated inputs",
     hint: "All unprinted inputs as calibrated under one interpretation",
-    options: [["", "your own"], ...content.interpretations.map(({ name, title }) => [name, plain(title)])],
-    value: () => chosenInterpretation()?.name ?? "",
-    changed: () => Object.keys(changedInputs()).length > 0,
-    choose(name) {
-      toDefault(...BODIES, "speed_m_per_s");
-      change({ inputs: {} });
-      setInputs(content.interpretations.find((each) => each.name === name)?.inputs ?? {});
-    },
+    options: [["", plain(ofRun?.title ?? "those of this run")], ...otherInterpretations.map(({ name, title }) => [name, plain(title)])],
+    value: () => state.interpretation,
+    changed: () => !isDefault("interpretation"),
+    choose: (name) => setInterpretation(name ?? ""),
   });
 }

@@ -1,10 +1,10 @@
 // The model at the inputs that are chosen, and its curves, each computed once.
 
-import { axes, content, defaultInputs } from "./content.js";
+import { axes, defaultInputs } from "./content.js";
 import { modelOf, remembered } from "./model.js";
 import { PROMINENCE, curveOf, highestMaximum } from "./curves.js";
 import { scaleFor } from "./names.js";
-import { OVER_TWO_BODY, changedInputs, currentInputs } from "./state.js";
+import { OVER_TWO_BODY, currentInputs, memberInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
 const ENGINES = 70; // sets of inputs: those of the ensemble, and the last that were chosen
@@ -38,13 +38,12 @@ export const engineOf = remembered((inputs) => {
     places.map((place) => pointOf(x, y, state({ ...point, [x]: place }), { ...point, [x]: place }));
   // the state at all five conditions, the load in newtons
   const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
-  return { model, newtonsPerLoad, loads, contact, curve, points, pointsAlong, pointOf, state };
+  return { inputs, model, newtonsPerLoad, loads, contact, curve, points, pointsAlong, pointOf, state };
 }, ENGINES);
 
 export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
-// One for each set of inputs of the ensemble, with all that the reader has changed.
-export const memberEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member, ...changedInputs() }));
+export const memberEngines = () => memberInputs().map((inputs) => engineOf(inputs));
 
 // The paper's range of a condition, and the chosen value if it is outside.
 export function shownRange(name, point) {

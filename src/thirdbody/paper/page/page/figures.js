@@ -1,7 +1,7 @@
 // The figures of the paper as specs of charts, with what the user chose in place of their conditions.
 
 import { conditionAxes, content } from "./content.js";
-import { changedInputs, chosenConditions, state } from "./state.js";
+import { chosenConditions, isCalibrated, state } from "./state.js";
 import { currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
 import { outlineOf, withRange } from "./ranges.js";
@@ -10,6 +10,8 @@ import { VARIABLES, conditionWord, valueText } from "./names.js";
 import { readable } from "./text.js";
 
 const SLIGHT = 0.001; // least prominence of a maximum that is marked
+// dry contact beside lubricated contact, as in the figures of the workflow
+const DRY = { dash: "5 2.5", dry: true };
 
 const isTwoBody = (condition) => condition.particle_diameter * condition.particle_density === 0;
 const ratioOf = (condition) => Number((condition.particle_diameter / condition.roughness).toPrecision(6));
@@ -73,9 +75,9 @@ export function isFree(name) {
 // Colour, dashes and marker of a curve, as in the figures of the workflow.
 function styleOf({ name, levels }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
-  if (mine) return { color: "var(--mine)", dry };
-  if (dry) return isTwoBody(condition) ? { color: "var(--soft)", dash: "1.5 2.5" } : { color: "var(--soft)", dry };
-  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)", ...(hasOil && { dash: "7 3" }) };
+  if (mine) return { color: "var(--mine)", ...(dry && DRY) };
+  if (dry) return { color: "var(--ink)", ...DRY, ...(isTwoBody(condition) && { dash: "1.5 2.5" }) };
+  if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)" };
   return levelStyle(levelOf(name, condition), levels);
 }
 
@@ -113,8 +115,8 @@ export function figureView() {
     label: labelOf(parameter, curve.condition),
   }));
   const notes = sharedWords(drawn);
-  // lubricated curves are seen on dry ones, which are broad
-  const layered = d3.sort(drawn, ({ dry, mine, chosen }) => (dry ? 0 : 1) + (mine ? 2 : 0) + (chosen ? 4 : 0));
+  // lubricated curves are seen between the dashes of dry ones
+  const layered = d3.sort(drawn, ({ dry, mine, chosen }) => (dry ? 1 : 0) + (mine ? 2 : 0) + (chosen ? 4 : 0));
   const windows = figure.panels.filter(({ x }) => x === "diameter_ratio");
   const specs = figure.panels.map((panel) => {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
@@ -127,11 +129,11 @@ export function figureView() {
   return { specs, key, notes, heading: figure.title, caption: published + figure.caption };
 }
 
-function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper, least } }) {
-  const { x, y, letter, locus } = panel;
+function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper } }) {
+  const { x, y, letter, locus, least } = panel;
   const ofPaper = curves.filter(({ mine }) => !mine);
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
-  const changed = Object.keys(changedInputs()).length > 0 || ofPaper.some(isMoved);
+  const changed = !isCalibrated() || state.interpretation !== "" || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
   // at an end of a load percentage the paper names a regime: its bar alone tells all
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
@@ -153,7 +155,9 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
-  const outlines = outlinesIn(`${state.figure} ${letter}`, VARIABLES[y].log ? [] : ranges);
+  // on a logarithmic axis not those far below the curves, in a full film
+  const lowest = VARIABLES[y].log ? d3.min(spec.lines.flatMap(({ points }) => points.map((point) => point.y))) : -Infinity;
+  const outlines = outlinesIn(`${state.figure} ${letter}`, ranges).filter((point) => point[1] >= lowest);
   const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
   return curvesSpec(spec, engine, [...ends, ...outlines]);
 }
@@ -251,7 +255,7 @@ function keyEntries(drawn, parameter, comparesMedia) {
   const oil = drawn.find(({ condition }) => condition.viscosity > 0).condition.viscosity;
   return [
     ...entries,
-    { text: valueText("viscosity", oil), color: "var(--ink)" },
-    { text: "dry", color: "var(--soft)", dry: true },
+    { text: valueText("viscosity", oil), color: "var(--soft)" },
+    { text: "dry", color: "var(--ink)", ...DRY },
   ];
 }

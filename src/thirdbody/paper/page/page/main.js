@@ -12,7 +12,7 @@ import { showPoint, unusual } from "./point.js";
 import { SHOWN, showStatements } from "./statements.js";
 import { csvOf, save, svgOf } from "./download.js";
 import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
-import { DEFINITION, rangeSteps } from "./ranges.js";
+import { definition, rangeSteps } from "./ranges.js";
 import { engineOf, inSlices } from "./engine.js";
 import { escaped, plain, readable, typeset } from "./text.js";
 
@@ -83,7 +83,7 @@ const VIEWS = {
 
 // What newtons are: the paper leaves it open.
 const newtonsText = () =>
-  "In newtons F_t = F_t* A_n E_ss. The paper does not print A_n, the apparent area of the contact; " +
+  "In newtons F_t = F_t* A_n E_ss. The paper does not print A_n, the nominal area of the contact; " +
   `it is ${readable(currentInputs().apparent_area * 1e6, 3)} mm² here, one of the inputs.`;
 
 function draw() {
@@ -100,6 +100,7 @@ function draw() {
   showKey(key);
   const hasNewtons = state.view === "map" || (state.view === "axes" && specs[0].newtonsPerLoad); // captions of figures say it
   $("heading").innerHTML = typeset(heading);
+  $("definition").textContent = definition();
   $("notes").innerHTML = typeset([...unusual(), ...notes].join("; "));
   $("caption").innerHTML = typeset(hasNewtons ? `${caption} ${newtonsText()}` : caption);
 }
@@ -157,7 +158,6 @@ addEventListener("resize", () => requestAnimationFrame(draw));
 for (const id of ["controls", "charts"]) $(id).replaceChildren();
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
 $("counts").textContent = `${content.held} of ${content.judged} distinct statements hold. ${content.counts}`;
-$("definition").textContent = content.ensemble.length ? DEFINITION : "";
 makeControls($("controls"));
 onChange(ask);
 fromFragment(location.hash);

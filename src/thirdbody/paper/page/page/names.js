@@ -1,37 +1,39 @@
-// What conditions and variables are called, their units as shown, and their usual scales.
+// What conditions and variables are called, their units as shown, and their usual scales: from the table of variables
+// and the list of inputs, with what only charts need.
 
 import { axes, content } from "./content.js";
 import { LIMITS } from "./model.js";
-import { readable } from "./text.js";
+import { lettered, readable } from "./text.js";
 
-const FRACTION = { fraction: true, log: false };
-const PERCENT = { ...FRACTION, unit: "%", factor: 100 };
+const FRACTION = { fraction: true };
 const MODES = { limits: [LIMITS.surface, LIMITS.particle], zones: ["s-s", "hybrid", "p-s"], shaded: "hybrid mode" };
 const REGIMES = {
   limits: [LIMITS.full_film, LIMITS.boundary],
   ...{ zones: ["F.L.", "M.L.", "B.L."], shaded: "mixed lubrication (M.L.)" },
 };
 
-// Every variable that an axis of a chart can show: its symbol, its words, its scale, and its unit, in
-// which it is shown as `factor` times the value in SI.
-export const VARIABLES = {
-  total_contact_area: { symbol: "A_t*", words: "Real contact area", log: true },
-  particle_contact_area_ratio: { symbol: "A_sa,t*", words: "Contact area ratio of particles", ...FRACTION, ...MODES },
-  surface_contact_area_ratio: { symbol: "A_ss,t*", words: "Contact area ratio of surfaces", ...FRACTION },
-  solid_load_fraction: { symbol: "L_s", words: "Load percentage of solid", ...PERCENT, ...REGIMES },
-  fluid_load_fraction: { symbol: "L_f", words: "Load percentage of fluid", ...PERCENT },
-  separation: { symbol: "d", words: "Separation", unit: "nm", factor: 1e9, log: false },
-  film_thickness: { symbol: "H_c", words: "Film thickness", unit: "10⁻⁴", factor: 1e4, log: false },
-  total_contact_area_over_two_body: { symbol: "A_t* over dry two-body", words: "Area over that of dry two-body contact", log: false },
-  load: { symbol: "F_t*", words: "Dimensionless normal load", log: true },
-  normal_load: { symbol: "F_t", words: "Normal load", unit: "N", log: true },
-  viscosity: { symbol: "ν", words: "Viscosity", unit: "cSt", factor: 1e6, log: false },
-  particle_diameter: { symbol: "x_a", words: "Particle diameter", unit: "nm", factor: 1e9, log: false },
-  roughness: { symbol: "σ", words: "Roughness", unit: "nm", factor: 1e9, log: false },
-  particle_density: { symbol: "η_a", words: "Particle density", unit: "m⁻²", log: true },
-  diameter_ratio: { symbol: "x_a/σ", words: "Particle diameter over roughness", log: false },
-  turning_point_ratio: { symbol: "A_sa,t*", words: "Where turning points occur", ...FRACTION },
+const DRAWN = {
+  particle_contact_area_ratio: { ...FRACTION, ...MODES },
+  surface_contact_area_ratio: FRACTION,
+  solid_load_fraction: { ...FRACTION, ...REGIMES },
+  fluid_load_fraction: FRACTION,
+  turning_point_ratio: FRACTION,
+  particle_density: { log: true },
 };
+const NOMINAL = {
+  nominal_area: { symbol: "A_n", words: "Nominal area, an input", unit: "mm²", factor: 1e6 },
+  nominal_pressure: { symbol: "F_t/A_n", words: "Nominal pressure", unit: "MPa", factor: 1e-6 },
+  hertz_area: { symbol: "A_H", words: "Hertz area of the smooth ball", unit: "mm²", factor: 1e6 },
+  hertz_pressure: { symbol: "F_t/A_H", words: "Mean Hertz pressure", unit: "MPa", factor: 1e-6 },
+};
+
+// Every variable that is shown: its symbol, its words, its scale, and its unit, in which it is shown as `factor`
+// times the value in SI.
+const entries = Object.entries(content.variables).map(([name, given]) => {
+  const symbol = lettered(given.symbol);
+  return [name, { ...given, symbol, ...DRAWN[name] }];
+});
+export const VARIABLES = { ...Object.fromEntries(entries), ...NOMINAL };
 
 export const scaleFor = (name) => (VARIABLES[name].log ? d3.scaleLog() : d3.scaleLinear());
 
@@ -74,4 +76,6 @@ export const modeText = ({ mode, regime }) => (regime === FULL_FILM ? "full film
 export const stateText = ({ mode, regime }) =>
   regime === FULL_FILM ? "full film" : `${MODE_TEXT[mode]} mode, ${REGIME_TEXT[regime]} lubrication`;
 export const statusText = (status) => (status === "converged" ? "" : `${spaced(status)}: ${content.statuses[status]}`);
-export const inputWords = (name) => spaced(name[0].toUpperCase() + name.slice(1));
+// a capital letter at the beginning of a word, not of a symbol
+export const capital = (text) => text.replace(/^[a-z](?![a-z]*_)/, (letter) => letter.toUpperCase());
+export const inputWords = (name) => capital(content.inputs[name].description);

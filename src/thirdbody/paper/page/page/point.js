@@ -1,7 +1,7 @@
 // The state at the chosen conditions, and where the contact mode changes from there.
 
 import { axes, content } from "./content.js";
-import { currentInputs, currentPoint, changedInputs } from "./state.js";
+import { currentInputs, currentPoint, memberInputs } from "./state.js";
 import { currentEngine, inSlices, memberEngines, placesAlong } from "./engine.js";
 import { rangeOf } from "./ranges.js";
 import { modeChanges } from "./curves.js";
@@ -11,17 +11,18 @@ import { escaped, plain, readable, typeset } from "./text.js";
 
 const DIGITS = 3; // of numbers without an ensemble
 const MOST_DIGITS = 4; // of numbers with one
-const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
+const SOLVED = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
+const VALUES = [...SOLVED, "nominal_area", "nominal_pressure", "hertz_area", "hertz_pressure"];
 const PAUSE = 120; // milliseconds without a move, after which ranges and changes are computed
 let shownFor = "";
 
 export function showPoint(parent) {
   const engine = currentEngine();
   const point = currentPoint();
-  const key = JSON.stringify([point, changedInputs()]);
+  const key = JSON.stringify([point, currentInputs()]);
   if (key === shownFor) return;
   shownFor = key;
-  const found = engine.state(point);
+  const found = valuesAt(engine, point);
   const words = [
     ["Contact mode", found.regime === FULL_FILM ? "" : modeText(found)],
     ["Lubrication", found.status === "outside_film_formula" ? "" : REGIME_TEXT[found.regime]],
@@ -30,7 +31,7 @@ export function showPoint(parent) {
   const values = VALUES.map((name) => [labelOf(name), numberText(name, found[name], DIGITS), ""]);
   const waiting = axes.map(({ name }) => [wordOf(name), "…"]);
   parent.innerHTML =
-    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], content.ensemble.length ? "range" : "") +
+    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], memberInputs().length ? "range, 5 to 95 %" : "") +
     table("Contact mode as one condition changes", waiting) +
     `<p>${typeset(sizesText(engine, point))}</p>`;
   const [answer, changes] = parent.querySelectorAll("tbody");
@@ -38,7 +39,7 @@ export function showPoint(parent) {
   function* fill() {
     const members = [];
     for (const each of memberEngines()) {
-      members.push(each.state(point));
+      members.push(valuesAt(each, point));
       yield;
     }
     VALUES.forEach((name, i) => {
@@ -51,6 +52,16 @@ export function showPoint(parent) {
     }
   }
   inSlices(parent, fill(), () => shownFor === key, PAUSE);
+}
+
+// The state of a point, with the nominal area and pressure and those of the smooth ball on a flat (Hertz).
+function valuesAt(engine, point) {
+  const { apparent_area: area, ball_radius: radius, elastic_modulus_surfaces: modulus } = engine.inputs;
+  const hertz = Math.PI * ((0.75 * point.load * radius) / modulus) ** (2 / 3);
+  return {
+    ...engine.state(point),
+    ...{ nominal_area: area, nominal_pressure: point.load / area, hertz_area: hertz, hertz_pressure: point.load / hertz },
+  };
 }
 
 const labelOf = (name) => `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;

@@ -1,7 +1,7 @@
-// Ranges: 5 to 95 % over the sets of inputs of the ensemble, all with what the reader has changed.
+// Ranges: 5 to 95 % over the ensemble of the calibrated inputs. What the reader has changed is known, as in the
+// library: all members have it.
 
-import { content } from "./content.js";
-import { changedInputs } from "./state.js";
+import { currentInputs, memberInputs } from "./state.js";
 import { currentEngine, memberEngines } from "./engine.js";
 import { curveOf } from "./curves.js";
 
@@ -10,9 +10,11 @@ const LOADS = 60; // on its outline
 const CURVES = 3; // with a range in a panel, as in the figures of the workflow
 const KEPT = 40; // curves
 
-export const DEFINITION =
-  `Ranges are 5 to 95 % over ${content.ensemble.length} sets of inputs that explain the paper about equally well; ` +
-  "what you change is changed in all of them.";
+export function definition() {
+  const { length } = memberInputs();
+  if (!length) return "";
+  return `Ranges are 5 to 95 % over ${length} sets of inputs that explain the paper about equally well. What you change is known: all sets have it.`;
+}
 
 // Both ends of the range of values, without those that are not solved.
 export const rangeOf = (values) => ENDS.map((end) => d3.quantile(values, end));
@@ -25,7 +27,7 @@ export function withRange(curves) {
 
 // The states of all members along curves, at loads F_t*; by what was changed and the condition
 const solved = new Map();
-const keyOf = (condition) => JSON.stringify([changedInputs(), condition]);
+const keyOf = (condition) => JSON.stringify([currentInputs(), condition]);
 
 // The outline of the range of y along a curve, as points [x, y]; undefined until the members are solved.
 export function outlineOf(condition, y) {
@@ -44,7 +46,7 @@ export function* rangeSteps(conditions, done) {
   const { loads } = currentEngine();
   const missing = new Map(conditions.map((condition) => [keyOf(condition), condition]));
   for (const key of solved.keys()) missing.delete(key);
-  if (!missing.size || !content.ensemble.length) return;
+  if (!missing.size || !memberInputs().length) return;
   if (solved.size > KEPT) solved.clear();
   for (const [key, condition] of missing) {
     const members = [];

@@ -9,6 +9,11 @@ export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
 const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
 
+// Calibrated interpretations, that of the run apart
+const isOther = ({ inputs }) => Object.entries(inputs).some(([name, value]) => defaultInputs[name] !== value);
+export const ofRun = content.interpretations.find((each) => !isOther(each));
+export const otherInterpretations = content.interpretations.filter(isOther);
+
 // What can be chosen, and its default
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
@@ -28,6 +33,7 @@ export const CHOICES = {
   flat: MATERIALS,
   particle: MATERIALS,
   oil_grade: ["", ...GRADES],
+  interpretation: ["", ...otherInterpretations.map(({ name }) => name)],
 };
 // Numbers that can be chosen, with bounds and default; the speed is by default that of the inputs
 export const NUMBERS = {
@@ -54,20 +60,28 @@ export function change(what) {
 export const isDefault = (name) => state[name] === DEFAULTS[name];
 export const toDefault = (...names) => change(Object.fromEntries(names.map((name) => [name, DEFAULTS[name]])));
 
-// Values that are chosen and differ from the default.
-function chosen(values) {
+// The calibrated interpretation that is chosen; undefined for that of the run.
+export const chosenInterpretation = () => interpretationNamed(state.interpretation);
+const interpretationNamed = (wanted) => otherInterpretations.find(({ name }) => name === wanted);
+const calibratedInputs = (name) => ({ ...defaultInputs, ...interpretationNamed(name)?.inputs });
+
+// Values that are chosen and differ from the calibrated inputs.
+function chosen(values, calibrated = calibratedInputs(state.interpretation)) {
   const entries = Object.entries(values);
-  return Object.fromEntries(entries.filter(([name, value]) => value !== undefined && value !== defaultInputs[name]));
+  return Object.fromEntries(entries.filter(([name, value]) => value !== undefined && value !== calibrated[name]));
 }
 export function setCondition(name, value) {
   const oil = name === "viscosity" ? { oil_grade: DEFAULTS.oil_grade } : {};
   change({ conditions: chosen({ ...state.conditions, [name]: value }), ...oil });
 }
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
+export const setInterpretation = (name) => change({ interpretation: name, inputs: chosen(state.inputs, calibratedInputs(name)) });
 
-// All that the reader has changed, which is known: each set of inputs has it.
+// All that the reader has changed, which is known: each member of the ensemble has it.
 export const changedInputs = () => chosen({ ...rigInputs(state, state.inputs), ...state.inputs });
-export const currentInputs = () => ({ ...defaultInputs, ...changedInputs() });
+export const currentInputs = () => ({ ...calibratedInputs(state.interpretation), ...changedInputs() });
+const members = () => chosenInterpretation()?.ensemble ?? content.ensemble;
+export const memberInputs = () => members().map((member) => ({ ...calibratedInputs(state.interpretation), ...member, ...changedInputs() }));
 
 // The conditions that are chosen; the viscosity may be that of an oil.
 export function chosenConditions() {
@@ -76,15 +90,8 @@ export function chosenConditions() {
 }
 export const currentPoint = () => ({ ...startOf(state.figure), ...chosenConditions() });
 
-// The calibrated interpretation that has the inputs that are chosen.
-export const chosenInterpretation = () =>
-  content.interpretations.find(({ inputs }) => {
-    const entries = Object.entries({ ...defaultInputs, ...inputs });
-    return entries.every(([name, value]) => currentInputs()[name] === value);
-  });
-
 // Whether the inputs are calibrated ones.
-export const isCalibrated = () => Object.keys(changedInputs()).length === 0 || chosenInterpretation() !== undefined;
+export const isCalibrated = () => Object.keys(changedInputs()).length === 0;
 
 // The conditions of a figure, of several the nearest to the usual one.
 function startOf(figure) {
@@ -124,8 +131,9 @@ export function fromFragment(text) {
   }
   if (!materialInputs(found)) found.particle = DEFAULTS.particle;
   if (found.oil_grade && !oilViscosity(found.oil_grade, found.temperature_C)) found.temperature_C = DEFAULTS.temperature_C;
-  const inputs = chosen(found.inputs);
-  const whole = { ...defaultInputs, ...rigInputs(found, inputs), ...inputs };
+  const calibrated = calibratedInputs(found.interpretation);
+  const inputs = chosen(found.inputs, calibrated);
+  const whole = { ...calibrated, ...rigInputs(found, inputs), ...inputs };
   change({ ...found, conditions: chosen(found.conditions), inputs: areHard(whole) ? inputs : {} });
 }
 

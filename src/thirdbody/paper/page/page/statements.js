@@ -3,7 +3,7 @@
 
 import { content } from "./content.js";
 import { change, chosenInterpretation, isCalibrated, state } from "./state.js";
-import { spaced } from "./names.js";
+import { capital } from "./names.js";
 import { readable, typeset } from "./text.js";
 
 const [list, tally] = ["claims", "tally"].map((id) => document.getElementById(id));
@@ -58,25 +58,20 @@ function item(statement) {
 }
 
 function details(statement) {
-  const { quote, computed, published, tolerance, tolerance_kind: kind, reason } = statement;
+  const { quote, finding, tolerance, tolerance_kind: kind, reason } = statement;
   const size = readable(kind === "relative" ? 100 * tolerance : tolerance);
   const allowed = { relative: `${size} %`, factor: `a factor of ${size}`, absolute: size }[kind];
   const lines = [
-    computed && `Computed: ${computed}`,
-    published !== null && `Printed: ${printedText([published].flat())}`,
+    `Found: ${finding}`,
     `Tolerance: ${allowed}, ${reason}`,
     ...otherVerdicts(statement),
   ];
-  const paragraphs = lines.filter(Boolean).map((line) => `<p>${typeset(line)}</p>`);
+  const paragraphs = lines.map((line) => `<p>${typeset(line)}</p>`);
   return `<div class="more"><blockquote>${typeset(quote)}</blockquote>${paragraphs.join("")}</div>`;
 }
 
-const printedText = (published) =>
-  typeof published[0] === "string" ? published.map(spaced).join(", then ") : published.map((each) => readable(each)).join(" to ");
-
 // Which calibrated inputs give which verdict, and which departures change it when they are taken back.
 function otherVerdicts({ verdict, verdicts_of: verdictsOf, taken_back: takenBack }) {
-  const capital = (word) => word[0].toUpperCase() + word.slice(1);
   const textsBy = (entries, joint) =>
     d3.groups(entries, ([, found]) => found).map(([found, group]) => `${capital(found)} ${joint}: ${group.map(([name]) => name).join("; ")}`);
   const titles = content.interpretations.map(({ name, title }) => [title, verdictsOf[name]]);

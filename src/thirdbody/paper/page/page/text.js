@@ -12,9 +12,9 @@ const SYMBOL = /(?<!\w)(\p{L})_(\w+(?:,t)?)|[νσ]|(?<![\w'’])d(?!\w)/gu;
 const POWER = /(?<=\d)e([-+]?\d+)/g;
 const LETTERS = { eta: "η", sigma: "σ", omega: "ω", kappa: "κ", phi: "φ", nu: "ν", ₐ: "_a", ₜ: "_t" };
 const LETTER = /(?<![a-z])(?:eta|sigma|omega|kappa|phi|nu)(?![a-z])|[ₐₜ]/g;
+export const lettered = (text) => text.replace(LETTER, (word) => LETTERS[word]);
 const typesetter = (letterIn, indexIn) => (text) =>
-  escaped(text)
-    .replace(LETTER, (word) => LETTERS[word])
+  lettered(escaped(text))
     .replace(SYMBOL, (found, letter = found, index) => letterIn(letter) + (index ? indexIn(index) : ""))
     .replace(POWER, (_, exponent) => `×${powerOfTen(Number(exponent))}`);
 export const typeset = typesetter((letter) => `<i>${letter}</i>`, (index) => `<sub>${index}</sub>`);

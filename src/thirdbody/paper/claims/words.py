@@ -1,0 +1,65 @@
+"""What a check has found, as a sentence beside the statement of the paper."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from thirdbody.variables import QUANTITIES
+
+# a quantity as the subject of a sentence, where it is not its symbol
+NAMES = {name: each.symbol for name, each in QUANTITIES.items()} | {
+    "total_contact_area_slope": "the slope of A_t*",
+    "solid_load": "L_s F_t*",
+    "turning_point_ratio": "A_sa,t* at the turning point",
+    "turning_point_solid_load_fraction": "L_s at the turning point",
+    "turning_point_solid_load": "L_s F_t* at the turning point",
+    "turning_point_load": "F_TPCA*",
+}
+# the beginning of a sentence on other quantities
+BEGINNINGS = {
+    "turning_point_load": "The turning point is at",
+    "bend_load": "The slope falls at",
+    "total_contact_area_reversal_load": "The order reverses at",
+    "bend_load_over_mixed_load": "Over the load at which mixed lubrication begins that of the bend is",
+    "departure_sharpness": "The sharpness of the departure is",
+    "window_low": "Turning points begin at x_a/sigma of",
+    "window_high": "Turning points end at x_a/sigma of",
+}
+EXTREMES = {"minimum": "the least ", "maximum": "the largest "}
+
+
+def listed(texts: Sequence[str]) -> str:
+    """Different texts as a list in a sentence."""
+    *others, last = dict.fromkeys(texts)
+    return f"{', '.join(others)} and {last}" if others else last
+
+
+def sentence(text: str, *others: str) -> str:
+    """A sentence of parts, without those that are empty."""
+    parts = filter(None, (text[0].upper() + text[1:], *others))
+    return f"{'; '.join(parts)}."
+
+
+def beginning(quantity: str, extreme: str, limits: Mapping[str, float], is_change: bool) -> str:
+    """The beginning of a sentence whose object is a number; ``limits`` have the level at which a load is found."""
+    if is_change:
+        return f"{NAMES[quantity]} changes by"
+    if quantity == "load":
+        return (
+            " and ".join(f"{NAMES[name]} falls to {level:g}" for name, level in limits.items())
+            + " at"
+        )
+    return BEGINNINGS.get(quantity) or f"{EXTREMES.get(extreme, '')}{NAMES[quantity]} is"
+
+
+def size(gap: float, is_relative: bool) -> str:
+    """A gap between curves, that of logarithms in per cent or as a factor."""
+    if not is_relative:
+        return f"{gap:.3g}"
+    factor = np.exp(gap)
+    return f"a factor of {factor:.3g}" if factor > 2.0 else f"{100.0 * (factor - 1.0):.3g} %"
+
+
+def passed(states: Sequence[str]) -> str:
+    """States in the order in which they are passed."""
+    return ", then ".join(state.replace("_", "-") for state in states)
