@@ -6,6 +6,8 @@ import json
 import yaml
 from workspace import INTERPRETATIONS, MINIMAL, NEARBY, Workspace
 
+from thirdbody.inputs import load_parameters
+
 
 def files(workspace: Workspace, pattern):
     return {path.name: path.read_bytes() for path in (workspace.root / pattern).glob("*.yaml")}
@@ -24,7 +26,12 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     for name, content in found.items():
         expected = yaml.safe_load(content)
         expected |= chosen if expected["interpretation"] == chosen["interpretation"] else {}
-        assert yaml.safe_load(adopted[name]) == expected
+        content = yaml.safe_load(adopted[name])
+        inputs = content.pop("inputs")  # with those that no search finds
+        assert inputs.items() >= expected.pop("inputs").items()
+        assert content == expected
+        parameters = load_parameters(calibrated.root / "config/calibrated" / name)
+        assert inputs.items() <= parameters.as_dict().items()
 
 
 def test_the_ensemble_has_as_many_members_of_each_that_the_ranking_calls_equal(calibrated):

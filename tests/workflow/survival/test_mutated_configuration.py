@@ -18,7 +18,6 @@ from thirdbody.paper.scenes import scene_groups
 FILES = {  # and how many mutations of each
     "config/config.yaml": 110,
     "config/scenes.yaml": 110,
-    "config/inputs.yaml": 50,
 }
 UNREADABLE = ("\\Z", "(?", "^[")  # what is no line for people: regular expressions
 WRONG_TYPES = ("word", 17.5, [], {}, None, True, [["a"]], {"a": {"b": 1}}, 10**400)
