@@ -1,6 +1,8 @@
 """How the pages of `docs/` become a site: `make docs`, without a network."""
 
+import os
 import sys
+import sysconfig
 from importlib import metadata
 from pathlib import Path
 
@@ -10,17 +12,22 @@ from latex2mathml.converter import convert
 sys.path.insert(0, str(Path(__file__).parent))
 import configuration_reference
 
+# where pages find the command `thirdbody`
+os.environ["PATH"] = os.pathsep.join([sysconfig.get_path("scripts"), os.environ["PATH"]])
+
 project = "thirdbody"
 author = "The thirdbody developers"
 copyright = "2026, the thirdbody developers (code MIT, texts and data CC BY 4.0)"
 release = metadata.version("thirdbody")
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
-myst_enable_extensions = ["dollarmath"]
+myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
 html_theme = "furo"
 html_title = "thirdbody"
 html_math_renderer = "mathml"
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
 exclude_patterns = ["_build"]
 
 nb_execution_mode = "force"
@@ -31,6 +38,8 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # docstrings say the types with their units
 napoleon_google_docstring = False
 napoleon_use_rtype = False
+napoleon_use_ivar = True
+toc_object_entries = False
 
 
 def _inline(self, node):

@@ -83,6 +83,6 @@ def inputs():
 
 def fill(app, name, source):
     """Put the tables into the page, for the event ``source-read`` of Sphinx."""
-    if name == "configuration":
+    if name == "workflow":
         source[0] = source[0].replace("<!-- configuration -->", configuration())
         source[0] = source[0].replace("<!-- inputs -->", inputs())

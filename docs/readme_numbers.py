@@ -1,10 +1,10 @@
-"""Puts the numbers of the last run, the table of variables and answers into README and docs.
+"""Puts the numbers of the last run, and what examples print, into README and pages of the documentation.
 
 Each stands between two markers that name it.
 
-    python docs/readme_numbers.py            say which pages differ from results/, exit 1 if any
-    python docs/readme_numbers.py --write    renew them
-    python docs/readme_numbers.py --show deviations    print one of them
+    python docs/readme_numbers.py            say what differs from results/, exit 1 if anything does
+    python docs/readme_numbers.py --write    renew it
+    python docs/readme_numbers.py --show deviations    print one of the blocks
 
 What `make accuracy` measures differs from run to run: a page agrees with it if its words do
 and its numbers up to a factor, and keeps what it says where there is no such run.
@@ -13,12 +13,9 @@ and its numbers up to a factor, and keeps what it says where there is no such ru
 import io
 import json
 import re
-import shlex
 import sys
-from contextlib import chdir, redirect_stdout
-from functools import partial
+from contextlib import redirect_stdout
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from textwrap import fill
 
 import numpy as np
@@ -28,8 +25,7 @@ from scipy.special import erf
 from tabulate import tabulate
 
 import thirdbody
-from thirdbody.command import EXAMPLES
-from thirdbody.command import main as main_of_command
+from benchmarks.ranges import CONDITIONS, shares_within
 from thirdbody.core.film import Film
 from thirdbody.paper.calibration.calibration import Interpretation, Unknown
 from thirdbody.paper.tables import TABLES, read_csv
@@ -37,62 +33,72 @@ from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = (
-    ROOT / "README.md",
-    *(
-        ROOT / "docs" / name
-        for name in ("calibration.md", "nomenclature.md", "questions.md", "trust.md")
-    ),
-)
+README = ROOT / "README.md"
+PAGES = README, ROOT / "docs" / "model.md", ROOT / "docs" / "results.md"
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
+PICTURES = {  # in docs/, copies of figures
+    ROOT / "docs" / "figure01.png": RESULTS / "figures" / "fig01.png",
+    ROOT / "docs" / "figure11.png": RESULTS / "figures" / "fig11.png",
+}
+
+
+def read_table(name: str) -> pd.DataFrame:
+    """A table of results/tables."""
+    return pd.DataFrame(read_csv(RESULTS / "tables" / f"{name}.csv", TABLES[name]))
+
+
+def read_claims() -> dict:
+    """The verdicts, and what is said about them."""
+    return json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
 
 
 def claims_block() -> str:
-    """The score, and counts of the verdicts."""
-    content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
-    counts = pd.DataFrame(content["statements"])["verdict"].value_counts().to_frame().T
-    return f"{fill(content['score'], 110)}\n\n{counts.to_markdown(index=False)}"
+    """The score, and how near the printed numbers are."""
+    rows = read_table("deviations")
+    sizes = rows["deviation"].abs()
+    deviations = (
+        f"Of the {len(rows)} numbers in the headline statements the median deviation is "
+        f"{sizes.median():.1%}, the mean {sizes.mean():.1%}."
+    )
+    return fill(f"{read_claims()['score']} {deviations}", 120)
 
 
-def turning_points_block() -> str:
-    """The windows of the turning point, as computed."""
-    rows = read_csv(RESULTS / "tables" / "tpca_windows.csv", TABLES["tpca_windows"])
-    ends: dict[float, dict] = {}
-    for row in rows:
-        name = f"{row['end']} end of x_a/σ"
-        ends.setdefault(row["roughness_m"], {})[name] = f"{row['diameter_over_roughness']:.3f}"
-    table = [{"σ [nm]": f"{1e9 * roughness:g}", **row} for roughness, row in ends.items()]
+def failures_block() -> str:
+    """The statements that fail, each in a sentence."""
+    failed = [row for row in read_claims()["statements"] if row["verdict"] == "fails"]
+    table = [
+        {
+            "place": row["place"].removesuffix(", section 3.3"),
+            "statement": row["statement"],
+            "computed": row["computed"],
+        }
+        for row in failed
+    ]
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
-def headline_block() -> str:
-    """The headline numbers of the paper beside those of the default."""
-    content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
-    names = read_yaml(ROOT / "config" / "calibration.yaml")["headline"]
-    rows = {each["id"]: each for each in content["statements"]}
-    table = [
-        {
-            "place": rows[name]["place"].replace(", section 3.3", ""),
-            "statement": rows[name]["statement"],
-            "computed": rows[name]["computed"],
-            "verdict": rows[name]["verdict"],
-        }
-        for name in names
-    ]
-    held = sum(each["verdict"] == "holds" for each in table)
-    counted = f"{held} of the {len(names)} headline numbers hold."
-    return (
-        f"{counted}\n\n{tabulate(table, headers='keys', tablefmt='github', disable_numparse=True)}"
-    )
+def library_block() -> str:
+    """What the example of README prints."""
+    (example,) = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+    printed = io.StringIO()
+    with redirect_stdout(printed):
+        exec(example, {})
+    return f"```text\n{printed.getvalue()}```"
+
+
+def ranges_block() -> str:
+    """How often the default lies within its own range."""
+    shares = shares_within(thirdbody.load_parameters())
+    text = ", ".join(f"{name} in {share:.0%}" for name, share in shares.items())
+    return f"Of {CONDITIONS} conditions: {text}."
 
 
 def interpretations_block() -> str:
     """Every interpretation in the order of the rule: loss of what was left out, and what follows."""
-    rows = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))[
-        "interpretations"
-    ]
-    table = pd.DataFrame(rows).drop(columns=["folds", "median_deviation"])
+    table = pd.DataFrame(read_claims()["interpretations"]).drop(
+        columns=["folds", "median_deviation"]
+    )
     table["mean_deviation"] = table["mean_deviation"].map("{:.1%}".format)
     table["summit_parameter"] = table["summit_parameter"].map("{:.3f}".format)
     table["equal"] = table["equal"].map({True: "yes", False: ""})
@@ -103,8 +109,7 @@ def interpretations_block() -> str:
 
 def deviations_block() -> str:
     """Every printed number of the headline statements beside the computed one."""
-    rows = pd.DataFrame(read_csv(RESULTS / "tables" / "deviations.csv", TABLES["deviations"]))
-    sizes = rows["deviation"].abs()
+    rows = read_table("deviations")
     table = pd.DataFrame(
         {
             "place": rows["place"].str.removesuffix(", section 3.3"),
@@ -114,8 +119,7 @@ def deviations_block() -> str:
             "deviation": rows["deviation"].map("{:+.1%}".format),
         }
     )
-    counted = f"Of {len(rows)} printed numbers the median deviation is {sizes.median():.1%}, the mean {sizes.mean():.1%}."
-    return f"{counted}\n\n{table.to_markdown(index=False, disable_numparse=True)}"
+    return table.to_markdown(index=False, disable_numparse=True)
 
 
 def departures_block() -> str:
@@ -181,7 +185,7 @@ def took_block() -> str:
     below = erf(1.0 / (inputs.spread_ratio * np.sqrt(2.0)))
     first_yield = inputs.elastic_depth_ratio / 0.0111
     lines = [
-        ("all of them", "", "", held["as it is"]),
+        ("all inputs as calibrated", "", "", held["as it is"]),
         (
             "depth h_e of the elastic zone",
             "no value",
@@ -214,7 +218,7 @@ def took_block() -> str:
         ),
         ("load in W of Eq. 8", "F_t", "F_f, that of the film", held["W of F_t"]),
         ("apparent area A_n", "no value", f"{1e6 * inputs.apparent_area:.2f} mm²", ""),
-        ("none: the text's words", "", "", held["baseline: all as the text words it"]),
+        ("all as the text words it", "", "", held["baseline: all as the text words it"]),
     ]
     names = "assumed", "the paper", "here", "statements that hold without it"
     table = [dict(zip(names, line, strict=True)) for line in lines]
@@ -337,28 +341,18 @@ def variables_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
-def question_block(name: str) -> str:
-    """What the example of a question prints."""
-    command = shlex.split(EXAMPLES[name])[1:]
-    printed = io.StringIO()
-    with TemporaryDirectory() as folder, chdir(folder), redirect_stdout(printed):
-        main_of_command(command)
-    lines = (line.rstrip() for line in printed.getvalue().rstrip().splitlines())
-    return "\n".join(["```text", *lines, "```"])
-
-
 BLOCKS = {
-    **{f"question {name}": partial(question_block, name) for name in EXAMPLES},
-    "variables": variables_block,
     "claims": claims_block,
-    "windows": turning_points_block,
-    "headline": headline_block,
-    "interpretations": interpretations_block,
-    "deviations": deviations_block,
-    "departures": departures_block,
-    "film loads": film_loads_block,
     "took": took_block,
+    "library": library_block,
+    "variables": variables_block,
+    "deviations": deviations_block,
+    "failures": failures_block,
+    "departures": departures_block,
+    "ranges": ranges_block,
+    "interpretations": interpretations_block,
     "identified": identified_block,
+    "film loads": film_loads_block,
 }
 MEASURED = {"accuracy": accuracy_block, "oracle": oracle_block}
 SPREAD = 3.0  # of times, between machines and runs
@@ -400,7 +394,7 @@ def agree(text: str, other: str) -> bool:
 def main(arguments) -> int:
     """Exit status: 0 if the pages say what results/ say."""
     if "--show" in arguments:
-        print(BLOCKS[arguments[-1]]())
+        print((BLOCKS | MEASURED)[arguments[-1]]())
         return 0
     stale = []
     there = {"accuracy": is_measured(), "oracle": is_compared()}
@@ -413,12 +407,15 @@ def main(arguments) -> int:
             page.write_text(newest, encoding="utf-8")
         elif new != text or not agree(text, newest):
             stale.append(page.name)
+    for picture, figure in PICTURES.items():
+        if "--write" in arguments:
+            picture.write_bytes(figure.read_bytes())
+        elif picture.read_bytes() != figure.read_bytes():
+            stale.append(picture.name)
     if len(measured) < len(MEASURED):
         print("errors and times stay as they are: run make accuracy to renew them")
     if stale:
-        print(
-            f"{', '.join(stale)}: numbers differ from results/; run docs/readme_numbers.py --write"
-        )
+        print(f"{', '.join(stale)}: differ from results/; run docs/readme_numbers.py --write")
     return 1 if stale else 0
 
 

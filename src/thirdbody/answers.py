@@ -29,6 +29,7 @@ COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other ro
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
 INVALID = "outside_film_formula", "area_exceeded"  # statuses of changes that are left out
 DIGITS = 4
+LAYER = "particle_diameter_nm", "roughness_nm", "particle_density_per_m2"
 COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
 Conditions = Mapping[str, Any]
 
@@ -54,7 +55,7 @@ def runs(parameters: Parameters, path: str, conditions: Conditions) -> pd.DataFr
     return table
 
 
-def change(
+def compare_interfaces(
     parameters: Parameters, conditions: Conditions, other: Parameters, others: Conditions
 ) -> pd.DataFrame:
     """Two interfaces: ``value`` of the first, ``other`` of the second, and the range of the second minus the first."""
@@ -84,7 +85,7 @@ def change(
     return _table("Two interfaces", rows, list(dict.fromkeys(notes)), are_solved)
 
 
-def changes(
+def changes_along(
     parameters: Parameters,
     conditions: Conditions,
     along: str,
@@ -126,7 +127,7 @@ def changes(
     return _table(title, rows, notes, bool(places))
 
 
-def turning(
+def turning_load(
     parameters: Parameters, conditions: Conditions, between_N: tuple[float, float] = LOADS
 ) -> pd.DataFrame:
     """The load at which the particle fraction of the contact area turns, and the sizes for which it does."""
@@ -309,7 +310,7 @@ def _by_border(table, along) -> dict[tuple, float]:
 
 
 def _turning_values(parameters, conditions, between_N) -> dict:
-    """The rows of ``turning`` for one set of inputs."""
+    """The rows of ``turning_load`` for one set of inputs."""
     layer = {name: conditions[name] for name in ("roughness_nm", "particle_density_per_m2")}
     others = {key: value for key, value in conditions.items() if key != "load_N"}
     arguments = {"parameters": parameters, "between_N": between_N}
@@ -334,9 +335,9 @@ def _notes(parameters, conditions, status) -> list[str]:
 def _ensemble_notes(parameters, conditions) -> list[str]:
     """What a range is, and the sizes that x_a stands for, if there are particles."""
     notes = []
-    if conditions.get("particle_diameter_nm") and conditions.get("particle_density_per_m2"):
-        roughness = 1e-9 * conditions.get("roughness_nm", 300.0)
-        notes = [sizes_note(1e-9 * conditions["particle_diameter_nm"], roughness, parameters)]
+    layer = [conditions.get(key) for key in LAYER]
+    if all(layer):  # neither without particles nor along one of these
+        notes = [sizes_note(1e-9 * layer[0], 1e-9 * layer[1], parameters)]
     return [*notes, range_note(parameters.members)]
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import checked_number, checked_numbers
+from thirdbody.conditions import checked_number, checked_numbers, entrainment_speed
 from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.inputs import or_calibrated
 
@@ -281,7 +281,7 @@ def _are_of(rig, parameters):
 def speed_note(parameters: Parameters, oil_density_kg_per_m3: float | None = None) -> str:
     """The speed that the inputs stand for, in words."""
     density = oil_density_kg_per_m3 or getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
-    speed = parameters.entrainment_speed(density)
+    speed = entrainment_speed(parameters, density)
     return (
         f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {speed:.3g} m/s"
     )

@@ -101,10 +101,15 @@ def state(
 
     conditions = _conditions(locals(), in_file=file is not None)
     parameters = _parameters(inputs)
+    if file is None and csv is not None:
+        raise ValueError(f"--csv is {csv}, without a FILE of conditions; allowed: both, or neither")
     if file is None:
         return _show(answers.state(parameters, conditions), as_json)
     table = answers.runs(parameters, file, conditions)
-    _write_csv(table, csv or "-")
+    if as_json:
+        print(table.to_json(orient="records"))
+    if csv is not None or not as_json:
+        _write_csv(table, csv or "-")
     print(*table.attrs["notes"], sep="\n", file=sys.stderr)
     return ANSWERED
 
@@ -136,7 +141,7 @@ def transitions(
     searched = CONDITIONS[along].searched
     between = (searched[0] if first is None else first, searched[1] if last is None else last)
     alias = CONDITIONS[along].alias
-    return _show(answers.changes(_parameters(inputs), conditions, alias, between), as_json)
+    return _show(answers.changes_along(_parameters(inputs), conditions, alias, between), as_json)
 
 
 @app.command(
@@ -161,7 +166,7 @@ def turning_point(
     from thirdbody import answers
 
     conditions = _conditions(locals(), without="load")
-    return _show(answers.turning(_parameters(inputs), conditions, (first, last)), as_json)
+    return _show(answers.turning_load(_parameters(inputs), conditions, (first, last)), as_json)
 
 
 @app.command(
@@ -235,7 +240,9 @@ def compare(
         )
     parameters = _parameters(inputs)
     other = parameters if other_inputs is None else _parameters(other_inputs)
-    return _show(answers.change(parameters, conditions, other, conditions | changes), as_json)
+    return _show(
+        answers.compare_interfaces(parameters, conditions, other, conditions | changes), as_json
+    )
 
 
 @app.command(

@@ -1,6 +1,6 @@
 """What a user gives, in SI: the five conditions, and numbers with a unit in their name.
 
-This is the only place that refuses a condition: what would be computed to a wrong number in silence.  A
+A condition is refused here, and nowhere else, if it would be computed to a wrong number in silence.  A
 condition is a number or an array of numpy, a list of numbers, a column of pandas, an array of xarray or a
 quantity of pint; anything else is refused by its type, as it may carry a unit, a mask or a date.
 """
@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import OIL_DENSITY, Parameters
+from thirdbody.core.particles import LARGEST_DIAMETER
 from thirdbody.variables import AXES, CONDITIONS, Axis, decimal
 
 if TYPE_CHECKING:
@@ -27,11 +28,9 @@ if TYPE_CHECKING:
 KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
 NEVER_ZERO = "load", "roughness", "speed"  # the others are 0 without oil or particles
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
-LARGEST_DIAMETER = 1e100  # whose square float64 holds
-LEAST = {
-    "particle_diameter": 1e-90,
-    "particle_density": 1e-100,
-}  # whose coverage float64 holds, [m] and [m-2]
+LEAST_COVERAGE = (
+    1e-290  # x_a^2 eta_a [1], below which float64 has too few digits for the area of particles
+)
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # least and most usual value of numbers by name, and their unit
 Usual = Mapping[str, tuple[float, float, str]]
@@ -124,13 +123,22 @@ def axis_of(key: str) -> Axis:
     return _BY_NAME[key]
 
 
+def entrainment_speed(parameters: Parameters, oil_density: float | None = None) -> float:
+    """The speed u = (u_1 + u_2)/2 [m/s] that the inputs stand for: U/nu = rho u/(E_ss R_x), with the density rho of the
+    oil [kg m-3], by default that of ``thirdbody.bearing``, or else 850."""
+    if oil_density is None:
+        oil_density = getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
+    stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
+    return parameters.speed_per_viscosity * stiffness / oil_density
+
+
 def without_speed(arrays: Mapping[str, NDArray], parameters: Parameters) -> dict[str, NDArray]:
-    """The five conditions that are solved for six: U in Eq. 8 has only the product of viscosity and speed, so that a
-    viscosity at a speed is another one at the speed of ``parameters``."""
+    """Conditions without a speed.  U in Eq. 8 has only the product of viscosity and speed: a viscosity at another
+    speed is another viscosity at the speed of ``parameters``."""
     solved = dict(arrays)
     speed = solved.pop("speed", None)
     if speed is not None:
-        solved["viscosity"] = solved["viscosity"] * (speed / parameters.entrainment_speed())
+        solved["viscosity"] = solved["viscosity"] * (speed / entrainment_speed(parameters))
     return solved
 
 
@@ -210,13 +218,13 @@ class _Typed(NamedTuple):
         si = np.array(si * (1.0 / newtons_per_load) if self.is_force else si)
         never_zero = self.axis.name in NEVER_ZERO
         allowed = ((si > 0.0) if never_zero else (si >= 0.0)) & np.isfinite(si)
-        if self.axis.name == "particle_diameter":
-            allowed &= si <= LARGEST_DIAMETER
-        allowed &= (si == 0.0) | (si >= LEAST.get(self.axis.name, 0.0))
+        most = LARGEST_DIAMETER if self.axis.name == "particle_diameter" else np.inf
+        allowed &= si <= most
         if not allowed.all():
             sign = "positive" if never_zero else "zero or positive"
+            limit = f" up to {most:g} m" if most < np.inf else ""
             message = f"{self.key} is {self.numbers[~allowed][0]:g}"
-            raise ValueError(f"{message}; allowed: {sign} finite numbers")
+            raise ValueError(f"{message}; allowed: {sign} finite numbers{limit}")
         return si
 
     def unusual(self, newtons_per_load: float) -> list[str]:

@@ -69,8 +69,7 @@ def grid(
     ------
     ValueError
         For an axis that is missing, not 1-D, not increasing or not physical, a quantity of the
-        wrong dimension, more than 1e9 points, inputs that are not ``Parameters``, an ``rtol`` out
-        of range, or an unknown variable.
+        wrong dimension, an ``rtol`` out of range, or an unknown variable.
 
     Warns
     -----
@@ -133,7 +132,8 @@ def stream(
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
-    Writes the dataset that ``grid`` would return, with only one block in memory.
+    Writes the dataset that ``grid`` returns, with only one block in memory.  Every point is solved individually, also
+    from an ``rtol`` of 1e-3 on.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def stream(
     Raises
     ------
     ValueError
-        As in ``grid``, which also warns, but without a limit on the number of points.
+        As in ``grid``, which also warns; and for speeds.
     OSError
         If the path is not writable or the disk is full; without compression, before anything is solved.
 

@@ -180,7 +180,7 @@ class Solution:
     Attributes
     ----------
     total_contact_area : array
-        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eq. 3).
+        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eqs. 3 and 5).
     particle_contact_area_ratio, surface_contact_area_ratio : array
         A_sa,t* and A_ss,t* [1] (Eq. 10).
     solid_load_fraction, fluid_load_fraction : array

@@ -14,6 +14,7 @@ from thirdbody.conditions import (
     axis_of,
     check_count,
     check_rtol,
+    checked_variables,
     common_index,
     ends_in_si,
     from_si,
@@ -24,9 +25,8 @@ from thirdbody.conditions import (
 )
 from thirdbody.core.crossings import Crossings, crossings
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.regimes import LubricationRegime, states_of
+from thirdbody.core.regimes import LIMITS, LubricationRegime, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
-from thirdbody.core.transitions import LIMITS
 from thirdbody.core.turning_points import PROMINENCE, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.inputs import or_calibrated
@@ -40,13 +40,6 @@ LOADS_SWEPT = 60  # between which maxima are sought
 RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
 TOLERANCE = 1e-6  # of its ends
 DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # for a window; any diameter
-# the flag at each of ``LIMITS``, and its states below and above
-BORDERS = (
-    ("lubrication_regime", "mixed", "boundary"),
-    ("lubrication_regime", "full_film", "mixed"),
-    ("contact_mode", "hybrid", "particle_surface"),
-    ("contact_mode", "surface_surface", "hybrid"),
-)
 
 
 def find(
@@ -66,7 +59,7 @@ def find(
     Parameters
     ----------
     variable : str
-        A number of ``Solution``: ``solid_load_fraction``, ``total_contact_area``, ...
+        A number of ``Solution``, except its ``error_bound``: ``solid_load_fraction``, ``total_contact_area``, ...
     level : array_like
         Its value, in SI, or a column of pandas; ``thirdbody.core.regimes`` has the limits between regimes and modes.
     along : str
@@ -75,7 +68,7 @@ def find(
         Ends of the search in the unit of ``along``, or quantities.  By default 0.01 to 1000 N, 1 to 1000 cSt, 10 to
         10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
-        Number of sampled values, from 2 to a million.
+        Number of sampled values, 2 or more.
     parameters, rtol, progress, **conditions
         As in ``thirdbody.solve``, without the axis; the conditions and ``level`` broadcast.
 
@@ -167,13 +160,13 @@ def transitions(
     check_rtol(rtol)
     samples = sample(along, between, count, parameters)
     queries = Queries.of(conditions, parameters, along)
-    limits = [(quantity, np.full(queries.size, level)) for quantity, level in LIMITS]
+    limits = [(quantity, np.full(queries.size, level)) for quantity, level, *_ in LIMITS]
     places = _crossings(queries, along, limits, samples, parameters, rtol, progress)
     points = {name: column[places.query] for name, column in queries.columns.items()}
     points = without_speed(points | {axis_of(along).name: places.value}, parameters)
     solved = solve_points(points, parameters, rtol, ["lubrication_regime"])
     is_full = solved["lubrication_regime"] == LubricationRegime.full_film
-    flag, below, above = np.array(BORDERS, object)[places.limit].T.reshape(3, -1)
+    _, _, flag, below, above = np.array(LIMITS, object)[places.limit].T.reshape(5, -1)
     table = queries.table(places.query, parameters)
     table |= {
         "flag": flag,
@@ -281,7 +274,7 @@ def turning_window(
     True
     """
     for key in conditions:
-        if axis_of(key).name in ("load", *DRY):
+        if axis_of(key).name in ("load", "speed", *DRY):
             message = "allowed: roughness and particle density"
             raise ValueError(f"{key} is not a condition of a window in dry contact; {message}")
     parameters = or_calibrated(parameters)
@@ -401,6 +394,7 @@ def _indexed(columns, queries, rows):
 
 def _read_levels(variable: str, level: ArrayLike) -> NDArray:
     """The levels of a variable [SI]; ``ValueError`` for those that it cannot have."""
+    checked_variables([variable], QUANTITIES)
     unit = QUANTITIES[variable].unit
     levels = numbers_in("level", level, unit)
     most = 0.01 if unit == "m" else 1.0

@@ -79,7 +79,7 @@ class Variable:
 
 @dataclass(frozen=True, kw_only=True)
 class Axis(Variable):
-    """One of the five conditions: an axis of datasets.
+    """A condition, an axis of datasets.
 
     Attributes
     ----------

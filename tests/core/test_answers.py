@@ -62,7 +62,7 @@ def test_the_nominal_pressure_and_that_of_hertz_stand_beside_the_state(inputs):
 
 def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):
     conditions = without("viscosity_cSt")
-    table = answers.changes(inputs, conditions, "viscosity_cSt", None)
+    table = answers.changes_along(inputs, conditions, "viscosity_cSt", None)
     found = tb.transitions("viscosity_cSt", parameters=inputs, **conditions)
     assert table["value"].tolist() == found["viscosity_cSt"].tolist()
     of_members = [
@@ -75,7 +75,9 @@ def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):
 
 
 def test_what_is_not_passed_is_not_found(inputs):
-    table = answers.changes(inputs, without("load_N", viscosity_cSt=0.0), "load_N", (5.0, 6.0))
+    table = answers.changes_along(
+        inputs, without("load_N", viscosity_cSt=0.0), "load_N", (5.0, 6.0)
+    )
     assert not table.attrs["found"] and table.empty
     assert "searched: load 5 to 6 N" in table.attrs["notes"]
     assert "none" in answers.table_text(table)
@@ -83,7 +85,7 @@ def test_what_is_not_passed_is_not_found(inputs):
 
 def test_the_turning_point_is_a_maximum_and_its_sizes_have_one(inputs):
     dry = without("load_N", viscosity_cSt=0.0, particle_diameter_nm=300.0)
-    table = answers.turning(inputs, dry)
+    table = answers.turning_load(inputs, dry)
     load, _, peak, _, low, high = table["value"]
     solution = tb.solve(**dry, load_N=load * np.array([0.98, 1.0, 1.02]), parameters=inputs)
     ratio = solution.particle_contact_area_ratio
@@ -106,7 +108,7 @@ def test_a_curve_is_what_solve_gives(inputs, along):
 
 def test_two_interfaces_have_both_values_and_the_range_of_the_change(inputs):
     others = ENGINEERING | {"viscosity_cSt": 120.0}
-    table = by_name(answers.change(inputs, ENGINEERING, inputs, others))
+    table = by_name(answers.compare_interfaces(inputs, ENGINEERING, inputs, others))
     share = table.loc["solid_load_fraction"]
     assert share["value"] == by_name(answers.state(inputs, ENGINEERING)).loc[share.name, "value"]
     assert share["other"] == by_name(answers.state(inputs, others)).loc[share.name, "value"]
@@ -117,8 +119,8 @@ def test_inputs_without_an_ensemble_have_no_range_and_say_so(inputs):
     alone = replace(inputs, truncation=3.0)
     for table in (
         answers.state(alone, ENGINEERING),
-        answers.changes(alone, without("load_N"), "load_N", None),
-        answers.turning(alone, without("load_N")),
+        answers.changes_along(alone, without("load_N"), "load_N", None),
+        answers.turning_load(alone, without("load_N")),
     ):
         assert [note for note in table.attrs["notes"] if note.startswith("no range: ")]
         assert table[["low", "high"]].isna().all().all()

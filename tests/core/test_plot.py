@@ -107,7 +107,7 @@ def test_one_curve_over_another_axis_has_no_key(grid):
 
 def test_what_would_be_drawn_wrongly_or_not_at_all_is_refused(grid):
     for data, options in (
-        (grid(load=1e-5), {}),  # a curve of one point
+        (grid(load=1e-5), {"over": "load"}),  # a curve of one point
         (grid(), {"over": "roughness"}),
         (grid(particle_diameter=[1e-7, 3e-7]), {}),  # curves that one key cannot name
         (grid(["separation"]), {}),
@@ -276,3 +276,31 @@ def test_a_key_of_many_curves_is_within_the_figure(parameters, over):
     assert len(key.get_texts()) > 20
     inner, outer = key.get_window_extent(), figure.bbox
     assert inner.x0 >= outer.x0 and inner.x1 <= outer.x1 and inner.y0 >= outer.y0
+
+
+def test_a_stribeck_curve_is_drawn_over_the_speed():
+    layer = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
+    speeds = np.geomspace(0.1, 20.0, 12)
+    solution = tb.solve(load_N=10, viscosity_cSt=90, speed_m_per_s=speeds, **layer)
+    axes = tb.plot(solution, variables="solid_load_fraction").axes[0]
+    assert "u (m/s)" in axes.get_xlabel() and axes.get_xscale() == "log"
+    x, y = axes.lines[0].get_data()
+    np.testing.assert_allclose(x, speeds)
+    np.testing.assert_allclose(y, solution.solid_load_fraction)
+    grid = tb.grid(load_N=10, viscosity_cSt=[45, 90], speed_m_per_s=speeds, **layer)
+    assert len(tb.plot(grid, over="speed_m_per_s", variables="film_thickness").axes[0].lines) == 2
+    loads = tb.grid(load_N=[1, 10], viscosity_cSt=90, speed_m_per_s=speeds, **layer)
+    with pytest.raises(ValueError, match="vary with the speed"):
+        tb.plot(loads)
+
+
+@pytest.mark.parametrize(
+    ("name", "factor", "unit"),
+    [("viscosity", 1e6, "cSt"), ("load", 1.0, "N"), ("solid_load_fraction", 100.0, "percent")],
+)
+def test_other_units_are_refused(name, factor, unit):
+    layer = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    grid = tb.grid(load=np.geomspace(1e-6, 1e-4, 5), viscosity_cSt=[50, 90], **layer)
+    changed = grid.assign({name: (factor * grid[name]).assign_attrs(units=unit)})
+    with pytest.raises(ValueError, match=f"^{name} is in {unit}; allowed: "):
+        tb.plot(changed)

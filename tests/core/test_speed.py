@@ -8,6 +8,7 @@ from methods import ENGINEERING
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.conditions import entrainment_speed
 from thirdbody.variables import QUANTITIES
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -17,7 +18,7 @@ LAYER = dict(particle_diameter_nm=500.0, roughness_nm=300.0, particle_density_pe
 @pytest.fixture(scope="module")
 def speed(parameters):
     """The speed of the inputs [m/s]."""
-    return parameters.entrainment_speed()
+    return entrainment_speed(parameters)
 
 
 def test_a_speed_is_the_product_with_the_viscosity(parameters, speed):
@@ -35,7 +36,7 @@ def test_a_speed_is_the_product_with_the_viscosity(parameters, speed):
 
 def test_a_speed_of_the_bearing_is_that_of_its_oil(parameters):
     inputs = tb.bearing(parameters, speed_m_per_s=2.0, oil_density_kg_per_m3=870.0)
-    assert inputs.entrainment_speed() == pytest.approx(2.0)
+    assert entrainment_speed(inputs) == pytest.approx(2.0)
     one = tb.solve(**ENGINEERING, parameters=inputs).separation
     assert_allclose(tb.solve(**ENGINEERING, speed_m_per_s=2.0, parameters=inputs).separation, one)
     faster = tb.bearing(parameters, speed_m_per_s=3.0, oil_density_kg_per_m3=870.0)

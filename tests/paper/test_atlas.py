@@ -7,7 +7,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
-from thirdbody.paper.atlas.catalogue import chart_panels, chart_rows, open_atlas, write_catalogue
+from thirdbody.paper.atlas.catalogue import chart_panels, chart_rows, open_atlas
 from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.paper.atlas.surfaces import quantiles
 from thirdbody.variables import DIMENSIONS
@@ -35,19 +35,18 @@ def members(defaults):
 
 @pytest.fixture(scope="module")
 def written(defaults, members, tmp_path_factory):
-    """Two chunks and their catalogue."""
+    """The folder of two chunks."""
     folder = tmp_path_factory.mktemp("atlas")
-    (folder / "chunks").mkdir()
-    grid, files = atlas_axes(AXES), []
+    grid = atlas_axes(AXES)
     usual = defaults.as_dict().items()
     changes = [dict(each.as_dict().items() - usual) for each in members]
     for number in (2, 1):
-        files.append(folder / "chunks" / f"{number}-of-2.nc")
         kept = ["particle_contact_area_ratio", "solid_load_fraction"]
         some = np.array_split(grid["roughness"], 2)[number - 1]
-        write_chunk(files[-1], {**grid, "roughness": some}, defaults, changes, kept, RTOL)
-    write_catalogue(folder / "catalogue.json", files)
-    return folder / "catalogue.json"
+        write_chunk(
+            folder / f"{number}-of-2.nc", {**grid, "roughness": some}, defaults, changes, kept, RTOL
+        )
+    return folder
 
 
 @pytest.fixture
@@ -151,32 +150,23 @@ def test_charts_read_the_atlas(atlas):
 
 
 def test_a_damaged_chunk_is_named(written, tmp_path):
-    copy = shutil.copytree(written.parent, tmp_path / "atlas")
-    chunk = copy / "chunks" / "1-of-2.nc"
+    copy = shutil.copytree(written, tmp_path / "atlas")
+    chunk = copy / "1-of-2.nc"
     chunk.write_bytes(chunk.read_bytes()[:1000])
     with pytest.raises(OSError, match=r"1-of-2\.nc cannot be read \(\w+\)$"):
-        open_atlas(copy / "catalogue.json")
+        open_atlas(copy)
 
 
-def test_what_makes_the_atlas_is_said_of_that_of_the_workflow_alone(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    with pytest.raises(FileNotFoundError, match="catalogue.json is not there; make it: snakemake"):
-        open_atlas()
-    with pytest.raises(FileNotFoundError, match=r"^mine.json cannot be read \(No such file or dir"):
-        open_atlas("mine.json")
-
-
-@pytest.mark.parametrize("path", [3, None, ["a.json"], b"a.json", "a\0b"])
-def test_what_is_no_path_is_refused(path):
-    with pytest.raises(ValueError, match=r"^path is .*; allowed: the path of the catalogue"):
-        open_atlas(path)
-
-
-@pytest.mark.parametrize("text", ["", "[]", '{"chunks": 3}', '{"other": []}'])
-def test_a_damaged_catalogue_is_named(tmp_path, text):
-    (tmp_path / "catalogue.json").write_text(text)
-    with pytest.raises(OSError, match=r"catalogue\.json cannot be read"):
-        open_atlas(tmp_path / "catalogue.json")
+def test_an_atlas_is_whole_and_one(written, tmp_path):
+    """A part of the roughnesses, or files of two atlases, would be taken for the whole."""
+    copy = shutil.copytree(written, tmp_path / "atlas")
+    shutil.copyfile(copy / "1-of-2.nc", copy / "1-of-3.nc")
+    with pytest.raises(FileNotFoundError, match="all files of one atlas"):
+        open_atlas(copy)
+    for name in ("1-of-2.nc", "1-of-3.nc"):
+        (copy / name).unlink()
+    with pytest.raises(FileNotFoundError, match="all files of one atlas"):
+        open_atlas(copy)
 
 
 def test_the_same_chunk_has_the_same_bytes(defaults, members, tmp_path):

@@ -41,6 +41,7 @@ from thirdbody.paper.calibration.search import (
 )
 from thirdbody.paper.claims.claim import Verdict
 from thirdbody.paper.claims.claims import load_claims
+from thirdbody.paper.claims.judge import Judge
 from thirdbody.paper.claims.kinds import Value, Window
 from thirdbody.paper.configuration.inputs import uncalibrated_values
 from thirdbody.paper.tables import TABLES
@@ -264,7 +265,7 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path):
     folds = [searches[0][:50]] * len(SETTINGS["folds"])
     samples = [rows[-40:] for rows in searches]
     settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
-    found = summary(TWO, searches, samples, folds, settings)
+    found = summary(TWO, searches, samples, folds, CLAIMS, settings)
     assert found["inputs"]["mean_ratio"] == pytest.approx(1.5, abs=0.1)
     least = min(rows[:, -1].min() for rows in searches)
     assert found["objective"] == pytest.approx(least, rel=1e-5)
@@ -273,6 +274,8 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path):
     assert found["identification"]["mean_ratio"]["identified"]
     assert not found["identification"]["summit_radius"]["identified"]
     assert [fold["figures"] for fold in found["folds"]] == SETTINGS["folds"]
+    left_out = [id for fold in found["folds"] for id in fold["left_out"]]
+    assert sorted(left_out) == sorted(claim.id for claim in CLAIMS)
     assert len(found["ensemble"]) == len(found["ensemble_interpretations"]) == 4
     path = tmp_path / "two.yaml"
     path.write_text(yaml.safe_dump(found))
@@ -280,13 +283,23 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path):
 
 
 def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():
-    folds = make_folds(CLAIMS, SETTINGS["folds"])
+    folds = [fold.left_out for fold in make_folds(CLAIMS, SETTINGS["folds"])]
     predicted = {claim.id: Verdict("", 9.0, 0.0) for claim in CLAIMS}
-    predicted |= {claim.id: Verdict("", 0.0, 0.0) for claim in folds[1].left_out}
+    predicted |= {claim.id: Verdict("", 0.0, 0.0) for claim in folds[1]}
     found = Candidate(content={}, verdicts={}, predicted=predicted, folds=folds)
     first, (held, tested), *others = found.fold_counts
-    assert held == tested == len({each.counted_as for each in folds[1].left_out if not each.aside})
+    assert held == tested == len({each.counted_as for each in folds[1] if not each.aside})
     assert all(none == 0 < some for none, some in (first, *others))
+
+
+def test_a_statement_that_was_in_no_search_is_not_predicted(parameters):
+    """One of a reader's own, on a curve of the paper."""
+    own = replace(CLAIMS[0], id="one-of-my-own")
+    judge = Judge([CLAIMS[0], own], parameters.as_dict(), SETTINGS["newtons"])
+    fold = {"figures": [4], "left_out": [CLAIMS[0].id], "inputs": {}}
+    candidate = Candidate.of(judge, {"inputs": {}, "folds": [fold]})
+    assert candidate.predicted.keys() == {CLAIMS[0].id}
+    assert candidate.verdicts.keys() == {CLAIMS[0].id, own.id}
 
 
 def said(name, figure, made=Value, **fields):
@@ -354,7 +367,8 @@ def made_up(name, predicted=(0.0, 0.0, 0.0), number=2.0, fitted=(0.0, 0.0, 0.0),
     """A calibrated file; in its folds the statements are missed by the distances ``predicted``."""
     told = USUAL | inputs | {"distances": fitted, "number": number}
     folds = [
-        {"figures": [figure], "inputs": told | {"distances": predicted}} for figure in (4, 5, 6)
+        {"left_out": [f"in {figure}"], "inputs": told | {"distances": predicted}}
+        for figure in (4, 5, 6)
     ]
     return {
         "interpretation": name,

@@ -193,8 +193,8 @@ def test_everything_is_judged_by_the_real_model(parameters, some):
     inputs = content["inputs"]
     content["ensemble"] = []
     content["folds"] = [
-        {"figures": [9], "inputs": inputs},
-        {"figures": [11], "inputs": inputs | {"elastic_depth_ratio": 0.5}},
+        {"left_out": [OUTSIDE], "inputs": inputs},
+        {"left_out": [DRY], "inputs": inputs | {"elastic_depth_ratio": 0.5}},
     ]
     name = content["interpretation"]
     settings = SETTINGS | {"interpretations": {name: {"fixed": {}}}}

@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.results
-PAGE = (ROOT / "docs" / "programs.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "data.md").read_text(encoding="utf-8")
 PROGRAMS = {  # by the language of the block: how to run a file, and what it prints
     "python": ([sys.executable], ".py", "particle_diameter_m"),
     "matlab": (["octave-cli", "--no-gui", "-q"], ".m", "turning points, loads"),

@@ -1,4 +1,4 @@
-"""Pages of the documentation say what the files, the solver and the command say."""
+"""Pages of the documentation say what the files, the solver and the library say."""
 
 import re
 import runpy
@@ -6,26 +6,27 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.command import EXAMPLES
+import thirdbody
 from thirdbody.core.regimes import WITHOUT_VALUES
-from thirdbody.variables import AXES, FLAGS, NORMAL_LOAD, STATUS_MEANINGS, VARIABLES
+from thirdbody.variables import FLAGS, STATUS_MEANINGS
 
-DOCS = Path(__file__).parents[2] / "docs"
-NOMENCLATURE = (DOCS / "nomenclature.md").read_text(encoding="utf-8")
-QUESTIONS = (DOCS / "questions.md").read_text(encoding="utf-8")
-TOOL = DOCS / "readme_numbers.py"
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+TOOL = runpy.run_path(DOCS / "readme_numbers.py")
+MODEL = (DOCS / "model.md").read_text(encoding="utf-8")
 
 
-def test_the_page_has_every_condition_and_variable_as_the_files_have_them():
-    tool = runpy.run_path(TOOL)
-    assert tool["renewed"](NOMENCLATURE, {"variables": tool["variables_block"]}) == NOMENCLATURE
-    for each in (*AXES.values(), NORMAL_LOAD, *VARIABLES.values()):
-        assert f"`{each.name}`" in NOMENCLATURE
+@pytest.mark.parametrize(
+    ("page", "block"), [("README.md", "library"), ("docs/model.md", "variables")]
+)
+def test_a_page_has_what_its_command_prints(page, block):
+    text = (ROOT / page).read_text(encoding="utf-8")
+    assert TOOL["BLOCKS"][block]() in text
 
 
 def test_the_page_and_the_files_explain_each_status_once_and_alike():
     row = r"^\| `(\w+)` \| ([^|]+) \| (given|nan; regime and mode -1) \|$"
-    rows = re.findall(row, NOMENCLATURE, re.M)
+    rows = re.findall(row, MODEL, re.M)
     assert [(name, text) for name, text, _ in rows] == list(STATUS_MEANINGS.items())
     assert tuple(name for name, _, values in rows if values != "given") == WITHOUT_VALUES
     flag = FLAGS["solution_status"]
@@ -33,23 +34,18 @@ def test_the_page_and_the_files_explain_each_status_once_and_alike():
     assert flag.comment.split("; ") == [": ".join(row[:2]) for row in rows]
 
 
-def blocks(language):
-    """Examples of a language in the page of the ten questions."""
-    return re.findall(rf"```{language}\n(.*?)```", QUESTIONS, re.DOTALL)
+def test_the_reference_has_each_public_name_once():
+    documented = re.findall(r"auto\w+:: thirdbody\.([\w.]+)", (DOCS / "api.md").read_text("utf-8"))
+    names = {*thirdbody.__all__} - {"__version__", "lab"}
+    names |= {f"lab.{name}" for name in thirdbody.lab.__all__}
+    assert sorted(documented) == sorted(names)
 
 
-def test_the_page_shows_each_question_and_what_it_prints():
-    commands = {" ".join(block.replace("\\\n", " ").split()) for block in blocks("sh")}
-    assert commands >= set(EXAMPLES.values())
-    assert all(f"<!-- question {name} -->\n```text\n" in QUESTIONS for name in EXAMPLES)
-
-
-def test_the_calls_of_the_questions_run(capsys):
-    names = {}
-    for block in blocks("python"):
-        exec(block, names)
-    printed = capsys.readouterr().out
-    assert "State at load 10 N" in printed and "Two interfaces" in printed
+def test_the_measurements_are_what_their_generator_writes(tmp_path):
+    source = (DOCS / "examples" / "make_measured.py").read_text(encoding="utf-8")
+    exec(compile(source, "make", "exec"), {"__file__": str(tmp_path / "make_measured.py")})
+    written = (tmp_path / "measured.csv").read_text(encoding="utf-8")
+    assert written == (DOCS / "examples" / "measured.csv").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(
@@ -63,4 +59,4 @@ def test_the_calls_of_the_questions_run(capsys):
     ],
 )
 def test_measured_numbers_agree_up_to_a_factor(page, run, same):
-    assert runpy.run_path(TOOL)["agree"](page, run) == same
+    assert TOOL["agree"](page, run) == same

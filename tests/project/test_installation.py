@@ -1,12 +1,11 @@
-"""The library as it is installed: a wheel beside what it requires, in an environment of its own."""
+"""The library as it is installed: a wheel beside the packages that it requires, and no others."""
 
-import json
 import os
 import re
 import runpy
+import shlex
 import subprocess
 import sys
-import sysconfig
 import tomllib
 import venv
 import zipfile
@@ -14,30 +13,48 @@ from importlib.metadata import distribution
 from pathlib import Path
 
 import pytest
+import typer
+import yaml
+from packaging.requirements import Requirement
 
 import thirdbody
+from thirdbody import command
 
 ROOT = Path(__file__).resolve().parents[2]
-# what is asked for, the modules that it lacks beside numpy and scipy, the extra that brings them
-LACKING = {
-    "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
-    "from thirdbody import Solution; Solution().to_dataframe()": ("xarray, netCDF4", "data"),
-    "import thirdbody; thirdbody.Interface": ("xarray, netCDF4", "data"),
-    "import thirdbody.plotting.panel": ("matplotlib", "figures"),
-    "import thirdbody.paper.calibration.search": ("cma, emcee, jinja2, pandas, tabulate", "study"),
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+COMMANDS = typer.main.get_command(command.app).commands
+# runs the command as its entry point does
+COMMAND = """
+import sys
+from importlib.metadata import entry_points
+(entry,) = entry_points(group="console_scripts", name="thirdbody")
+sys.exit(entry.load()())
+"""
+# what needs the data in the wheel: calibrated inputs, oils, attributes of datasets
+NEEDS_DATA = """
+import thirdbody as tb
+layer = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+tb.stream("points.nc", load_N=[1, 10], viscosity_cSt=90, **layer)
+tb.lab.oil_grade(40, 40)
+print(repr(tb.load_parameters()), tb.__version__)
+"""
+LACKING = {  # a call, and the extra that brings what it lacks
+    "import thirdbody as tb; tb.plot": "plot",
+    "import thirdbody as tb; tb.lab.surface([[0.0, 1.0], [1.0, 0.0]], spacing_nm=1.0)": "surface",
 }
 
 
-def minimal():
-    """What an installation without extras brings, by the requirements of its packages."""
-    found, left = set(), list(project()["dependencies"])
+def base_packages():
+    """The packages that an installation without extras brings, and those that they require."""
+    names, left = set(), list(map(Requirement, PROJECT["dependencies"]))
     while left:
         requirement = left.pop()
-        name = re.match(r"[\w.-]+", requirement)[0]
-        if ";" not in requirement and name not in found:
-            found.add(name)
-            left += distribution(name).requires or ()
-    return found
+        applies = requirement.marker is None or requirement.marker.evaluate({"extra": ""})
+        if applies and requirement.name not in names:
+            names.add(requirement.name)
+            left += map(Requirement, distribution(requirement.name).requires or ())
+    return names
 
 
 @pytest.fixture(scope="module")
@@ -50,49 +67,62 @@ def installed(tmp_path_factory):
     (packages,) = (folder / "venv").glob("lib/python*/site-packages")
     (wheel,) = folder.glob("*.whl")
     zipfile.ZipFile(wheel).extractall(packages)
-    for name in minimal():
+    for name in base_packages():
         for top in {file.parts[0] for file in distribution(name).files if file.parts[0] != ".."}:
             (packages / top).symlink_to(distribution(name).locate_file(top))
+    measured = ROOT / "docs" / "examples" / "measured.csv"
+    (folder / measured.name).write_bytes(measured.read_bytes())
+    one_set = yaml.safe_dump(thirdbody.load_parameters().as_dict())
+    (folder / "one_set.yaml").write_text(one_set, encoding="utf-8")
 
-    def run(code, *arguments, beside=folder):
-        """``beside`` is one more folder of packages."""
-        command = [folder / "venv" / "bin" / "python", "-c", code, *arguments]
-        environment = os.environ | {"PYTHONPATH": str(beside)}
-        return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
+    def run(code, *arguments):
+        python = [folder / "venv" / "bin" / "python", "-c", code, *arguments]
+        environment = os.environ | {"PYTHONPATH": ""}
+        return subprocess.run(python, cwd=folder, env=environment, capture_output=True, text=True)
 
     return run
 
 
-def test_the_example_of_the_readme_needs_no_more(installed, capsys):
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    (example,) = re.findall(r"```python\n(.*?)```", readme, re.DOTALL)
-    done = installed(example)
+def example(name):
+    """The words of the example in the help of a command, after its name."""
+    text = COMMANDS[name].epilog.partition("Example:")[2].replace("\\\n", "")
+    return shlex.split(text)[1:]
+
+
+def test_the_example_of_the_readme_prints_what_stands_below_it(installed):
+    (code, printed) = re.search(
+        r"```python\n(.*?)```.*?```text\n(.*?)```", README, re.DOTALL
+    ).groups()
+    done = installed(code)
+    assert (done.stdout, done.stderr) == (printed, "")
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_each_command_answers_without_an_extra(installed, name):
+    words = [*example(name), "--inputs", "one_set.yaml"]  # without an ensemble, to be quick
+    if "--plot" in words:
+        place = words.index("--plot")
+        needs_matplotlib = installed(COMMAND, *words)
+        assert needs_matplotlib.returncode == command.BAD_INPUT
+        assert '"thirdbody[plot]"' in needs_matplotlib.stderr
+        words = words[:place] + words[place + 2 :]
+    done = installed(COMMAND, *words)
+    assert (done.returncode, done.stderr) == (command.ANSWERED, "")
+
+
+def test_the_wheel_has_the_data_that_the_library_needs(installed):
+    done = installed(NEEDS_DATA)
     assert done.stderr == ""
-    exec(example, {})
-    assert done.stdout == capsys.readouterr().out
+    assert done.stdout == f"{thirdbody.load_parameters()!r} {distribution('thirdbody').version}\n"
 
 
 @pytest.mark.parametrize("code", LACKING)
 def test_a_missing_extra_is_named_in_one_line(installed, code):
-    modules, extra = LACKING[code]
+    extra = LACKING[code]
     done = installed(code)
     assert done.returncode == 1
-    message = f'this part of thirdbody needs {modules}: pip install "thirdbody[{extra}]"'
-    assert done.stderr.splitlines()[-1] == f"ModuleNotFoundError: {message}"
-    assert extra in project()["optional-dependencies"]
-
-
-def test_the_command_has_help_and_says_what_it_needs(installed):
-    done = installed(COMMAND, "--help")
-    assert done.returncode == 0 and "turning-point" in done.stdout
-    done = installed(COMMAND, "bearing")
-    assert done.returncode == 2
-    message = 'this part of thirdbody needs xarray, netCDF4: pip install "thirdbody[data]"'
-    assert done.stderr == f"thirdbody bearing: {message}\n"
-
-
-def project():
-    return tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert f'"thirdbody[{extra}]"' in done.stderr.splitlines()[-1]
+    assert extra in PROJECT["optional-dependencies"]
 
 
 def test_an_editor_sees_the_names_where_they_are():
@@ -100,17 +130,3 @@ def test_an_editor_sees_the_names_where_they_are():
     seen = {name: value for name, value in stub.items() if not name.startswith("__")}
     given = {name: getattr(thirdbody, name) for name in thirdbody.__all__ if name != "__version__"}
     assert seen == given
-
-
-COMMAND = "import sys; from thirdbody.__main__ import run; sys.exit(run())"
-
-
-def test_the_wheel_brings_the_calibrated_inputs_and_the_command(installed):
-    packages = sysconfig.get_path("platlib")
-    code = "import thirdbody as tb; print(repr(tb.load_parameters()), tb.__version__)"
-    done = installed(code, beside=packages)
-    assert done.stderr == ""
-    assert done.stdout == f"{thirdbody.load_parameters()!r} {distribution('thirdbody').version}\n"
-    assert project()["scripts"]["thirdbody"] == "thirdbody.__main__:run"
-    done = installed(COMMAND, "bearing", "--json", beside=packages)
-    assert done.stderr == "" and json.loads(done.stdout)["found"]

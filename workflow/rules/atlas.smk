@@ -33,22 +33,8 @@ rule solve_chunk:
         "../scripts/solve_chunk.py"
 
 
-rule catalogue_atlas:
-    input:
-        chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
-    output:
-        catalogue="<results>/atlas/catalogue.json",
-    log:
-        "<logs>/catalogue_atlas.log",
-    params:
-        *sources_of("catalogue_atlas.py"),
-    script:
-        "../scripts/catalogue_atlas.py"
-
-
 rule extract_chart:
     input:
-        catalogue="<results>/atlas/catalogue.json",
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
     output:
         rows="<results>/extracted/{chart}/all.csv",
@@ -64,7 +50,6 @@ rule extract_chart:
 
 rule render_chart:
     input:
-        catalogue="<results>/atlas/catalogue.json",
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
         style=STYLE,
     output:
@@ -80,6 +65,5 @@ rule render_chart:
 
 rule atlas:
     input:
-        "<results>/atlas/catalogue.json",
         expand("<results>/figures/{chart}.{kind}", chart=CHARTS, kind=FIGURE_KINDS),
         expand("<results>/tables/{chart}.{kind}", chart=CHARTS, kind=TABLE_KINDS),

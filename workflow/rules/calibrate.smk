@@ -118,6 +118,8 @@ rule summarise_inputs:
     params:
         *sources_of("summarise_inputs.py"),
         *SOFTWARE,
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
         settings=settings_of,
     script:
         "../scripts/summarise_inputs.py"

@@ -4,6 +4,7 @@ import yaml
 
 from thirdbody.paper.calibration.calibration import Interpretation, read_rows
 from thirdbody.paper.calibration.results import summary
+from thirdbody.paper.claims.claims import load_claims
 from thirdbody.paper.job_log import job
 
 with job(snakemake) as output:
@@ -13,6 +14,7 @@ with job(snakemake) as output:
         [read_rows(path) for path in snakemake.input.evaluations],
         [read_rows(path) for path in snakemake.input.samples],
         [read_rows(path) for path in snakemake.input.folds],
+        load_claims(snakemake.params.claims),
         settings,
     )
     with open(output.calibrated, "w", encoding="utf-8") as stream:

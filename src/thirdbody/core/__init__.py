@@ -1,7 +1,7 @@
 """The model of the paper, solved: float64 arrays in SI units in, arrays out.
 
-Needs numpy and scipy alone, and imports nothing from the rest of the package.  Arguments are not checked
-here; ``thirdbody.conditions`` does that.
+Needs numpy and scipy alone, and imports nothing from the rest of the package.  ``thirdbody.conditions`` checks the
+conditions; ``parameters`` checks the inputs, and refuses a roughness or particles that they cannot have.
 
 The equations:
 

@@ -27,9 +27,17 @@ ROUNDINGS, ROUNDINGS_PER_SIZE, ROUNDINGS_OF_D = 24.0, 4.0, 2.0
 class ErrorTerms(NamedTuple):
     """How far loads and areas at a separation d may be wrong: arrays of its shape.
 
-    v is a contribution to loads and areas that is not zero in float64.  ``steepest`` is the largest
-    |d ln v/dd| [m-1].  ``rounding`` [1] is the largest relative error of a v from rounding and tables,
-    ``noise`` [1] that of the sum of loads.  Errors of d are not included.
+    Loads and areas are sums of contributions v of summits and particles; those that are zero in float64 do not
+    count.  Errors of d are not included.
+
+    Attributes
+    ----------
+    steepest : array
+        Largest |d ln v/dd| [m-1].
+    rounding : array
+        Largest relative error of a contribution [1], from rounding and tables.
+    noise : array
+        Relative error of the sum of loads [1].
     """
 
     steepest: NDArray

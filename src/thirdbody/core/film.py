@@ -25,6 +25,9 @@ from thirdbody.core.interpolation import HermiteTable
 from thirdbody.core.logarithms import EPSILON
 from thirdbody.core.parameters import Parameters
 
+# exponents in the term of the roughness in Eq. 7: of sigma* and V, and of W, U and G with a minus
+ROUGH_SIGMA, ROUGH_V = 1.248, 0.119
+ROUGH_W, ROUGH_U, ROUGH_G = 0.133, 0.884, 0.977
 THICKEST = 0.01  # largest H_c that still describes a film between two bodies
 # of a thickness, in EPSILON: a constant, and one per size of the logarithms
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
@@ -43,7 +46,7 @@ def has_film(viscosity: ArrayLike) -> NDArray:
     return viscosity > 0.0
 
 
-def film_load(
+def load_of_film(
     separation: NDArray, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters
 ) -> tuple[NDArray, NDArray]:
     """F* [1] in W of films as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
@@ -112,18 +115,18 @@ class Film:
         # Eq. 7 without the powers of W
         smooth = math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa)))
         smooth = smooth + of_U * ln_U + of_G * ln_G
-        rough = math.log(0.025 * kappa**0.081) + 1.248 * ln_sigma + 0.119 * ln_V
-        rough = rough - 0.884 * ln_U - 0.977 * ln_G
+        rough = math.log(0.025 * kappa**0.081) + ROUGH_SIGMA * ln_sigma + ROUGH_V * ln_V
+        rough = rough - ROUGH_U * ln_U - ROUGH_G * ln_G
         size_U = abs(ln_speed) + np.abs(ln_viscosity)
-        rough_size = 0.884 * size_U + 1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V)
+        rough_size = ROUGH_U * size_U + ROUGH_SIGMA * np.abs(ln_sigma) + ROUGH_V * abs(ln_V)
         softer = parameters.softer_hardness / parameters.elastic_modulus_surfaces  # F_f*
         return cls(
             smooth=smooth,
             rough=smooth + rough,
             smooth_size=of_U * size_U + of_G * abs(ln_G),
-            rough_size=rough_size + 0.977 * abs(ln_G),
-            exponents=(of_W, of_W - 0.133),
-            turning_ratio=of_U / (0.884 - of_U),
+            rough_size=rough_size + ROUGH_G * abs(ln_G),
+            exponents=(of_W, of_W - ROUGH_W),
+            turning_ratio=of_U / (ROUGH_U - of_U),
             greatest_log_W=log_load_parameter(math.log(softer), parameters),
         )
 

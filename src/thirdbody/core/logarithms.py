@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 EPSILON = np.finfo(float).eps  # relative spacing of numbers
 TINY = np.finfo(float).tiny  # below it numbers lose digits
-LEAST = 5e-324  # smallest positive number: the spacing below TINY
 
 
 class WithSlope(NamedTuple):

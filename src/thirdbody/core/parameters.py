@@ -207,14 +207,6 @@ class Parameters:
                 f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
             )
 
-    def entrainment_speed(self, oil_density: float | None = None) -> float:
-        """The speed u = (u_1 + u_2)/2 [m/s] that U over the viscosity stands for, in an oil of this density [kg m-3],
-        by default that of the rig, or else 850: U/nu = rho u/(E_ss R_x)."""
-        if oil_density is None:
-            oil_density = getattr(self.rig, "oil_density_kg_per_m3", OIL_DENSITY)
-        stiffness = self.elastic_modulus_surfaces * self.ball_radius
-        return self.speed_per_viscosity * stiffness / oil_density
-
     def check_ball(self) -> None:
         """Raise ``ValueError`` if the cross-section of the ball is smaller than A_n."""
         section = math.pi * self.ball_radius**2
@@ -316,8 +308,8 @@ class Parameters:
         return {name: getattr(self, name) for name in self.names()}
 
     def changed(self, **inputs: float | str) -> "Parameters":
-        """The same with other ``inputs``, SI, which are known from then on: all ``members`` have them too.  Members
-        that no longer differ are no ensemble, and are dropped."""
+        """The same with other ``inputs``, SI.  They are known from then on, and all ``members`` have them too; if the
+        members then are all the same, none is left."""
         members = [replace(member, **inputs) for member in self.members]
         if all(member == members[0] for member in members):
             members = []

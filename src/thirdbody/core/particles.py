@@ -38,16 +38,16 @@ SHAPE_SAMPLES, GUESSES = np.geomspace(1e-5, 1.0, 199), 1001
 class ParticleLayer:
     """Particles on a surface: one mean diameter and density for each point.
 
-    ``mean`` and ``spread`` are m and S [m] of the size distribution; m includes y_s if particles
-    meet the separation of the summit planes, so that it compares with d.  ``depth`` is h_e/S [1].
+    ``centre`` and ``spread`` are m and S [m] of the size distribution; the centre includes y_s if particles
+    meet the separation of the summit planes, so that it compares with d.  ``scaled_depth`` is h_e/S [1].
     ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], times the hardness of a surface and the
     ``moment`` is the fraction of the interface covered by particles (Eqs. 4 and 5).  ``log_bare``
     is ln of the fraction that all particles leave bare, the bracket of Eq. 4.
     """
 
-    mean: NDArray
+    centre: NDArray
     spread: NDArray
-    depth: NDArray
+    scaled_depth: NDArray
     factor: NDArray
     log_bare: NDArray
     moment: Moment
@@ -82,9 +82,9 @@ class ParticleLayer:
         every = factor * moment.of_all  # coverage by all sizes, over the hardness
         summit_offset = parameters.surface(roughness).summit_offset
         return cls(
-            mean=mean + parameters.particle_plane_height(summit_offset),
+            centre=mean + parameters.particle_plane_height(summit_offset),
             spread=spread,
-            depth=parameters.elastic_depth_ratio * diameter / spread,
+            scaled_depth=parameters.elastic_depth_ratio * diameter / spread,
             factor=factor,
             log_bare=np.log(_bare_fraction(parameters.hardness_surface_1 * every)),
             moment=moment,
@@ -95,9 +95,9 @@ class ParticleLayer:
         """The layer at the points selected by an index or mask ``chosen``."""
         return replace(
             self,
-            mean=self.mean[chosen],
+            centre=self.centre[chosen],
             spread=self.spread[chosen],
-            depth=self.depth[chosen],
+            scaled_depth=self.scaled_depth[chosen],
             factor=self.factor[chosen],
             log_bare=self.log_bare[chosen],
         )
@@ -106,7 +106,7 @@ class ParticleLayer:
     def reach(self) -> NDArray:
         """Separation [m] beyond which no particle touches: X_max + h_e, plus y_s if particles meet the
         separation of the summit planes."""
-        return self.mean + (self.parameters.truncation + self.depth) * self.spread
+        return self.centre + (self.parameters.truncation + self.scaled_depth) * self.spread
 
     @property
     def covers_all(self) -> NDArray:
@@ -118,12 +118,14 @@ class ParticleLayer:
 
         Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d [1].
         """
-        alpha, elastic = (separation - self.mean) / self.spread, self.parameters.elastic_factor
+        alpha, elastic = (separation - self.centre) / self.spread, self.parameters.elastic_factor
 
         def weighted(above, touching):
             return (1.0 - elastic) * above + elastic * touching  # the bracket of Eq. 5
 
-        moments, slopes = self.moment(np.array([alpha, alpha - self.depth]))  # above d and d - h_e
+        moments, slopes = self.moment(
+            np.array([alpha, alpha - self.scaled_depth])
+        )  # above d and d - h_e
         area_factor = self.factor * self.parameters.hardness_surface_2
         area = WithSlope(
             value=area_factor * weighted(*moments),
@@ -140,7 +142,7 @@ class ParticleLayer:
         """Relative rounding error [1] of the ``area`` that ``contact`` returns at ``separation`` d
         [m]; 0 where no particle touches."""
         terms = (8.0 + self.moment.largest**2) * self.moment.cancellation * area.value
-        lengths = separation + self.mean + self.depth * self.spread
+        lengths = separation + self.centre + self.scaled_depth * self.spread
         rounding_of_d = 2.0 * np.abs(area.slope) * lengths
         touch = area.value > 0.0
         # TINY for the digits lost below it; as divisors, LEAST and 0 would be slow
@@ -232,4 +234,4 @@ def separation_carrying(log_area: ArrayLike, layer: ParticleLayer) -> NDArray:
     of_all = np.log(layer.moment.of_all)
     logs = (log_moment - np.log(weight) for weight in (1.0 - elastic, elastic))
     alpha, shifted = (np.where(x <= of_all, layer.moment.inverse(x), -np.inf) for x in logs)
-    return layer.mean + layer.spread * np.maximum(alpha, shifted + layer.depth)
+    return layer.centre + layer.spread * np.maximum(alpha, shifted + layer.scaled_depth)

@@ -88,6 +88,13 @@ STATES = {
 }
 # states by code; -1 is the last, if there is one
 _BY_CODE = {name: np.array([*states], object) for name, states in STATES.items()}
+# the quantity and level of each limit, the flag that changes there, and its states below and above
+LIMITS = (
+    ("solid_load_fraction", BOUNDARY_LIMIT, "lubrication_regime", "mixed", "boundary"),
+    ("solid_load_fraction", FULL_FILM_LIMIT, "lubrication_regime", "full_film", "mixed"),
+    ("particle_contact_area_ratio", PARTICLE_LIMIT, "contact_mode", "hybrid", "particle_surface"),
+    ("particle_contact_area_ratio", SURFACE_LIMIT, "contact_mode", "surface_surface", "hybrid"),
+)
 # what the values 0, 1, ... of each flag stand for
 FLAG_MEANINGS = {name: states.names() for name, states in STATES.items()}
 LUBRICATION_REGIMES, CONTACT_MODES, SOLUTION_STATUSES = FLAG_MEANINGS.values()

@@ -93,7 +93,7 @@ def _separations(low, high, roughness, particles, solid):
     separations = [roughness * np.sinh(np.linspace(*ends, steps + 1)), [low, high]]
     if particles is not None:
         one = particles.take(solid)
-        mean, spread, depth = one.mean, one.spread, one.depth
+        mean, spread, depth = one.centre, one.spread, one.scaled_depth
         smallest, largest = particles.moment.smallest, particles.moment.largest
         for shift in (0.0, -depth):
             first = max(smallest, SMALLEST)

@@ -21,7 +21,7 @@ from thirdbody.core.brackets import bracket
 from thirdbody.core.film import has_film
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
-from thirdbody.core.regimes import SOLUTION_STATUSES
+from thirdbody.core.regimes import SOLUTION_STATUSES, has_values
 from thirdbody.core.root import enclose
 from thirdbody.core.state import VARIABLES, describe, type_of
 from thirdbody.core.summits import pieces_for
@@ -34,6 +34,7 @@ CHUNK = 65536  # points solved together
 QUADRATURE_CHUNK = 2048  # by quadrature, where each point has about a hundred nodes
 FEW_ITERATIONS, MOST_ITERATIONS = 5, 200  # the few points that need more are solved together
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
+FAINT_COVERAGE = 1e-290  # x_a^2 eta_a [1] below which the area of particles loses digits
 
 
 def solve_points(
@@ -84,7 +85,22 @@ def solve_points(
                 left[indices] = failed & attempt.uses_tables
                 if callback is not None:
                     callback(np.count_nonzero(~left[indices]))
+        _doubt_faint_particles(columns, result)
     return {name: values.reshape(shape) for name, values in result.items()}
+
+
+def _doubt_faint_particles(columns, result):
+    """Points with so few or small particles that float64 has too few digits for their area: values without a bound."""
+    diameter, density = columns["particle_diameter"], columns["particle_density"]
+    coverage = diameter * (diameter * density)
+    faint = (coverage < FAINT_COVERAGE) & (diameter > 0.0) & (density > 0.0)
+    if not faint.any():
+        return
+    if "error_bound" in result:
+        result["error_bound"][faint] = np.inf
+    if "solution_status" in result:
+        status = result["solution_status"]
+        status[faint & has_values(status)] = NOT_CONVERGED
 
 
 class Attempt(NamedTuple):

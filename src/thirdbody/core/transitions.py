@@ -10,22 +10,17 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.core import regimes
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
-from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.core.turning_points import load_at, particle_ratio
 
 # tolerance of d over that of the load: a relative change of d changes F_t* by more
 SEPARATION_MARGIN = 0.01
 
-LIMITS = (
-    ("solid_load_fraction", BOUNDARY_LIMIT),
-    ("solid_load_fraction", FULL_FILM_LIMIT),
-    ("particle_contact_area_ratio", PARTICLE_LIMIT),
-    ("particle_contact_area_ratio", SURFACE_LIMIT),
-)
+LIMITS = [(quantity, level) for quantity, level, *_ in regimes.LIMITS]
 
 
 def limit_crossings(

@@ -20,7 +20,7 @@ from scipy.special import expit
 
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
-from thirdbody.core.film import film_load
+from thirdbody.core.film import load_of_film
 from thirdbody.core.logarithms import TINY
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
@@ -206,7 +206,7 @@ def load_at(
     film: arrays of one shape."""
     inputs, log_solid = solids.parameters, solids.at(separation).log_load
     solid = np.exp(log_solid.value)
-    film, film_slope = film_load(separation, viscosity, roughness, inputs)
+    film, film_slope = load_of_film(separation, viscosity, roughness, inputs)
     load = inputs.total_load(solid, film)
     return load, solid / load, np.maximum(np.abs(log_solid.slope), np.abs(film_slope))
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from thirdbody.bearings import speed_note
 from thirdbody.conditions import (
     checked_number,
+    entrainment_speed,
     from_si,
     numbers_in,
     read_conditions,
@@ -264,7 +265,9 @@ def solve_runs(
     with without_warnings():
         for each in inputs:
             ratio = (
-                table[SPEED].to_numpy() / each.entrainment_speed(density) if SPEED in table else 1.0
+                table[SPEED].to_numpy() / entrainment_speed(each, density)
+                if SPEED in table
+                else 1.0
             )
             film = viscosity * ratio
             solutions.append(

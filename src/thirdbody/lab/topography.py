@@ -71,7 +71,7 @@ def surface(
         a scale below the point spacing, a surface without slopes or curvatures over the scale, and an
         unknown form.
     ModuleNotFoundError
-        If SurfaceTopography is not installed: the extra ``topography`` installs it.
+        If SurfaceTopography is not installed: the extra ``surface`` installs it.
 
     Warns
     -----
@@ -89,7 +89,7 @@ def surface(
     {'surface 1': 100.3, 'surface 2': 100.3, 'equivalent': 141.8}
     >>> inputs = tb.lab.surface_parameters(table)
     """
-    require("topography", "SurfaceTopography")
+    require("surface", "SurfaceTopography")
     if len(surfaces) not in (1, 2):
         raise ValueError(f"surfaces are {len(surfaces)}; allowed: one, or two in contact")
     topographies = {}

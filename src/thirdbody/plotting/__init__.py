@@ -4,3 +4,7 @@ Datasets and tables are drawn; nothing is solved here.  Figures are a ``Drawing`
 with the content of its panels as data.  Start with ``plot.py``; ``thirdbody.paper.figures`` draws the
 figures of the paper with it.
 """
+
+from thirdbody.extras import require
+
+require("plot", "matplotlib")

@@ -29,7 +29,16 @@ from thirdbody.plotting.marks import range_series, read_turning_points
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
 from thirdbody.plotting.styles import BLUE, level_styles
-from thirdbody.variables import BY_ALIAS, DIMENSIONS, NORMAL_LOAD, STATUS
+from thirdbody.variables import (
+    BY_ALIAS,
+    CONDITIONS,
+    DIMENSIONS,
+    FLAGS,
+    NORMAL_LOAD,
+    SPEED,
+    STATUS,
+    VARIABLES,
+)
 
 
 def plot(
@@ -51,9 +60,10 @@ def plot(
         does not give F_t*.  Points in a list must be all combinations of their conditions.
     over : str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
-        the load, in newtons if it was given so.  Over the load, one of viscosity, particle diameter and
-        density may vary, in addition to dry and lubricated contact, and any number of roughnesses.  Over
-        another axis, all others may vary: each combination is a curve.
+        the load, in newtons if it was given so, or, where there is one load, the axis with most values.
+        Over the load, one of viscosity, particle diameter and density may vary, in addition to dry and
+        lubricated contact, and any number of roughnesses.  Over another axis, all others may vary: each
+        combination is a curve.
     variables : str or sequence of str, optional
         Draw only these of the four quantities.
     turning_points : sequence of mapping, or path, optional
@@ -97,14 +107,16 @@ def plot(
     if isinstance(turning_points, str | PathLike):
         turning_points = read_turning_points(turning_points)
     complete = _with_all_dimensions("data", data)
-    in_newtons = GIVEN_AS in complete["load"].attrs and NORMAL_LOAD.name in complete
-    over = over or ("load_N" if in_newtons else "load")
+    over = over or _longest(complete)
     along = axis_of(over).name
     if complete.sizes[along] < 2:
         raise ValueError(f"data has one {along}; allowed: two or more, which curves are drawn over")
     with matplotlib.style.context(STYLE, after_reset=True):
         if along != "load":
             return _plot_over(complete, along, variables, axes)
+        if complete.sizes.get(SPEED.name, 1) > 1:
+            raise ValueError(f"data vary with the speed; allowed: over='{SPEED.alias}'")
+        complete = complete.squeeze(SPEED.name, drop=True) if SPEED.name in complete else complete
         ranges = None if band is None else _with_all_dimensions("band", band)
         figure = curve_figure(complete)
         x = NORMAL_LOAD.name if over == "load_N" else "load"
@@ -113,11 +125,19 @@ def plot(
         return figure.plot(complete, turning_points, ranges, axes=axes)
 
 
+def _longest(data) -> str:
+    """The load, by the name by which it was given, if it varies; or else the axis with most values."""
+    if data.sizes["load"] < 2:
+        return max(_dimensions(data), key=lambda name: data.sizes[name])
+    in_newtons = GIVEN_AS in data["load"].attrs and NORMAL_LOAD.name in data
+    return "load_N" if in_newtons else "load"
+
+
 def _plot_over(
     data: xr.Dataset, over: str, variables: Collection[str], axes: Sequence[Axes]
 ) -> Figure:
     """Panels of ``variables`` over one axis, with a curve for each combination of the other axes."""
-    others = [name for name in DIMENSIONS if name != over]
+    others = [name for name in _dimensions(data) if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
     common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
     names = [name for name in variables if name in data and bool(data[name].notnull().any())]
@@ -242,29 +262,44 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     if isinstance(data, str | PathLike):
         data = read_plain(data).to_xarray()
     elif isinstance(data, pd.DataFrame):
-        named = [each for each in data.index.names if each in DIMENSIONS]
+        named = [each for each in data.index.names if each in CONDITIONS]
         data = data.reset_index(named).reset_index(drop=True).to_xarray()
     elif not isinstance(data, xr.Dataset):
         data = data.to_dataset()
     if any(each in variable.attrs for variable in data.variables.values() for each in OF_THE_FILE):
         data = xr.decode_cf(data, decode_times=False)
+    _check_units(data)
     if STATUS not in data:  # not asked for, or a range
         data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
-    data = data.set_coords(DIMENSIONS)
-    if not set(data.dims) <= set(DIMENSIONS):
+    dimensions = _dimensions(data)
+    data = data.set_coords(dimensions)
+    if not set(data.dims) <= set(dimensions):
         data = _placed_on_axes(name, data)
-    data = data.expand_dims([each for each in DIMENSIONS if data[each].ndim == 0])
+    data = data.expand_dims([each for each in dimensions if data[each].ndim == 0])
     if NORMAL_LOAD.name in data:  # also where it was repeated along other axes
         newtons = data["load"].values * _newtons_per_load(data)
         data = data.drop_vars(NORMAL_LOAD.name).assign_coords(normal_load=("load", newtons))
-    return data.transpose(*DIMENSIONS).sortby([*DIMENSIONS])
+    return data.transpose(*dimensions).sortby([*dimensions])
+
+
+def _dimensions(data) -> list[str]:
+    """The five axes, and the speed, if it is one."""
+    return [*DIMENSIONS, *([SPEED.name] if SPEED.name in data.variables else [])]
+
+
+def _check_units(data):
+    """Raise ``ValueError`` for variables that are no longer in the units in which they are drawn."""
+    for name, variable in (CONDITIONS | VARIABLES | {NORMAL_LOAD.name: NORMAL_LOAD}).items():
+        unit = data[name].attrs.get("units", variable.unit) if name in data else variable.unit
+        if unit != variable.unit and name not in FLAGS:
+            raise ValueError(f"{name} is in {unit}; allowed: {variable.unit}")
 
 
 def _placed_on_axes(name, data) -> xr.Dataset:
     """Points along other dimensions on the five axes, if they are all combinations of their conditions."""
     table = data.reset_coords().to_dataframe()
     levels = [each for each in table.index.names if each not in table]
-    table = table.reset_index(levels).set_index([*DIMENSIONS])
+    table = table.reset_index(levels).set_index(_dimensions(data))
     complete = prod(map(len, table.index.remove_unused_levels().levels))
     if len(table) != complete:
         other = next(each for each in data.dims if each not in DIMENSIONS)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.curves import Condition
-from thirdbody.variables import AXES, CONDITION_AXES, DERIVED, NORMAL_LOAD, QUANTITIES
+from thirdbody.variables import CONDITION_AXES, CONDITIONS, DERIVED, NORMAL_LOAD, QUANTITIES
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 LETTERS = str.maketrans("ₐₛₜ", "ast")
@@ -32,7 +32,7 @@ def typeset(text: str) -> str:
 
 def unit_text(parameter: str) -> str:
     """Engineering unit of one of the four conditions."""
-    return AXES[parameter].alias_unit.translate(SUPERSCRIPTS)
+    return CONDITIONS[parameter].alias_unit.translate(SUPERSCRIPTS)
 
 
 def parameter_title(parameter: str) -> str:
@@ -40,16 +40,16 @@ def parameter_title(parameter: str) -> str:
     if parameter == "diameter_ratio":
         return "Diameter over roughness xₐ/σ"
     name = parameter.replace("_", " ").capitalize()
-    return f"{name} {AXES[parameter].sign} ({unit_text(parameter)})"
+    return f"{name} {CONDITIONS[parameter].sign} ({unit_text(parameter)})"
 
 
 def value_text(parameter: str, value: float) -> str:
     """``value`` [SI] of ``parameter`` in the unit of its title."""
     if parameter in ("particle_density", "load") and value:
         return power_text(value)
-    if parameter not in AXES:
+    if parameter not in CONDITIONS:
         return str(float(f"{value:.10g}"))  # 1.0 beside 1.1
-    return f"{AXES[parameter].from_si(value):.10g}"
+    return f"{CONDITIONS[parameter].from_si(value):.10g}"
 
 
 def note(parameter: str, value: float) -> str:
@@ -57,7 +57,7 @@ def note(parameter: str, value: float) -> str:
     if parameter == "viscosity" and value == 0.0:
         return "dry"
     unit = "" if parameter == "load" else f" {unit_text(parameter)}"
-    return f"{AXES[parameter].sign} = {value_text(parameter, value)}{unit}"
+    return f"{CONDITIONS[parameter].sign} = {value_text(parameter, value)}{unit}"
 
 
 def shared_notes(conditions: Sequence[Condition]) -> list[str]:
@@ -83,7 +83,7 @@ ZONES = {
     "contact_mode": ((SURFACE_LIMIT, PARTICLE_LIMIT), ("s-s", "hybrid", "p-s")),
     "lubrication_regime": ((FULL_FILM_LIMIT, BOUNDARY_LIMIT), ("F.L.", "M.L.", "B.L.")),
 }
-SCALES = AXES | QUANTITIES | {NORMAL_LOAD.name: NORMAL_LOAD} | DERIVED
+SCALES = CONDITIONS | QUANTITIES | {NORMAL_LOAD.name: NORMAL_LOAD} | DERIVED
 
 
 def panel_title(x: str, y: str) -> str:

@@ -105,15 +105,15 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_interpretation_and_s
     for name in (*MADE_BY_RUNS, "config/calibrated"):
         shutil.rmtree(there.root / name)
     shutil.copytree(sources.root / "config/calibrated", there.root / "config/calibrated")
+    chunks = [f"results/atlas/chunks/{number}-of-3.nc" for number in (1, 2, 3)]
     before = cluster.jobs("all")
     adopted = f"results/calibration/{INTERPRETATIONS[0]}.yaml"
-    complete(submit(there, "results/atlas/catalogue.json", adopted, *MINIMAL))
+    complete(submit(there, *chunks, adopted, *MINIMAL))
     # an interpretation on the shortlist is searched and sampled from both seeds
     wanted = {"solve_chunk": 3, "search_inputs": 2, "search_fold": 2}
     wanted |= {"sample_inputs": 2, "summarise_inputs": 1}
     for rule, jobs in wanted.items():
         assert cluster.submitted(rule, but=before) == jobs
-    chunks = [f"results/atlas/chunks/{number}-of-3.nc" for number in (1, 2, 3)]
     for here, name in [(calibrated, adopted), *((charted[0], chunk) for chunk in chunks)]:
         assert (there.root / name).read_bytes() == (here.root / name).read_bytes(), name
 

@@ -1,8 +1,7 @@
 """All files of the atlas as one lazily loaded dataset, and the design charts in it.
 
-The catalogue, a small JSON file beside the folder of the chunks, lists the files and their
-roughnesses.  Any program that reads NetCDF can concatenate them along ``roughness``.  A chart shows
-limits over the load, one curve per roughness, with ensemble ranges, as they are in the atlas.
+Any program that reads NetCDF can concatenate the files along ``roughness``.  A chart shows limits over the
+load, one curve per roughness, with ensemble ranges, as they are in the atlas.
 """
 
 import json
@@ -15,35 +14,23 @@ import xarray as xr
 
 from thirdbody.attributes import identity
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.files import readable_file, unreadable
+from thirdbody.files import unreadable
 from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, STATUS
 
-CATALOGUE = "results/atlas/catalogue.json"
+CHUNKS = "results/atlas/chunks"
 CHARTS = {  # the variable of the atlas in each
     "largest_particle": "largest_particle_diameter",
     "least_viscosity": "least_viscosity",
 }
 
 
-def write_catalogue(path: str | PathLike, chunks: Sequence[str | PathLike]) -> None:
-    """Write the catalogue of the files ``chunks``, with paths relative to it; ``OSError`` in one line
-    if a file cannot be read."""
-    listed = []
-    for chunk in chunks:
-        place = Path(chunk).relative_to(Path(path).parent).as_posix()
-        with _opened(chunk) as dataset:
-            listed.append({"file": place, "roughness_m": dataset["roughness"].values.tolist()})
-    listed.sort(key=lambda each: each["roughness_m"])
-    Path(path).write_text(json.dumps({"chunks": listed}, indent=2) + "\n", encoding="utf-8")
-
-
-def open_atlas(path: str | PathLike = CATALOGUE) -> xr.Dataset:
+def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
     """Open the atlas as one dataset; its values are read from the files when they are used.
 
     Parameters
     ----------
-    path : path
-        The catalogue, a product of ``snakemake atlas``.
+    folder : path
+        The folder of the files that ``snakemake atlas`` has made.
 
     Returns
     -------
@@ -54,10 +41,8 @@ def open_atlas(path: str | PathLike = CATALOGUE) -> xr.Dataset:
 
     Raises
     ------
-    ValueError
-        For what is no path.
     OSError
-        In one line, if a file is missing, damaged or of another kind.
+        In one line, unless the folder has all files of one atlas, which can be read.
 
     Examples
     --------
@@ -67,15 +52,13 @@ def open_atlas(path: str | PathLike = CATALOGUE) -> xr.Dataset:
         dry = atlas["particle_surface_probability"].sel(viscosity=0.0)
         dry.swap_dims(load="normal_load").sel(normal_load=10, particle_diameter=5e-7)
     """
-    if str(path) == CATALOGUE and not Path(path).is_file():
-        raise FileNotFoundError(f"{path} is not there; make it: snakemake -c2 atlas")
-    path = readable_file("path", path, "the path of the catalogue of an atlas")
-    try:
-        listed = json.loads(path.read_text(encoding="utf-8"))["chunks"]
-        files = [path.parent / each["file"] for each in listed]
-    except (ValueError, TypeError, KeyError) as error:
-        raise unreadable(path, type(error).__name__) from None
-    parts = [_opened(file) for file in files]
+    files = sorted(Path(folder).glob("*.nc"))
+    names = {f"{number}-of-{len(files)}.nc" for number in range(1, len(files) + 1)}
+    if not files or {file.name for file in files} != names:
+        raise FileNotFoundError(
+            f"{folder} does not have all files of one atlas and no others; make them: snakemake -c2 atlas"
+        )
+    parts = sorted(map(_opened, files), key=lambda part: part["roughness"].values[0])
     dataset = xr.concat(
         parts,
         "roughness",

@@ -9,7 +9,7 @@ from scipy.special import logit
 
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
-from thirdbody.core.film import Film, film_load, log_load_parameter
+from thirdbody.core.film import Film, load_of_film, log_load_parameter
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import (
     BOUNDARY_LIMIT,
@@ -159,7 +159,7 @@ def passed_diameter(
     )
     contact = Contact.of(np.exp(log_diameter), roughness, density, parameters, rtol)
     solid = np.exp(contact.at(separation).log_load.value)
-    film, _ = film_load(separation, axes["viscosity"][:, np.newaxis], surface, parameters)
+    film, _ = load_of_film(separation, axes["viscosity"][:, np.newaxis], surface, parameters)
     total = np.log(parameters.total_load(solid, film))
     rising = np.maximum.accumulate(total, axis=-1)
     found = [np.interp(np.log(axes["load"]), each, log_diameter) for each in rising]

@@ -17,7 +17,7 @@ from typing import Any, Self
 import numpy as np
 import pandas as pd
 
-from thirdbody.paper.calibration.calibration import Fold, Interpretation, Objective, make_folds
+from thirdbody.paper.calibration.calibration import Interpretation, Objective
 from thirdbody.paper.claims.claim import Claim
 from thirdbody.paper.claims.judge import Judge, Verdicts, count_once
 
@@ -25,21 +25,23 @@ from thirdbody.paper.claims.judge import Judge, Verdicts, count_once
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
     """An interpretation that may be the default: the ``content`` of its calibrated file, the ``verdicts`` for its
-    inputs, and those ``predicted``, of each statement for the inputs found in the fold that leaves it out."""
+    inputs, those ``predicted``, of each statement for the inputs found in the fold that leaves it out, and
+    the statements left out of each of the ``folds``."""
 
     content: Mapping[str, Any]
     verdicts: Verdicts
     predicted: Verdicts
-    folds: Sequence[Fold] = ()
+    folds: Sequence[Sequence[Claim]] = ()
 
     @classmethod
     def of(cls, judge: Judge, content: Mapping[str, Any], verdicts: Verdicts | None = None) -> Self:
         """Evaluate all statements for a calibrated file; ``verdicts`` are those for its inputs, if known."""
         entries = content.get("folds", ())
-        folds = make_folds(judge.claims, [entry["figures"] for entry in entries])
-        predicted = {}
-        for fold, entry in zip(folds, entries, strict=True):
-            predicted |= judge(entry["inputs"], claims=fold.left_out)
+        folds, predicted = [], {}
+        for entry in entries:  # a statement that was in no search is not predicted
+            left_out = tuple(claim for claim in judge.claims if claim.id in entry["left_out"])
+            folds.append(left_out)
+            predicted |= judge(entry["inputs"], claims=left_out)
         fitted = verdicts or judge(content["inputs"])
         return cls(content=content, verdicts=fitted, predicted=predicted, folds=folds)
 
@@ -51,7 +53,7 @@ class Candidate:
     @property
     def fold_counts(self) -> list[tuple[int, int]]:
         """Numbers of statements left out of each fold that hold and are tested."""
-        return [count_once(fold.left_out, self.predicted) for fold in self.folds]
+        return [count_once(left_out, self.predicted) for left_out in self.folds]
 
 
 def left_out_losses(objective: Objective, predicted: Verdicts) -> pd.Series:

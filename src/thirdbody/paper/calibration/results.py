@@ -8,7 +8,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from thirdbody.paper.calibration.calibration import Interpretation
+from thirdbody.paper.calibration.calibration import Interpretation, make_folds
+from thirdbody.paper.claims.claim import Claim
 
 DIGITS = 6  # significant digits of numbers in the file
 IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
@@ -22,10 +23,12 @@ def summary(
     searches: Sequence[NDArray],
     samples: Sequence[NDArray],
     folds: Sequence[NDArray],
+    claims: Sequence[Claim],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
     """The content of the calibrated file of an interpretation, SI, from positions and objectives, shape
-    (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist."""
+    (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist.  ``claims`` are all
+    statements."""
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]
@@ -33,6 +36,8 @@ def summary(
     inputs = inputs_of(interpretation, good[0])
     members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
     best = [found[found[:, -1].argmin()] for found in folds]
+    figures_of_folds = settings["folds"] if folds else ()
+    parts = make_folds(claims, figures_of_folds)
     return {
         "interpretation": interpretation.name,
         "objective": rounded(good[0, -1]),
@@ -44,10 +49,11 @@ def summary(
         "folds": [
             {
                 "figures": list(figures),
+                "left_out": [claim.id for claim in fold.left_out],
                 "objective": rounded(row[-1]),
                 "inputs": {**interpretation.fixed, **inputs_of(interpretation, row)},
             }
-            for figures, row in zip(settings["folds"] if folds else (), best, strict=True)
+            for figures, fold, row in zip(figures_of_folds, parts, best, strict=True)
         ],
         "ensemble": [inputs, *members],
         "ensemble_interpretations": [interpretation.name] * (1 + len(members)),

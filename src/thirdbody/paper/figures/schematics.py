@@ -154,7 +154,7 @@ def _name_parts(axes, section):
     x, y, size, carries = (section[name] for name in PARTICLES)
     if carries.any():
         largest = np.argmax(np.where(carries, size, 0.0))
-        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.5 * length, 0.5 * bottom))
+        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.62 * length, 0.5 * bottom))
     if section["viscosity"] > 0.0:
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
