@@ -46,8 +46,6 @@ wildcard_constraints:
 
 rule all:
     default_target: True
-    message:
-        "All products are there"
     input:
         expand("<results>/datasets/{figure}.nc", figure=SCENES),
         expand("<results>/bands/{figure}.nc", figure=SCENES if settings["bands"] else []),
@@ -67,6 +65,8 @@ rule all:
         "<results>/index.html",
         "<results>/captions.md",
         "<results>/SHA256SUMS",
+    message:
+        "All products are there"
 
 
 include: "workflow/rules/datasets.smk"

@@ -21,8 +21,6 @@ rule judge_claims:
             labels={"table": "claims"},
         ),
         data="<results>/claims/claims.json",
-    message:
-        "Judge the statements of the paper"
     log:
         "<logs>/judge_claims.log",
     params:
@@ -37,6 +35,8 @@ rule judge_claims:
         base=settings["uncalibrated"],
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
+    message:
+        "Judge the statements of the paper"
     script:
         "../scripts/judge_claims.py"
 
@@ -47,8 +47,6 @@ rule judge_departures:
         deviations="<results>/extracted/deviations/all.csv",
         departures="<results>/extracted/departures/all.csv",
         verdicts="<results>/extracted/departures/verdicts.json",
-    message:
-        "Judge the statements without each departure from the print"
     log:
         "<logs>/judge_departures.log",
     params:
@@ -58,5 +56,7 @@ rule judge_departures:
         claims=CLAIMS,
         settings=settings["calibration"],
         parameters=settings["parameters"],
+    message:
+        "Judge the statements without each departure from the print"
     script:
         "../scripts/judge_departures.py"

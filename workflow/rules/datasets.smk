@@ -4,8 +4,6 @@
 rule solve_scene:
     output:
         dataset="<results>/datasets/{scene}.nc",
-    message:
-        "Solve the curves of {wildcards.scene}"
     log:
         "<logs>/solve_scene/{scene}.log",
     params:
@@ -13,6 +11,8 @@ rule solve_scene:
         *SOFTWARE,
         scene=lookup(dpath="scenes/{scene}", within=settings),
         parameters=settings["parameters"],
+    message:
+        "Solve the curves of {wildcards.scene}"
     script:
         "../scripts/solve_scene.py"
 
@@ -22,8 +22,6 @@ rule solve_ensemble:
         dataset="<results>/datasets/{scene}.nc",
     output:
         band="<results>/bands/{scene}.nc",
-    message:
-        "Solve the curves of {wildcards.scene} for the ensemble"
     log:
         "<logs>/solve_ensemble/{scene}.log",
     params:
@@ -31,6 +29,8 @@ rule solve_ensemble:
         *SOFTWARE,
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
+    message:
+        "Solve the curves of {wildcards.scene} for the ensemble"
     script:
         "../scripts/solve_ensemble.py"
 
@@ -38,8 +38,6 @@ rule solve_ensemble:
 rule compute_schematic:
     output:
         sections="<results>/schematics/{schematic}.nc",
-    message:
-        "Compute the sections of {wildcards.schematic}"
     log:
         "<logs>/compute_schematic/{schematic}.log",
     params:
@@ -47,5 +45,7 @@ rule compute_schematic:
         *SOFTWARE,
         panels=lookup(dpath="schematics/{schematic}", within=settings),
         parameters=settings["parameters"],
+    message:
+        "Compute the sections of {wildcards.schematic}"
     script:
         "../scripts/compute_schematic.py"

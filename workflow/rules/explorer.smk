@@ -18,8 +18,6 @@ rule build_explorer:
             category="Explorer",
             labels={"page": "explorer"},
         ),
-    message:
-        "Build the explorer"
     log:
         "<logs>/build_explorer.log",
     params:
@@ -33,5 +31,7 @@ rule build_explorer:
         calibration=settings["calibration"],
         ensemble=settings["ensemble"],
         calibrated=CALIBRATED,
+    message:
+        "Build the explorer"
     script:
         "../scripts/build_explorer.py"

@@ -7,14 +7,14 @@ rule extract_curves:
     output:
         tpca_loads="<results>/extracted/tpca_loads/{scene}.csv",
         transitions="<results>/extracted/transitions/{scene}.csv",
-    message:
-        "Find the turning points and transitions of {wildcards.scene}"
     log:
         "<logs>/extract_curves/{scene}.log",
     params:
         *sources_of("extract_curves.py"),
         *SOFTWARE,
         parameters=settings["parameters"],
+    message:
+        "Find the turning points and transitions of {wildcards.scene}"
     script:
         "../scripts/extract_curves.py"
 
@@ -22,8 +22,6 @@ rule extract_curves:
 rule find_windows:
     output:
         windows="<results>/extracted/tpca_windows/all.csv",
-    message:
-        "Find the ranges of x_a/sigma with a turning point"
     log:
         "<logs>/find_windows.log",
     params:
@@ -32,6 +30,8 @@ rule find_windows:
         windows=settings["windows"],
         load_axis=settings["load_axis"],
         parameters=settings["parameters"],
+    message:
+        "Find the ranges of x_a/sigma with a turning point"
     script:
         "../scripts/find_windows.py"
 
@@ -40,8 +40,6 @@ rule find_windows:
 rule compute_sensitivities:
     output:
         elasticities="<results>/extracted/sensitivity/all.csv",
-    message:
-        "Compute how much each input changes each result"
     log:
         "<logs>/compute_sensitivities.log",
     params:
@@ -50,6 +48,8 @@ rule compute_sensitivities:
         settings=settings["sensitivity"],
         unpublished=[*settings["calibration"]["unknowns"], *settings["sensitivity"]["also"]],
         parameters=settings["parameters"],
+    message:
+        "Compute how much each input changes each result"
     script:
         "../scripts/compute_sensitivities.py"
 
@@ -57,14 +57,14 @@ rule compute_sensitivities:
 rule gather_printed:
     output:
         table="<results>/extracted/printed/all.csv",
-    message:
-        "Gather the numbers that the paper prints"
     log:
         "<logs>/gather_printed.log",
     params:
         *sources_of("gather_printed.py"),
         settings_text(CLAIMS, list),
         claims=CLAIMS,
+    message:
+        "Gather the numbers that the paper prints"
     script:
         "../scripts/gather_printed.py"
 
@@ -73,8 +73,6 @@ rule recompute_paper_tables:
     output:
         table1="<results>/extracted/table1/all.csv",
         table2="<results>/extracted/table2/all.csv",
-    message:
-        "Recompute Tables 1 and 2 of the paper"
     log:
         "<logs>/recompute_paper_tables.log",
     params:
@@ -82,5 +80,7 @@ rule recompute_paper_tables:
         settings_text(PAPER_TABLES),
         printed=PAPER_TABLES,
         parameters=settings["parameters"],
+    message:
+        "Recompute Tables 1 and 2 of the paper"
     script:
         "../scripts/recompute_paper_tables.py"

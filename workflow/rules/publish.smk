@@ -15,14 +15,14 @@ rule write_index:
     output:
         page="<results>/index.html",
         captions="<results>/captions.md",
-    message:
-        "Write the index page"
     log:
         "<logs>/write_index.log",
     params:
         *sources_of("write_index.py"),
         titles={figure: settings["scenes"][figure]["title"] for figure in SCENES},
         version=version("thirdbody"),
+    message:
+        "Write the index page"
     script:
         "../scripts/write_index.py"
 
@@ -33,12 +33,12 @@ rule write_sums:
         [product for product in rules.all.input if not product.endswith("SHA256SUMS")],
     output:
         sums="<results>/SHA256SUMS",
-    message:
-        "Write the sums of all products"
     log:
         "<logs>/write_sums.log",
     params:
         *sources_of("write_sums.py"),
+    message:
+        "Write the sums of all products"
     script:
         "../scripts/write_sums.py"
 

@@ -17,12 +17,12 @@ rule render_figure:
     output:
         **figure_files("{scene}", "Figures"),
         wide="<results>/figures/{scene}_wide.csv",
-    message:
-        "Draw {wildcards.scene}"
     log:
         "<logs>/render_figure/{scene}.log",
     params:
         *sources_of("render_figure.py"),
+    message:
+        "Draw {wildcards.scene}"
     script:
         "../scripts/render_figure.py"
 
@@ -33,13 +33,13 @@ rule render_schematic:
         style=STYLE,
     output:
         **figure_files("{schematic}", "Figures"),
-    message:
-        "Draw {wildcards.schematic}"
     log:
         "<logs>/render_schematic/{schematic}.log",
     params:
         *sources_of("render_schematic.py"),
         parameters=settings["parameters"],
+    message:
+        "Draw {wildcards.schematic}"
     script:
         "../scripts/render_schematic.py"
 
@@ -50,12 +50,12 @@ rule render_claims:
         style=STYLE,
     output:
         **figure_files("claims", "Statements"),
-    message:
-        "Draw the verdicts"
     log:
         "<logs>/render_claims.log",
     params:
         *sources_of("render_claims.py"),
+    message:
+        "Draw the verdicts"
     script:
         "../scripts/render_claims.py"
 
@@ -66,14 +66,14 @@ rule render_sensitivity:
         style=STYLE,
     output:
         **figure_files("sensitivity", "Statements"),
-    message:
-        "Draw the sensitivities"
     log:
         "<logs>/render_sensitivity.log",
     params:
         *sources_of("render_sensitivity.py"),
         settings_text(INPUTS),
         entries=INPUTS,
+    message:
+        "Draw the sensitivities"
     script:
         "../scripts/render_sensitivity.py"
 
@@ -96,8 +96,6 @@ rule write_table:
             category="Tables",
             labels={"table": "{table}"},
         ),
-    message:
-        "Write the table {wildcards.table}"
     log:
         "<logs>/write_table/{table}.log",
     wildcard_constraints:
@@ -105,6 +103,8 @@ rule write_table:
     params:
         *sources_of("write_table.py"),
         parameters=settings["parameters"],
+    message:
+        "Write the table {wildcards.table}"
     script:
         "../scripts/write_table.py"
 
