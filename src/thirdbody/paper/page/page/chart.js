@@ -63,10 +63,10 @@ function markerOf(rank, x, y, { color, ...look }) {
 const strokeOf = ({ color, dash }) => `stroke="${color}"${dash ? ` stroke-dasharray="${dash}"` : ""}`;
 
 // The drawing of an entry of the key: a fill, or a line of a kind with a marker or a mark on it.
-export function sampleOf({ fill, dry, mine, mark, marker, hasEnds, ...given }) {
+export function sampleOf({ fill, dry, mine, mark, marker, hasEnds, isUpright, ...given }) {
   const { kind = fill ? "area" : kindOf({ dry, mine }), ...look } = given;
   if (fill) return `<rect class="${kind}" x="4" y="1" width="22" height="12" fill="${fill}"/>`;
-  const line = look.color ? `<path class="${kind}" d="M1,7H29${hasEnds ? "M1,1v12M29,1v12" : ""}" ${strokeOf(look)}/>` : "";
+  const line = look.color ? `<path class="${kind}" d="${isUpright ? "M15,0V14" : "M1,7H29"}${hasEnds ? "M1,1v12M29,1v12" : ""}" ${strokeOf(look)}/>` : "";
   const symbol = marker === undefined ? "" : markerOf(marker, 15, 7, { color: look.color });
   return line + symbol + (mark ? shapeOf(mark, 15, 7, { color: "var(--ink)" }) : "");
 }
@@ -78,11 +78,11 @@ const KEY = {
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level", hasEnds: true },
-  windows: { text: "limits of turning points", color: "var(--accent)", kind: "window" },
-  limits: { text: "printed along x alone (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit" },
+  windows: { text: "limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
+  limits: { text: "printed along x alone (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit", isUpright: true },
   ranges: { text: "range, 5 to 95 %", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
-  here: { text: "at your conditions", color: "var(--accent)", kind: "here" },
+  here: { text: "at your conditions", color: "var(--accent)", kind: "here", isUpright: true },
   doubts: { text: "with a remark", mark: "doubt" },
 };
 
