@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
+from inspect import currentframe
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -440,9 +441,17 @@ def warn_outside(numbers: Mapping[str, ArrayLike], usual: Usual) -> None:
 
 
 def _warn(unusual):
-    """Issue one warning, at the caller of the function that reads its arguments."""
+    """Issue one warning, at the first caller outside of the package."""
     if unusual and not _CHECKED.get():
-        warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=5)
+        warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=_level_outside())
+
+
+def _level_outside():
+    """The level in the stack, for ``warnings.warn`` in the calling function, of the code that called the package."""
+    level, frame = 1, currentframe().f_back
+    while frame.f_back is not None and frame.f_globals["__name__"].startswith("thirdbody"):
+        level, frame = level + 1, frame.f_back
+    return level
 
 
 @contextmanager

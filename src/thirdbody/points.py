@@ -142,11 +142,7 @@ def solve(
         "particle_density_per_m2": particle_density_per_m2,
         "speed_m_per_s": speed_m_per_s,
     }
-    return _solve(conditions, or_calibrated(parameters), rtol, variables, progress)
-
-
-def _solve(conditions, parameters, rtol, variables, progress) -> Solution:
-    """The arguments of ``solve``, validated and solved."""
+    parameters = or_calibrated(parameters)
     check_rtol(rtol)
     names = checked_variables(variables, VARIABLES)
     arguments = {key: value for key, value in conditions.items() if value is not None}

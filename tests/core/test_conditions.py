@@ -314,9 +314,18 @@ def test_a_number_in_another_unit_is_named_once_in_the_unit_that_was_given(param
 
 
 def test_the_warning_is_for_the_line_of_the_call(solve):
-    with pytest.warns(tb.OutOfRangeWarning) as warned:
-        tb.solve(**POINT | {"load": 10.0})
-    assert warned[0].filename == __file__
+    layer = {name: value for name, value in POINT.items() if name not in ("load", "viscosity")}
+    for call in (
+        lambda: tb.solve(**POINT | {"load": 10.0}),
+        lambda: tb.grid(**POINT | {"load": 10.0}),
+        lambda: tb.find("separation", 1e-6, "viscosity", load=10.0, **layer),
+        lambda: tb.turning_point(viscosity=0.0, between_N=(1e5, 1e6), **layer),
+        lambda: tb.bearing(pressure_viscosity_per_GPa=0.02),
+        lambda: tb.Material(205000, 0.29, 5),
+    ):
+        with pytest.warns(tb.OutOfRangeWarning) as warned:
+            call()
+        assert warned[0].filename == __file__
 
 
 def test_all_that_is_outside_is_named_in_one_warning(solve):

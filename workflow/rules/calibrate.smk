@@ -162,6 +162,7 @@ rule calibrate:
     params:
         *sources_of("adopt_calibration.py"),
         kept=CALIBRATION["kept"],
+        default=settings["calibrated"],
         base=settings["uncalibrated"],
     script:
         "../scripts/adopt_calibration.py"

@@ -82,6 +82,8 @@ def sources_of(script):
     and the data beside them."""
     path, imported = HOME / "workflow/scripts" / script, set()
     for statement in ast.walk(ast.parse(path.read_bytes())):
+        if isinstance(statement, ast.Import):
+            imported.update(alias.name for alias in statement.names)
         if isinstance(statement, ast.ImportFrom):
             names = [f"{statement.module}.{alias.name}" for alias in statement.names]
             imported.update([statement.module, *names])

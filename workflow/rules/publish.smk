@@ -44,9 +44,9 @@ rule write_sums:
 
 
 onsuccess:
-    if Path(RESULTS, "index.html").is_file():
-        with open(f"{RESULTS}/claims/claims.json", encoding="utf-8") as judged:
-            print(json.load(judged)["score"].replace("**", ""))
+    judged = Path(RESULTS, "claims/claims.json")
+    if Path(RESULTS, "index.html").is_file() and judged.is_file():
+        print(json.loads(judged.read_text(encoding="utf-8"))["score"].replace("**", ""))
         print(f"Open {RESULTS}/index.html in a browser")
 
 

@@ -18,7 +18,7 @@ with job(snakemake) as output:
     ranking = pd.read_csv(snakemake.input.ranking)["interpretation"]
     kept = set(ranking[: snakemake.params.kept])
     for old in PLACE.glob("*.yaml"):
-        if old.stem not in kept:
+        if old.stem not in {*kept, Path(snakemake.params.default).stem}:
             old.unlink()
     for source in map(Path, snakemake.input.calibrated):
         content = read_yaml(source)

@@ -10,7 +10,6 @@ import math
 from collections.abc import Mapping
 from functools import cache
 from numbers import Integral, Real
-from pathlib import Path
 from typing import Any
 
 from jsonschema import Draft4Validator, Draft202012Validator, ValidationError
@@ -19,18 +18,11 @@ from jsonschema.validators import extend
 from referencing import Registry
 from referencing.jsonschema import DRAFT202012
 
-from thirdbody.messages import format_path, format_value
+from thirdbody.messages import format_value
 from thirdbody.paper.configuration import rules
 from thirdbody.plain_yaml import config_directory, read_yaml
 
 LONGEST = 500  # letters of a message
-
-
-def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> dict:
-    """The content of a YAML file, validated by ``config/<kind>.schema.yaml``; raises as ``validate``."""
-    content = read_yaml(path)
-    validate(content, read_schema(kind), format_path(path), **definitions)
-    return content
 
 
 @cache
