@@ -115,4 +115,4 @@ def test_the_index_leads_to_all_products_and_says_what_fails(finished):
     for statement in claims["statements"]:
         if statement["verdict"] == "fails" and statement["place"].startswith("Figure"):
             assert plain(html(statement["statement"])) in text
-            assert statement["statement"] in captions
+            assert statement["statement"] in captions.replace("\\", "")  # without escapes
