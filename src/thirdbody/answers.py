@@ -8,7 +8,6 @@ or have the same state.  ``attrs`` has a title, notes, and whether what was aske
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -17,12 +16,12 @@ import pandas as pd
 from thirdbody.bearings import hertz_contact
 from thirdbody.conditions import axis_of, check_count, without_warnings
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.particles import ParticleLayer
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.lab.comparison import read_runs, solve_runs
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import ranges, spread
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
+from thirdbody.sizes import sizes_note
 from thirdbody.variables import FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
 
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other rows
@@ -346,24 +345,6 @@ def range_note(members: Sequence[Parameters]) -> str:
     if not members:
         return "no range: these inputs have no ensemble"
     return f"ranges are 5 to 95 % over {len(members)} sets of inputs that explain the paper about equally well"
-
-
-def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
-    """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]: the mean and
-    largest of sizes that are normal from 0 to X_max (Eq. 6), and d below which they carry load."""
-    mean, spread = parameters.sizes(diameter)
-    largest = mean + parameters.truncation * spread
-    normal = NormalDist(mean, spread)
-    part = normal.cdf(largest) - normal.cdf(0.0)
-    mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
-    layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
-    x_a, mean, largest, reach = (
-        f"{1e9 * each:.4g}" for each in (diameter, mean, largest, layer.reach[0])
-    )
-    return (
-        f"x_a = {x_a} nm stands for particles of {mean} nm on average and at most {largest} nm, "
-        f"which carry load at separations d below {reach} nm"
-    )
 
 
 def _words(conditions) -> str:

@@ -10,14 +10,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
-import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import checked_number, checked_numbers, entrainment_speed
 from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.inputs import or_calibrated
+
+if TYPE_CHECKING:
+    import pandas as pd
+
 
 STEEL_MODULUS = 205e9  # [Pa], not printed: E_ss of Table 1 follows from it
 POISSON_RATIO = 0.29  # of all bodies, Table 1
@@ -297,6 +301,8 @@ def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, N
 def derived_inputs(parameters: Parameters | None = None) -> pd.DataFrame:
     """The inputs that ``bearing`` derives: a row for each, with its value, unit and formula, and notes in
     ``attrs``."""
+    import pandas as pd  # slow to import, for inputs alone
+
     parameters = or_calibrated(parameters)
     table = pd.DataFrame(
         [

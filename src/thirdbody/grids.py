@@ -9,10 +9,10 @@ from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from shutil import disk_usage
+from typing import TYPE_CHECKING
 
 import netCDF4
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.attributes import coordinate_attributes, described_grid
@@ -27,6 +27,9 @@ from thirdbody.messages import format_path, format_value
 from thirdbody.netcdf import declare
 from thirdbody.progress import Progress
 from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
@@ -91,6 +94,8 @@ def grid(
     speeds = axes.pop("speed", None)
     if speeds is None:
         return _solved_grid(axes, axes, parameters, rtol, names, load_key, progress)
+    import xarray as xr
+
     films = without_speed({"viscosity": axes["viscosity"][:, None], "speed": speeds}, parameters)
     viscosities, places = np.unique(films["viscosity"], return_inverse=True)
     films = axes | {"viscosity": viscosities}
@@ -155,8 +160,7 @@ def stream(
     Examples
     --------
     >>> import tempfile
-    >>> import xarray as xr
-    >>> import thirdbody as tb
+    >>>     >>> import thirdbody as tb
     >>> oil = dict(viscosity_cSt=0, roughness_nm=300)
     >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
     >>> with tempfile.TemporaryDirectory() as folder:

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 ENDS = (0.05, 0.95)  # quantiles at the ends of the range over an ensemble
@@ -17,5 +16,7 @@ def spread(values: Iterable[float]) -> tuple[float, float] | None:
 
 def ranges(name: str, members: list[NDArray]) -> dict[str, NDArray]:
     """The same at each of several points, as columns ``_low`` and ``_high``; none of no members."""
+    import pandas as pd  # slow to import, where a job needs the ends alone
+
     ends = pd.DataFrame(members).quantile(ENDS).to_numpy() if members else ()  # ignores nan
     return dict(zip((f"{name}_low", f"{name}_high"), ends))

@@ -8,10 +8,9 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
-from thirdbody.paper.claims.judge import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
-from thirdbody.paper.figures.captions import markdown_text
+from thirdbody.paper.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 from thirdbody.paper.job_log import job
-from thirdbody.paper.typeset import html
+from thirdbody.paper.typeset import html, markdown_text
 
 FRONT = "fig11"  # the figure on the first screen
 # a line on each table

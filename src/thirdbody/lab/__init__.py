@@ -6,25 +6,32 @@ topographies, ``oil_viscosity`` and ``oil_grade`` the viscosity of oils, ``clean
 the particles per area of a film.
 """
 
-from thirdbody.lab.comparison import compare, plot_comparison
-from thirdbody.lab.debris import cleanliness, debris_density
-from thirdbody.lab.estimates import contact_resistance, friction
-from thirdbody.lab.fitting import fit
-from thirdbody.lab.oil import oil_grade, oil_viscosity
-from thirdbody.lab.roughness import equivalent_roughness
-from thirdbody.lab.topography import surface, surface_parameters
+from importlib import import_module
 
-__all__ = [
-    "cleanliness",
-    "compare",
-    "contact_resistance",
-    "debris_density",
-    "equivalent_roughness",
-    "fit",
-    "friction",
-    "oil_grade",
-    "oil_viscosity",
-    "plot_comparison",
-    "surface",
-    "surface_parameters",
-]
+_MODULES = {
+    "cleanliness": "debris",
+    "compare": "comparison",
+    "contact_resistance": "estimates",
+    "debris_density": "debris",
+    "equivalent_roughness": "roughness",
+    "fit": "fitting",
+    "friction": "estimates",
+    "oil_grade": "oil",
+    "oil_viscosity": "oil",
+    "plot_comparison": "comparison",
+    "surface": "topography",
+    "surface_parameters": "topography",
+}
+__all__ = [*_MODULES]
+
+
+def __getattr__(name: str):
+    """Import a name on first use: pandas and SciPy's optimizers are slow to import."""
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    """All names, imported or not."""
+    return __all__

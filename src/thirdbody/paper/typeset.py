@@ -4,6 +4,8 @@
 import re
 from html import escape
 
+# signs with a meaning in Markdown
+MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 GREEK = {"sigma": "σ", "eta": "η", "mu": "μ", "nu": "ν"}
 LETTER = re.compile(r"(?<![A-Za-z])(sigma|eta|mu|nu)(?![A-Za-z])")
 SYMBOL = re.compile(
@@ -72,3 +74,8 @@ def _power(found):
     """What is before the ten, and the exponent."""
     factor, sign, exponent = found.groups()
     return "" if factor == "1" else f"{factor}×", exponent if sign != "-" else f"−{exponent}"
+
+
+def markdown_text(text: str) -> str:
+    """A text for Markdown, in which its signs have no meaning."""
+    return MARKUP.sub(r"\\\g<0>", text)

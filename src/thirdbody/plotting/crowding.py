@@ -8,7 +8,6 @@ from matplotlib.lines import Line2D
 from matplotlib.text import Text
 from matplotlib.transforms import ScaledTranslation
 from numpy.typing import NDArray
-from scipy.optimize import isotonic_regression
 
 NEAR = 0.03  # marks closer than this coincide, in widths and heights of a panel
 MOST_NAMES = 12  # of curves, written at their ends; a key has all
@@ -87,6 +86,8 @@ def _joined(texts) -> str:
 
 def _spread(heights) -> NDArray:
     """Heights of texts, as near as possible to the increasing ``heights`` and a line apart, in the panel."""
+    from scipy.optimize import isotonic_regression  # slow to import, for figures without such texts
+
     lines = LINE * np.arange(len(heights))
     spread = isotonic_regression(np.array(heights) - lines).x + lines
     spread -= max(spread[-1] - TOP, 0.0)

@@ -5,7 +5,6 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
-import pandas as pd
 from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
@@ -62,6 +61,8 @@ AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
 def read_turning_points(path: str | PathLike) -> list[dict[str, Any]]:
     """Rows of a file of the table ``tpca_loads``, with the names of conditions."""
     names = {axis.column: axis.name for axis in CONDITION_AXES}
+    import pandas as pd  # of all figures, few read a table
+
     return pd.read_csv(path).rename(columns=names).to_dict("records")
 
 

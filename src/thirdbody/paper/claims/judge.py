@@ -8,9 +8,8 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.paper.claims.claim import Claim, Verdict
 from thirdbody.paper.claims.claims import referenced_conditions
 from thirdbody.paper.claims.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence
+from thirdbody.paper.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 
-HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
-CONTRADICTED = "contradicted by the paper itself"
 Verdicts = Mapping[str, Verdict]  # by the id of the statement
 
 

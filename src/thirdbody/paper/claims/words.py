@@ -1,4 +1,4 @@
-"""What a check has found, as a sentence beside the statement of the paper."""
+"""The words of verdicts, and what a check has found as a sentence beside the statement of the paper."""
 
 from collections.abc import Mapping, Sequence
 
@@ -6,6 +6,9 @@ import numpy as np
 
 from thirdbody.variables import QUANTITIES
 
+# verdicts
+HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
+CONTRADICTED = "contradicted by the paper itself"
 # a quantity as the subject of a sentence, where it is not its symbol
 NAMES = {name: each.symbol for name, each in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",

@@ -1,6 +1,5 @@
 """Captions and alternative texts, from the tables below and from the panels of a figure."""
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -9,6 +8,7 @@ import numpy as np
 from thirdbody.curves import Condition
 from thirdbody.paper.figures import printed
 from thirdbody.paper.figures.curves import OURS
+from thirdbody.paper.typeset import markdown_text
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel
 from thirdbody.plotting.scales import (
@@ -23,7 +23,6 @@ from thirdbody.plotting.scales import (
 from thirdbody.variables import AXES
 
 LEAST_OUTSIDE = 0.005  # of a curve, of a fraction or of its height: half a line's width
-MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,11 +49,6 @@ class Caption:
     def markdown(self) -> str:
         """Two paragraphs of Markdown or reStructuredText."""
         return f"**{markdown_text(self.heading)}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
-
-
-def markdown_text(text: str) -> str:
-    """A text for Markdown, in which its signs have no meaning."""
-    return MARKUP.sub(r"\\\g<0>", text)
 
 
 # figures whose captions do not follow from curves
