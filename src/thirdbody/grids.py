@@ -160,7 +160,8 @@ def stream(
     Examples
     --------
     >>> import tempfile
-    >>>     >>> import thirdbody as tb
+    >>> import xarray as xr
+    >>> import thirdbody as tb
     >>> oil = dict(viscosity_cSt=0, roughness_nm=300)
     >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
     >>> with tempfile.TemporaryDirectory() as folder:

@@ -6,7 +6,7 @@ import json
 import yaml
 from workspace import INTERPRETATIONS, MINIMAL, NEARBY, Workspace
 
-from thirdbody.inputs import load_parameters
+from thirdbody.inputs import DEFAULT, load_parameters
 
 
 def files(workspace: Workspace, pattern):
@@ -21,7 +21,8 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     found = files(calibrated, "results/calibration")
     assert set(found) == {f"{name}.yaml" for name in INTERPRETATIONS}
     adopted = files(calibrated, "config/calibrated")
-    assert set(adopted) == set(found)  # what is not in the ranking is kept no longer
+    # what is not in the ranking is kept no longer, but for what the configuration names
+    assert set(adopted) == {*found, f"{DEFAULT}.yaml"}
     chosen = chosen_of(calibrated)
     for name, content in found.items():
         expected = yaml.safe_load(content)
