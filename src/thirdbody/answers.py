@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from thirdbody.bearings import hertz_contact
+from thirdbody.bearings import hertz_contact, speed_note
 from thirdbody.conditions import axis_of, check_count, without_warnings
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.lab.comparison import read_runs, solve_runs
 from thirdbody.points import Solution, solve
-from thirdbody.ranges import ranges, spread
+from thirdbody.ranges import range_note, ranges, spread
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
 from thirdbody.sizes import sizes_note
 from thirdbody.variables import FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
@@ -328,6 +328,8 @@ def _notes(parameters, conditions, status) -> list[str]:
     if 0.0 < count < 1.0:
         area = 1e6 * parameters.apparent_area
         notes.append(f"{count:.2g} particles in A_n = {area:.3g} mm2: most contacts have none")
+    if "speed_m_per_s" in conditions:
+        notes.append(speed_note(parameters))
     return notes + _ensemble_notes(parameters, conditions)
 
 
@@ -338,13 +340,6 @@ def _ensemble_notes(parameters, conditions) -> list[str]:
     if all(layer):  # neither without particles nor along one of these
         notes = [sizes_note(1e-9 * layer[0], 1e-9 * layer[1], parameters)]
     return [*notes, range_note(parameters.members)]
-
-
-def range_note(members: Sequence[Parameters]) -> str:
-    """What a range is, once for an answer with ``members`` of the ensemble."""
-    if not members:
-        return "no range: these inputs have no ensemble"
-    return f"ranges are 5 to 95 % over {len(members)} sets of inputs that explain the paper about equally well"
 
 
 def _words(conditions) -> str:

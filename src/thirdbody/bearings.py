@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import checked_number, checked_numbers, entrainment_speed
+from thirdbody.conditions import checked_number, checked_numbers, density_of_oil, entrainment_speed
 from thirdbody.core.parameters import OIL_DENSITY, Parameters
 from thirdbody.inputs import or_calibrated
 
@@ -282,10 +282,9 @@ def _are_of(rig, parameters):
     return bool(np.allclose(rig.moduli, moduli, rtol=2e-3, atol=0.0))
 
 
-def speed_note(parameters: Parameters, oil_density_kg_per_m3: float | None = None) -> str:
+def speed_note(parameters: Parameters) -> str:
     """The speed that the inputs stand for, in words."""
-    density = oil_density_kg_per_m3 or getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
-    speed = entrainment_speed(parameters, density)
+    density, speed = density_of_oil(parameters), entrainment_speed(parameters)
     return (
         f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {speed:.3g} m/s"
     )

@@ -262,7 +262,9 @@ def compare_data(
     roughness_nm: Roughness = None,
     particle_density_per_m2: Density = None,
     speed_m_per_s: _option("speed-m-per-s", "entrainment speed, if not a column [m/s]") = None,
-    oil_density_kg_per_m3: _option("oil-density-kg-per-m3", "for speeds, 850 [kg m-3]") = None,
+    oil_density_kg_per_m3: _option(
+        "oil-density-kg-per-m3", "for speeds, as in the inputs [kg m-3]"
+    ) = None,
     boundary_friction: _option("boundary-friction", "of the solids, else fitted [1]") = None,
     film_friction: _option("film-friction", "of the film, else fitted [1]") = None,
     resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies, else fitted [ohm m]") = None,

@@ -124,13 +124,16 @@ def axis_of(key: str) -> Axis:
     return _BY_NAME[key]
 
 
+def density_of_oil(parameters: Parameters) -> float:
+    """The density of the oil [kg m-3] that the inputs stand for: that given to ``thirdbody.bearing``, or else 850."""
+    return getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
+
+
 def entrainment_speed(parameters: Parameters, oil_density: float | None = None) -> float:
     """The speed u = (u_1 + u_2)/2 [m/s] that the inputs stand for: U/nu = rho u/(E_ss R_x), with the density rho of the
-    oil [kg m-3], by default that of ``thirdbody.bearing``, or else 850."""
-    if oil_density is None:
-        oil_density = getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
+    oil [kg m-3], by default that of the inputs."""
     stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
-    return parameters.speed_per_viscosity * stiffness / oil_density
+    return parameters.speed_per_viscosity * stiffness / (oil_density or density_of_oil(parameters))
 
 
 def without_speed(arrays: Mapping[str, NDArray], parameters: Parameters) -> dict[str, NDArray]:

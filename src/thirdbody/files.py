@@ -10,7 +10,6 @@ import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
 
 from thirdbody.messages import format_path, format_value
 
@@ -95,19 +94,6 @@ def _place(path: str | Path) -> Path:
         message = f"{format_value(path)} is not a file name"
         raise ValueError(f"{message}; allowed: the path of a file to write")
     return Path(os.path.realpath(place)) if os.path.islink(place) else place
-
-
-def readable_file(name: str, given: Any, allowed: str) -> Path:
-    """``given``, the argument ``name``, as a path; ``ValueError`` unless it is a path, ``OSError`` unless a
-    file is there that can be read."""
-    if not isinstance(given, str | os.PathLike) or "\0" in str(given):
-        raise ValueError(f"{name} is {format_value(given)}; allowed: {allowed}")
-    try:
-        with open(given, "rb"):
-            return Path(given)
-    except OSError as error:
-        message = f"{format_path(given)} cannot be read ({error.strerror})"
-        raise type(error)(message) from None
 
 
 class DamagedFile(OSError):

@@ -8,6 +8,7 @@ from methods import ENGINEERING
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody import answers
 from thirdbody.conditions import entrainment_speed
 from thirdbody.variables import QUANTITIES
 
@@ -42,6 +43,17 @@ def test_a_speed_of_the_bearing_is_that_of_its_oil(parameters):
     faster = tb.bearing(parameters, speed_m_per_s=3.0, oil_density_kg_per_m3=870.0)
     other = tb.solve(**ENGINEERING, speed_m_per_s=3.0, parameters=inputs).separation
     assert_allclose(tb.solve(**ENGINEERING, parameters=faster).separation, other)
+
+
+def test_members_of_a_bearing_have_its_oil():
+    inputs = tb.bearing(speed_m_per_s=2.0, oil_density_kg_per_m3=870.0).changed(truncation=3.0)
+    assert inputs.members
+    for member in inputs.members:
+        assert entrainment_speed(member) == pytest.approx(2.0)
+    without = answers.state(inputs, ENGINEERING)
+    at_speed = answers.state(inputs, ENGINEERING | {"speed_m_per_s": 2.0})
+    for column in ("low", "high"):
+        assert_allclose(at_speed[column], without[column], rtol=1e-9)
 
 
 def test_a_grid_over_speeds_has_six_axes(parameters, speed):

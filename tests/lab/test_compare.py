@@ -79,6 +79,7 @@ def test_a_speed_and_an_oil_are_those_of_bearing(runs, rest):
         tb.lab.compare(runs(), **oil, **rest),
         tb.lab.compare(runs(), **units, **rest),
         tb.lab.compare(runs(**{"speed [m/s]": 2.0}), oil_density_kg_per_m3=870, **rest),
+        tb.lab.compare(runs(**{"speed [m/s]": 2.0}), parameters=tb.bearing(**oil), **rest),
     ):
         for name in (f"{FRACTION}_model", f"{FRACTION}_low"):
             np.testing.assert_allclose(found[name], expected[name], rtol=1e-9)

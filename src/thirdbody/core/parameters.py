@@ -322,8 +322,8 @@ class Parameters:
         return inputs
 
     def with_rig(self, rig: object) -> "Parameters":
-        """The same inputs and members, derived from this ``rig``."""
-        inputs = self.with_members(self.members)
+        """The same inputs and members, all derived from this ``rig``."""
+        inputs = self.with_members(member.with_rig(rig) for member in self.members)
         object.__setattr__(inputs, "rig", rig)
         return inputs
 

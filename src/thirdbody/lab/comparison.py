@@ -11,18 +11,19 @@ from numpy.typing import ArrayLike
 from thirdbody.bearings import speed_note
 from thirdbody.conditions import (
     checked_number,
+    density_of_oil,
     entrainment_speed,
     from_si,
     numbers_in,
     read_conditions,
     without_warnings,
 )
-from thirdbody.core.parameters import OIL_DENSITY, Parameters
+from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
 from thirdbody.lab.estimates import MEASURED, fitted_coefficients, measurable
 from thirdbody.lab.reading import SPEED, UNITS, read_measured
 from thirdbody.points import Solution, solve
-from thirdbody.ranges import ranges
+from thirdbody.ranges import range_note, ranges
 from thirdbody.variables import BY_ALIAS, decimal
 
 CURVE = 80  # points of the model between the measurements
@@ -60,7 +61,7 @@ def compare(
         Entrainment speed [m/s], the mean of both surface speeds, if it is not a column; by default that of
         ``parameters``.
     oil_density_kg_per_m3 : float or quantity, optional
-        For speeds, the density of the oil [kg m-3], by default 850.
+        For speeds, the density of the oil [kg m-3], by default that of ``parameters``.
     **conditions
         Conditions that are not columns, as in ``thirdbody.solve``.
 
@@ -105,7 +106,7 @@ def compare(
     if speed_m_per_s is not None:
         conditions = dict(**conditions, **{SPEED: speed_m_per_s})
     observed, table, notes = read_runs(measured, parameters, conditions)
-    density = oil_density(oil_density_kg_per_m3, SPEED in table)
+    density = oil_density(oil_density_kg_per_m3, parameters, SPEED in table)
     inputs = parameters, *parameters.members
     solutions = solve_runs(table, inputs, density)
     coefficients, fits = fitted_coefficients(
@@ -131,12 +132,7 @@ def compare(
         notes.append(f"speeds are those in an oil of {density:g} kg/m3")
     elif table["viscosity_cSt"].any():
         notes.append(speed_note(parameters))
-    count = len(parameters.members)
-    notes.append(
-        f"ranges are 5 to 95 % over {count} sets of inputs that explain the paper about equally well"
-        if count
-        else "no range: the inputs have no members"
-    )
+    notes.append(range_note(parameters.members))
     unsolved = int(np.isnan(solutions[0].separation).sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
@@ -245,10 +241,10 @@ def read_runs(
     return observed, pd.DataFrame(table, observed.index).astype(float), notes
 
 
-def oil_density(density: float | None, has_speeds: bool) -> float:
-    """The density of the oil [kg m-3], for speeds."""
+def oil_density(density: float | None, parameters: Parameters, has_speeds: bool) -> float:
+    """The density of the oil [kg m-3], for speeds: by default that of ``parameters``."""
     if density is None:
-        return OIL_DENSITY
+        return density_of_oil(parameters)
     if not has_speeds:
         raise ValueError(f"oil_density_kg_per_m3 is {density}, without speeds; allowed: None")
     return checked_number("oil_density_kg_per_m3", density, unit="kg m-3")

@@ -114,7 +114,7 @@ def fit(
         observed=observed,
         errors=_errors(observed, checked_number("relative_error", relative_error)),
         conditions=table,
-        density=oil_density(oil_density_kg_per_m3, SPEED in table),
+        density=oil_density(oil_density_kg_per_m3, parameters, SPEED in table),
     )
     logarithms, covariance = _solved(misfit)
     changes, coefficients = misfit.inputs(logarithms)
