@@ -47,7 +47,7 @@ def runs(parameters: Parameters, path: str, conditions: Conditions) -> pd.DataFr
     """The state of each row of a table of conditions, a CSV file with units in its headings; ``conditions`` are those
     that are no columns.  Variables are in SI, with the ends of their ranges in columns ``_low`` and ``_high``."""
     _, table, notes = read_runs(path, parameters, conditions, is_measured=False)
-    solutions = solve_runs(table, (parameters, *parameters.members), None)
+    solutions = solve_runs(table, (parameters, *parameters.members))
     columns = _with_ranges(solutions, [name for name in QUANTITIES if name not in COMPLEMENTS])
     table = table.assign(**{name: values.to_numpy() for name, values in columns.items()})
     table.attrs["notes"] = [*notes, range_note(parameters.members)]

@@ -230,7 +230,6 @@ def bearing(
         raise ValueError(message.format(*texts))
     if speed is not None:
         changes["speed_per_viscosity"] = density * speed / (modulus * radius)
-        rig = replace(rig or Rig(), oil_density_kg_per_m3=density)
     if "pressure_viscosity_per_GPa" in numbers:
         changes["material_parameter"] = numbers["pressure_viscosity_per_GPa"] * modulus / GIGA
     if "apparent_area_mm2" in numbers:
@@ -238,9 +237,16 @@ def bearing(
     if "ellipticity" in numbers:
         changes["ellipticity"] = numbers["ellipticity"]
     inputs = parameters.changed(**changes).with_rig(rig)
+    if density is not None:
+        inputs = with_oil_density(inputs, density)
     if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
         inputs.check_ball()
     return inputs
+
+
+def with_oil_density(parameters: Parameters, density: float) -> Parameters:
+    """The same inputs, of which a speed is that in an oil of this ``density`` [kg m-3]."""
+    return parameters.with_rig(replace(parameters.rig or Rig(), oil_density_kg_per_m3=density))
 
 
 def _of_materials(parameters, materials):

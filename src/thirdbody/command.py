@@ -12,17 +12,12 @@ from typing import Annotated, Any
 
 import typer
 
-from thirdbody.variables import BY_ALIAS, CONDITIONS
+from thirdbody.variables import AXES, CONDITIONS
 
 ANSWERED, NONE_FOUND, BAD_INPUT = 0, 1, 2  # exit codes
 MATERIALS = (
     "steel, silicon-nitride, alumina, or modulus [GPa], Poisson's ratio, hardness [GPa]: 205,0.29,5"
 )
-LOAD = "normal load [N]"
-VISCOSITY = "kinematic viscosity of the oil, 0 if dry [cSt]"
-SIZE = "mean particle diameter x_a, 0 if none [nm]"
-ROUGHNESS = "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2) [nm]"
-DENSITY = "particles per area, 0 if none [m-2]"
 
 
 def _option(name: str, text: str, kind: type = float, metavar: str = "NUMBER") -> Any:
@@ -30,12 +25,26 @@ def _option(name: str, text: str, kind: type = float, metavar: str = "NUMBER") -
     return Annotated[kind | None, typer.Option(f"--{name}", help=text, metavar=metavar)]
 
 
-Load = _option("load-N", LOAD)
-Viscosity = _option("viscosity-cSt", VISCOSITY)
-Size = _option("particle-diameter-nm", SIZE)
-Roughness = _option("roughness-nm", ROUGHNESS)
-Density = _option("particle-density-per-m2", DENSITY)
-Speed = _option("speed-m-per-s", "entrainment speed; default: that of the inputs [m/s]")
+def _condition(name: str, text: str, before: str = "") -> Any:
+    """The type of an argument that the option of a condition sets, with its name and unit in the table of variables."""
+    axis = CONDITIONS[name]
+    return _option(before + axis.alias.replace("_", "-"), f"{text} [{axis.alias_unit}]")
+
+
+HELP = {
+    "load": "normal load",
+    "viscosity": "kinematic viscosity of the oil, 0 if dry",
+    "particle_diameter": "mean particle diameter x_a, 0 if none",
+    "roughness": "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2)",
+    "particle_density": "particles per area, 0 if none",
+    "speed": "entrainment speed; default: that of the inputs",
+}
+Load, Viscosity, Size, Roughness, Density, Speed = (
+    _condition(name, text) for name, text in HELP.items()
+)
+OtherLoad, OtherViscosity, OtherSize, OtherRoughness, OtherDensity = (
+    _condition(name, "of the second interface", "other-") for name in AXES
+)
 Along = _option("along", f"condition that varies: {', '.join(CONDITIONS)}", str, "CONDITION")
 First = _option("from", "first value, in the unit of its option")
 Last = _option("to", "last value, in the unit of its option")
@@ -86,12 +95,12 @@ def state(
     file: Annotated[
         str | None, typer.Argument(metavar="[FILE]", help="CSV of conditions, with --csv")
     ] = None,
-    load_N: Load = None,
-    viscosity_cSt: Viscosity = None,
-    particle_diameter_nm: Size = None,
-    roughness_nm: Roughness = None,
-    particle_density_per_m2: Density = None,
-    speed_m_per_s: Speed = None,
+    load: Load = None,
+    viscosity: Viscosity = None,
+    particle_diameter: Size = None,
+    roughness: Roughness = None,
+    particle_density: Density = None,
+    speed: Speed = None,
     csv: Csv = None,
     inputs: Inputs = None,
     as_json: Json = False,
@@ -125,12 +134,12 @@ def transitions(
     along: Along = "load",
     first: First = None,
     last: Last = None,
-    load_N: Load = None,
-    viscosity_cSt: Viscosity = None,
-    particle_diameter_nm: Size = None,
-    roughness_nm: Roughness = None,
-    particle_density_per_m2: Density = None,
-    speed_m_per_s: Speed = None,
+    load: Load = None,
+    viscosity: Viscosity = None,
+    particle_diameter: Size = None,
+    roughness: Roughness = None,
+    particle_density: Density = None,
+    speed: Speed = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
@@ -154,11 +163,11 @@ def transitions(
 def turning_point(
     first: First = 0.04,
     last: Last = 80.0,
-    viscosity_cSt: Viscosity = None,
-    particle_diameter_nm: Size = None,
-    roughness_nm: Roughness = None,
-    particle_density_per_m2: Density = None,
-    speed_m_per_s: Speed = None,
+    viscosity: Viscosity = None,
+    particle_diameter: Size = None,
+    roughness: Roughness = None,
+    particle_density: Density = None,
+    speed: Speed = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
@@ -181,12 +190,12 @@ def curve(
     first: First,
     last: Last,
     count: _option("count", "number of points", int) = 60,
-    load_N: Load = None,
-    viscosity_cSt: Viscosity = None,
-    particle_diameter_nm: Size = None,
-    roughness_nm: Roughness = None,
-    particle_density_per_m2: Density = None,
-    speed_m_per_s: Speed = None,
+    load: Load = None,
+    viscosity: Viscosity = None,
+    particle_diameter: Size = None,
+    roughness: Roughness = None,
+    particle_density: Density = None,
+    speed: Speed = None,
     csv: Csv = None,
     plot: Plot = None,
     inputs: Inputs = None,
@@ -214,16 +223,16 @@ def curve(
     )
 )
 def compare(
-    load_N: Load = None,
-    viscosity_cSt: Viscosity = None,
-    particle_diameter_nm: Size = None,
-    roughness_nm: Roughness = None,
-    particle_density_per_m2: Density = None,
-    other_load_N: _option("other-load-N", f"of the second interface: {LOAD}") = None,
-    other_viscosity_cSt: _option("other-viscosity-cSt", VISCOSITY) = None,
-    other_particle_diameter_nm: _option("other-particle-diameter-nm", SIZE) = None,
-    other_roughness_nm: _option("other-roughness-nm", ROUGHNESS) = None,
-    other_particle_density_per_m2: _option("other-particle-density-per-m2", DENSITY) = None,
+    load: Load = None,
+    viscosity: Viscosity = None,
+    particle_diameter: Size = None,
+    roughness: Roughness = None,
+    particle_density: Density = None,
+    other_load: OtherLoad = None,
+    other_viscosity: OtherViscosity = None,
+    other_particle_diameter: OtherSize = None,
+    other_roughness: OtherRoughness = None,
+    other_particle_density: OtherDensity = None,
     other_inputs: _option("other-inputs", "inputs of the second interface", str, "FILE") = None,
     inputs: Inputs = None,
     as_json: Json = False,
@@ -233,7 +242,7 @@ def compare(
 
     given = locals()
     conditions = _conditions(given)
-    changes = {key: given[f"other_{key}"] for key in BY_ALIAS if given[f"other_{key}"] is not None}
+    changes = _by_alias({name: given[f"other_{name}"] for name in AXES})
     if not changes and other_inputs is None:
         raise ValueError(
             "--other-... is missing; allowed: one or more, as --other-viscosity-cSt 120"
@@ -256,12 +265,12 @@ def compare_data(
     file: Annotated[
         str, typer.Argument(metavar="FILE", help="CSV with units in its headings, as load [N]")
     ],
-    load_N: Load = None,
-    viscosity_cSt: Viscosity = None,
-    particle_diameter_nm: Size = None,
-    roughness_nm: Roughness = None,
-    particle_density_per_m2: Density = None,
-    speed_m_per_s: _option("speed-m-per-s", "entrainment speed, if not a column [m/s]") = None,
+    load: Load = None,
+    viscosity: Viscosity = None,
+    particle_diameter: Size = None,
+    roughness: Roughness = None,
+    particle_density: Density = None,
+    speed: Speed = None,
     oil_density_kg_per_m3: _option(
         "oil-density-kg-per-m3", "for speeds, as in the inputs [kg m-3]"
     ) = None,
@@ -279,11 +288,9 @@ def compare_data(
     given = locals()
     _check_files(csv, plot)
     parameters = _parameters(inputs)
-    names = "speed_m_per_s", "oil_density_kg_per_m3"
-    names += "boundary_friction", "film_friction", "resistivity_ohm_m"
-    arguments = {name: given[name] for name in names}
-    conditions = {key: given[key] for key in BY_ALIAS if given[key] is not None}
-    table = comparison.compare(file, parameters=parameters, **arguments, **conditions)
+    names = "oil_density_kg_per_m3", "boundary_friction", "film_friction", "resistivity_ohm_m"
+    coefficients = {name: given[name] for name in names}
+    table = comparison.compare(file, parameters=parameters, **coefficients, **_by_alias(given))
     if plot is not None:
         _save(comparison.plot_comparison(table, parameters), plot)
     if csv is not None:
@@ -352,13 +359,20 @@ def _conditions(
     in a file.  The speed may be missing."""
     if without is not None and without not in CONDITIONS:
         raise ValueError(f"--along is {without!r}; allowed: {', '.join(CONDITIONS)}")
-    keys = [axis.alias for axis in CONDITIONS.values() if axis.name != without]
-    conditions = {key: arguments[key] for key in keys if arguments.get(key) is not None}
-    missing = [key for key in keys if key in BY_ALIAS and key not in conditions]
+    missing = [name for name in AXES if name != without and arguments.get(name) is None]
     if missing and not in_file:
-        options = ", ".join(f"--{key.replace('_', '-')}" for key in missing)
+        options = ", ".join(f"--{AXES[name].alias.replace('_', '-')}" for name in missing)
         raise ValueError(f"missing: {options}")
-    return conditions
+    return _by_alias({name: value for name, value in arguments.items() if name != without})
+
+
+def _by_alias(arguments: Mapping[str, Any]) -> dict[str, float]:
+    """The conditions that are given among the arguments, by their aliases."""
+    return {
+        axis.alias: arguments[name]
+        for name, axis in CONDITIONS.items()
+        if arguments.get(name) is not None
+    }
 
 
 def _parameters(path: str | None) -> Any:

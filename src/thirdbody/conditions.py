@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
-NEVER_ZERO = "load", "roughness", "speed"  # the others are 0 without oil or particles
+NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles, or at rest
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 LEAST_COVERAGE = (
     1e-290  # x_a^2 eta_a [1], below which float64 has too few digits for the area of particles
@@ -77,7 +77,7 @@ def read_conditions(
     arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
 ) -> Conditions:
     """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``;
-    and the speed, if it is among them.
+    and the speed, if it is among them.  An argument that is None is not given.
 
     Raises
     ------
@@ -95,6 +95,8 @@ def read_conditions(
     values = {}
     for key, value in arguments.items():
         axis = axis_of(key)
+        if value is None:
+            continue
         if axis.name in values or axis.name == without:
             reason = "is searched along" if axis.name == without else "is given twice"
             raise ValueError(f"{key}: {axis.name} {reason}; allowed: each condition once")
@@ -129,11 +131,11 @@ def density_of_oil(parameters: Parameters) -> float:
     return getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
 
 
-def entrainment_speed(parameters: Parameters, oil_density: float | None = None) -> float:
+def entrainment_speed(parameters: Parameters) -> float:
     """The speed u = (u_1 + u_2)/2 [m/s] that the inputs stand for: U/nu = rho u/(E_ss R_x), with the density rho of the
-    oil [kg m-3], by default that of the inputs."""
+    oil."""
     stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
-    return parameters.speed_per_viscosity * stiffness / (oil_density or density_of_oil(parameters))
+    return parameters.speed_per_viscosity * stiffness / density_of_oil(parameters)
 
 
 def without_speed(arrays: Mapping[str, NDArray], parameters: Parameters) -> dict[str, NDArray]:

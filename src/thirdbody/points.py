@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from thirdbody.conditions import (
     broadcast_by_name,
@@ -22,69 +22,39 @@ from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import VARIABLES
 from thirdbody.inputs import or_calibrated
 from thirdbody.progress import Progress
+from thirdbody.variables import with_table
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
 
+@with_table
 def solve(
     *,
-    load: ArrayLike | None = None,
-    load_N: ArrayLike | None = None,
-    viscosity: ArrayLike | None = None,
-    viscosity_cSt: ArrayLike | None = None,
-    particle_diameter: ArrayLike | None = None,
-    particle_diameter_nm: ArrayLike | None = None,
-    roughness: ArrayLike | None = None,
-    roughness_nm: ArrayLike | None = None,
-    particle_density: ArrayLike | None = None,
-    particle_density_per_m2: ArrayLike | None = None,
-    speed_m_per_s: ArrayLike | None = None,
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
     progress: bool = True,
+    **conditions: ArrayLike,
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
 
-    Each of the five conditions is given once, under one of its two names, and they broadcast against each
-    other.  A condition is a number or an array of numpy, a list of numbers, a column of pandas, an array of
-    xarray or a quantity of pint.  Numbers are in the unit of the name; quantities, and arrays of xarray with
-    the attribute ``units``, are converted.
+    Each of the five conditions is given once, under one of its two names, and they broadcast against each other.
+    The speed is by default that of ``parameters``.  A condition is a number or an array of numpy, a list of numbers,
+    a column of pandas, an array of xarray or a quantity of pint.  Numbers are in the unit of the name; quantities,
+    and arrays of xarray with the attribute ``units``, are converted.
 
     Parameters
     ----------
-    load : array_like
-        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive.
-    load_N : array_like
-        Load F_t [N], positive.
-    viscosity : array_like
-        Kinematic viscosity nu of the lubricant [m2/s]; 0 for dry contact.
-    viscosity_cSt : array_like
-        The same [cSt].
-    particle_diameter : array_like
-        Mean diameter of the paper, x_a [m]; 0 for two-body contact.  With a ``mean_ratio`` of 0 in
-        ``parameters`` nearly all particles are smaller.
-    particle_diameter_nm : array_like
-        The same [nm].
-    roughness : array_like
-        Equivalent root mean square roughness sigma [m], of two surfaces from ``thirdbody.lab.equivalent_roughness``.
-    roughness_nm : array_like
-        The same [nm].
-    particle_density, particle_density_per_m2 : array_like
-        Number eta_a of particles per area [m-2]; 0 for two-body contact.
-    speed_m_per_s : array_like, optional
-        Entrainment speed u = (u_1 + u_2)/2 [m/s], by default that of ``parameters``; the speed of a disc under a
-        ball that does not turn is twice that.  The density of the oil is that given to ``thirdbody.bearing``,
-        or else 850 kg/m3.
+    {conditions}
     parameters : Parameters, optional
         Materials, geometry and interpretations of the model, by default the calibrated ones.
     rtol : float
         Requested relative error of every variable [1], from 1e-11 to 1e-2.  A larger one saves little time
         here, much in ``grid``.
     variables : str or collection of str, optional
-        Names of the variables of ``Solution`` to keep; the others are None.
+        Names of the variables to keep, by default all those of ``Solution``.
     progress : bool
         Whether a long call reports its progress on standard error.
 
@@ -97,16 +67,23 @@ def solve(
     Raises
     ------
     ValueError
-        For a condition of another kind, one that is missing or given twice, a negative, infinite or missing number, a load or
-        roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
-        outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft
-        that the ``elastic_factor`` of ``parameters`` is above 1.
+        For a condition of another kind, one that is missing or given twice, a negative, infinite or missing number,
+        a load or roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
+        outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft that
+        the ``elastic_factor`` of ``parameters`` is above 1.
 
     Warns
     -----
     OutOfRangeWarning
         Once, for numbers that are probably in another unit: F_t* outside 1e-13 to 0.02, nu 3e-7 to
         0.01 m2/s, x_a and sigma 1 nm to 1 mm, eta_a 1e6 to 1e16 m-2.
+
+    Notes
+    -----
+    ``thirdbody.lab.equivalent_roughness`` gives the roughness of two surfaces.  The diameter is the mean of the
+    paper: with a ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The speed of a disc under
+    a ball that does not turn is twice the entrainment speed (u_1 + u_2)/2.  The density of the oil is that given to
+    ``thirdbody.bearing``, or else 850 kg/m3.
 
     Examples
     --------
@@ -129,24 +106,10 @@ def solve(
     >>> points.solid_load_fraction.sel(oil="thick").round(4).values
     array([0.9997, 0.713 ])
     """
-    conditions = {
-        "load": load,
-        "load_N": load_N,
-        "viscosity": viscosity,
-        "viscosity_cSt": viscosity_cSt,
-        "particle_diameter": particle_diameter,
-        "particle_diameter_nm": particle_diameter_nm,
-        "roughness": roughness,
-        "roughness_nm": roughness_nm,
-        "particle_density": particle_density,
-        "particle_density_per_m2": particle_density_per_m2,
-        "speed_m_per_s": speed_m_per_s,
-    }
     parameters = or_calibrated(parameters)
     check_rtol(rtol)
     names = checked_variables(variables, VARIABLES)
-    arguments = {key: value for key, value in conditions.items() if value is not None}
-    read = read_conditions(arguments, parameters)
+    read = read_conditions(conditions, parameters)
     arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
     arrays = without_speed(arrays, parameters)
     points = np.broadcast(*arrays.values()).size
@@ -156,7 +119,7 @@ def solve(
     if pattern is not None:
         values = {name: pattern.copy(data=array).rename(name) for name, array in values.items()}
     return Solution(
-        **values,
+        variables=values,
         conditions=read.arrays | read.labelled,
         keys=read.keys,
         newtons_per_load=parameters.newtons_per_load,
@@ -164,34 +127,25 @@ def solve(
     )
 
 
-@dataclass(frozen=True, eq=False)
+@with_table
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Solution:
     """Solved points: what ``solve`` returns.
 
-    Every variable is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
-    one of them is), or None if it was not requested.  Points without solution hold nan, and ``without_values``
-    for regime and mode.  In a full film hardly anything touches, and the mode says little: the printed form
-    and tables have none.
+    Every variable is an attribute, an array of the broadcast shape of the conditions (of xarray if one of them
+    is).  Points without solution hold nan, and ``without_values`` for regime and mode.  In a full film hardly
+    anything touches, and the mode says little: the printed form and tables have none.
+
+    Regime, mode and status are ``LubricationRegime``, ``ContactMode`` and ``SolutionStatus`` of
+    ``thirdbody.core.regimes``, integers that are equal to their names: ``solution.contact_mode == "hybrid"``.
+    ``error_bound`` is the change of loads and areas between two separations at which the forces are too large
+    and too small, plus rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
 
     Attributes
     ----------
-    total_contact_area : array
-        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eqs. 3 and 5).
-    particle_contact_area_ratio, surface_contact_area_ratio : array
-        A_sa,t* and A_ss,t* [1] (Eq. 10).
-    solid_load_fraction, fluid_load_fraction : array
-        L_s and L_f [1] (Eq. 9).
-    separation : array
-        Mean separation d [m].
-    film_thickness : array
-        H_c = d/R_x [1] (Eq. 7); in dry contact the separation alone.
-    lubrication_regime, contact_mode, solution_status : array of object
-        ``LubricationRegime``, ``ContactMode`` and ``SolutionStatus`` of ``thirdbody.core.regimes``, integers
-        that are equal to their names: ``solution.contact_mode == "hybrid"``.
-    error_bound : array
-        Bound on the relative error of every quantity [1], if the quantity is above 2.2e-308: the change of
-        loads and areas between two separations at which the forces are too large and too small, plus
-        rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
+    {variables}
+    variables : mapping
+        Those that were requested, by name.
     conditions : mapping
         The conditions by name, SI: arrays that broadcast to the shape.
     keys : mapping
@@ -203,27 +157,20 @@ class Solution:
         That of columns of pandas that were given.
     """
 
-    total_contact_area: NDArray | None = None
-    particle_contact_area_ratio: NDArray | None = None
-    surface_contact_area_ratio: NDArray | None = None
-    solid_load_fraction: NDArray | None = None
-    fluid_load_fraction: NDArray | None = None
-    separation: NDArray | None = None
-    film_thickness: NDArray | None = None
-    lubrication_regime: NDArray | None = None
-    contact_mode: NDArray | None = None
-    solution_status: NDArray | None = None
-    error_bound: NDArray | None = None
-    conditions: Mapping[str, Any] = field(default_factory=dict)
-    keys: Mapping[str, str] = field(default_factory=dict)
-    newtons_per_load: float = 1.0
+    variables: Mapping[str, Any]
+    conditions: Mapping[str, Any]
+    keys: Mapping[str, str]
+    newtons_per_load: float
     index: pd.Index | None = None
 
-    @property
-    def variables(self) -> dict[str, Any]:
-        """The requested variables, by name."""
-        values = {name: getattr(self, name) for name in VARIABLES}
-        return {name: array for name, array in values.items() if array is not None}
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return vars(self)["variables"][name]
+        except KeyError:
+            raise AttributeError(f"{name} was not requested, or is no variable") from None
+
+    def __dir__(self) -> list[str]:
+        return sorted([*super().__dir__(), *self.variables])
 
     def to_dataset(self) -> xr.Dataset:
         """The points as a dataset: each variable and condition with its name, unit and symbol.

@@ -4,8 +4,10 @@ Datasets, tables, figures, answers, the command and the page read their names he
 the paper; units are SI as UDUNITS writes them.
 """
 
-from collections.abc import Iterable
+import inspect
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -223,7 +225,6 @@ SPEED = Axis(
 CONDITIONS = AXES | {SPEED.name: SPEED}
 DIMENSIONS = tuple(AXES)  # of every dataset, in this order
 CONDITION_AXES = tuple(AXES.values())[1:]  # all but the load
-BY_ALIAS = {axis.alias: axis for axis in AXES.values()}
 
 QUANTITIES = _by_name(
     Variable(
@@ -388,3 +389,34 @@ DERIVED = _by_name(
         zones="contact_mode",
     ),
 )
+
+Documented = TypeVar("Documented", bound=Callable)
+
+
+def with_table(documented: Documented) -> Documented:
+    """The same function or class, with rows of this table for ``{conditions}`` or ``{variables}`` in its docstring.
+
+    The signature of a function that takes ``**conditions`` shows their names.
+    """
+    conditions, variables = [], []
+    for axis in CONDITIONS.values():
+        alias = "" if axis.alias_unit == axis.unit else f"; ``{axis.alias}`` in {axis.alias_unit}"
+        conditions += [
+            f"{axis.name}, {axis.alias} : array_like",
+            f"    The {axis.label}: {axis.symbol} [{axis.unit}]{alias}.",
+        ]
+    for variable in VARIABLES.values():
+        symbol = f": {variable.symbol} [{variable.unit}]" if variable.name in QUANTITIES else ""
+        variables += [f"{variable.name} : array", f"    The {variable.label}{symbol}."]
+    for name, lines in (("{conditions}", conditions), ("{variables}", variables)):
+        documented.__doc__ = documented.__doc__.replace(name, "\n    ".join(lines))
+    if inspect.isfunction(documented):
+        signature = inspect.signature(documented)
+        *others, _ = signature.parameters.values()
+        names = [
+            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None)
+            for axis in CONDITIONS.values()
+            for name in (axis.name, axis.alias)
+        ]
+        documented.__signature__ = signature.replace(parameters=[*names, *others])
+    return documented

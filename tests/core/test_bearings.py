@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 import thirdbody as tb
-from thirdbody.bearings import MATERIALS, derived_inputs
+from thirdbody.bearings import MATERIALS, derived_inputs, with_oil_density
 from thirdbody.conditions import entrainment_speed
 from thirdbody.core.parameters import BOUNDS, Parameters
 
@@ -23,7 +23,7 @@ def test_table_1_and_2_follow_from_what_an_engineer_knows(defaults):
     assert moduli == pytest.approx((112e9, 112e9), rel=2e-3)
     assert inputs.material_parameter == pytest.approx(2038, rel=2e-3)
     assert inputs.speed_per_viscosity * 150e-6 == pytest.approx(7.3e-10, rel=2e-3)
-    assert entrainment_speed(inputs, 865.3) == pytest.approx(4.0)
+    assert entrainment_speed(with_oil_density(inputs, 865.3)) == pytest.approx(4.0)
     table = derived_inputs(inputs)
     assert table["value"].to_dict() == {name: getattr(inputs, name) for name in table.index}
 

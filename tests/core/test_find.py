@@ -10,7 +10,7 @@ import thirdbody as tb
 from thirdbody.conditions import from_si, read_conditions
 from thirdbody.core.transitions import LIMITS
 from thirdbody.searches import sample
-from thirdbody.variables import BY_ALIAS
+from thirdbody.variables import AXES
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -42,7 +42,7 @@ def dense(key, variable, level, parameters):
 
 
 @pytest.mark.parametrize(("variable", "level"), [*LIMITS, ("total_contact_area", 1e-4)])
-@pytest.mark.parametrize("key", [*BY_ALIAS])
+@pytest.mark.parametrize("key", [axis.alias for axis in AXES.values()])
 def test_crossings_are_those_of_a_dense_curve(parameters, key, variable, level):
     found = tb.find(variable, level, key, parameters=parameters, **others(key))
     query, low, high, rises = dense(key, variable, level, parameters)

@@ -8,23 +8,21 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.bearings import speed_note
+from thirdbody.bearings import speed_note, with_oil_density
 from thirdbody.conditions import (
     checked_number,
     density_of_oil,
-    entrainment_speed,
     from_si,
-    numbers_in,
     read_conditions,
     without_warnings,
 )
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
 from thirdbody.lab.estimates import MEASURED, fitted_coefficients, measurable
-from thirdbody.lab.reading import SPEED, UNITS, read_measured
+from thirdbody.lab.reading import read_measured
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import range_note, ranges
-from thirdbody.variables import BY_ALIAS, decimal
+from thirdbody.variables import CONDITIONS, SPEED, decimal
 
 CURVE = 80  # points of the model between the measurements
 
@@ -36,7 +34,6 @@ def compare(
     boundary_friction: float | None = None,
     film_friction: float | None = None,
     resistivity_ohm_m: float | None = None,
-    speed_m_per_s: ArrayLike | None = None,
     oil_density_kg_per_m3: float | None = None,
     **conditions: ArrayLike,
 ) -> pd.DataFrame:
@@ -57,13 +54,10 @@ def compare(
         Coefficients [1], [1] and [ohm m] of ``thirdbody.lab.friction`` and ``thirdbody.lab.contact_resistance``.
         Those that are not given are fitted to the measurements by linear least squares.  Where the
         measurements do not tell them, they are 0.12, 0.03 and 2.2e-7, for steel in oil.
-    speed_m_per_s : array_like, optional
-        Entrainment speed [m/s], the mean of both surface speeds, if it is not a column; by default that of
-        ``parameters``.
     oil_density_kg_per_m3 : float or quantity, optional
         For speeds, the density of the oil [kg m-3], by default that of ``parameters``.
     **conditions
-        Conditions that are not columns, as in ``thirdbody.solve``.
+        Conditions that are not columns, as in ``thirdbody.solve``, also the speed.
 
     Returns
     -------
@@ -103,12 +97,10 @@ def compare(
     boundary_friction is 0.109 with a standard error of 0.00087, fitted to the measurements
     """
     parameters = or_calibrated(parameters)
-    if speed_m_per_s is not None:
-        conditions = dict(**conditions, **{SPEED: speed_m_per_s})
     observed, table, notes = read_runs(measured, parameters, conditions)
-    density = oil_density(oil_density_kg_per_m3, parameters, SPEED in table)
+    parameters = of_oil(oil_density_kg_per_m3, parameters, table)
     inputs = parameters, *parameters.members
-    solutions = solve_runs(table, inputs, density)
+    solutions = solve_runs(table, inputs)
     coefficients, fits = fitted_coefficients(
         observed,
         solutions[0],
@@ -128,8 +120,8 @@ def compare(
         *fits,
         f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2",
     ]
-    if SPEED in table:
-        notes.append(f"speeds are those in an oil of {density:g} kg/m3")
+    if SPEED.alias in table:
+        notes.append(f"speeds are those in an oil of {density_of_oil(parameters):g} kg/m3")
     elif table["viscosity_cSt"].any():
         notes.append(speed_note(parameters))
     notes.append(range_note(parameters.members))
@@ -142,7 +134,7 @@ def compare(
         "summary": [_summary(table, name) for name in observed],
         "coefficients": coefficients,
         "inputs": parameters.as_dict(),
-        "oil_density_kg_per_m3": density,
+        "oil_density_kg_per_m3": density_of_oil(parameters),
     }
     return table
 
@@ -172,13 +164,14 @@ def model_curve(comparison: pd.DataFrame, parameters: Parameters | None = None) 
     if parameters.as_dict() != comparison.attrs["inputs"]:
         raise ValueError("parameters are not those of the comparison; allowed: the same")
     along, *others = _varying(comparison)
-    table = comparison[[name for name in (*BY_ALIAS, SPEED) if name in comparison]].iloc[:0]
+    table = comparison[_conditions_of(comparison)].iloc[:0]
     ends = comparison[along].min(), comparison[along].max()
     if not others and ends[0] < ends[1]:
         points = (np.geomspace if ends[0] > 0.0 else np.linspace)(*ends, CURVE)
         table = pd.DataFrame(comparison[table.columns].iloc[0].to_dict() | {along: points})
+    parameters = with_oil_density(parameters, comparison.attrs["oil_density_kg_per_m3"])
     inputs = parameters, *parameters.members
-    solutions = solve_runs(table, inputs, comparison.attrs["oil_density_kg_per_m3"])
+    solutions = solve_runs(table, inputs)
     models = _models(solutions, inputs, comparison.attrs["coefficients"])
     for summary in comparison.attrs["summary"]:
         table = table.assign(**_model_columns(summary["quantity"], models))
@@ -223,7 +216,6 @@ def read_runs(
     observed = columns[[name for name in columns if name in MEASURED]]
     # dict refuses a condition that is a column and an argument
     arguments = dict(**columns.drop(columns=observed.columns), **conditions)
-    speed = arguments.pop(SPEED, None)
     try:
         read = read_conditions(arguments, parameters)
     except ValueError as error:
@@ -232,44 +224,34 @@ def read_runs(
     if read.index is not None and not read.index.equals(observed.index):
         message = "conditions and measured have different indexes"
         raise ValueError(f"{message}; allowed: columns of one table, or their .to_numpy()")
+    keys = {name: CONDITIONS[name].alias for name in read.arrays}
     table = {
-        key: decimal(from_si(key, read.arrays[axis.name], parameters.newtons_per_load))
-        for key, axis in BY_ALIAS.items()
+        key: decimal(from_si(key, read.arrays[name], parameters.newtons_per_load))
+        for name, key in keys.items()
     }
-    if speed is not None:
-        table[SPEED] = numbers_in(SPEED, speed, UNITS[SPEED])
     return observed, pd.DataFrame(table, observed.index).astype(float), notes
 
 
-def oil_density(density: float | None, parameters: Parameters, has_speeds: bool) -> float:
-    """The density of the oil [kg m-3], for speeds: by default that of ``parameters``."""
+def of_oil(density: float | None, parameters: Parameters, table: pd.DataFrame) -> Parameters:
+    """The same inputs for an oil of another ``density`` [kg m-3], if it is given; it has an effect on speeds alone."""
     if density is None:
-        return density_of_oil(parameters)
-    if not has_speeds:
+        return parameters
+    if SPEED.alias not in table:
         raise ValueError(f"oil_density_kg_per_m3 is {density}, without speeds; allowed: None")
-    return checked_number("oil_density_kg_per_m3", density, unit="kg m-3")
+    checked = checked_number("oil_density_kg_per_m3", density, unit="kg m-3")
+    return with_oil_density(parameters, checked)
 
 
-def solve_runs(
-    table: pd.DataFrame, inputs: Iterable[Parameters], density: float | None
-) -> list[Solution]:
-    """The solutions of conditions for each of several inputs; the film depends on speed times viscosity, and on the
-    ``density`` of the oil [kg m-3], by default that of the inputs."""
-    conditions = {key: table[key].to_numpy() for key in BY_ALIAS}
-    viscosity = conditions.pop("viscosity_cSt")
-    solutions = []
+def solve_runs(table: pd.DataFrame, inputs: Iterable[Parameters]) -> list[Solution]:
+    """The solutions of a table of conditions for each of several inputs."""
+    conditions = {key: table[key].to_numpy() for key in _conditions_of(table)}
     with without_warnings():
-        for each in inputs:
-            ratio = (
-                table[SPEED].to_numpy() / entrainment_speed(each, density)
-                if SPEED in table
-                else 1.0
-            )
-            film = viscosity * ratio
-            solutions.append(
-                solve(**conditions, viscosity_cSt=film, parameters=each, progress=False)
-            )
-    return solutions
+        return [solve(**conditions, parameters=each, progress=False) for each in inputs]
+
+
+def _conditions_of(table):
+    """The columns of a table that are conditions."""
+    return [axis.alias for axis in CONDITIONS.values() if axis.alias in table]
 
 
 def _models(solutions, inputs, coefficients):
@@ -285,7 +267,7 @@ def _model_columns(name, models):
 
 def _varying(table):
     """The conditions that vary, first the one with most values; the load if none varies."""
-    counts = table[[name for name in (*BY_ALIAS, SPEED) if name in table]].nunique()
+    counts = table[_conditions_of(table)].nunique()
     varying = counts[counts > 1].sort_values(ascending=False, kind="stable")
     return [*varying.index] or ["load_N"]
 

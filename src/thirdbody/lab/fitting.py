@@ -14,9 +14,8 @@ from scipy.optimize import approx_fprime, least_squares
 from thirdbody.conditions import checked_number, without_warnings
 from thirdbody.core.parameters import BOUNDS, Parameters
 from thirdbody.inputs import or_calibrated
-from thirdbody.lab.comparison import oil_density, read_runs, solve_runs
+from thirdbody.lab.comparison import of_oil, read_runs, solve_runs
 from thirdbody.lab.estimates import COEFFICIENTS, MEASURED, USUAL_COEFFICIENTS, measurable
-from thirdbody.lab.reading import SPEED
 
 # least and most value, and unit, of what can be fitted: the logarithm needs positive numbers
 LIMITS = {name: (*bounds,) for name, bounds in BOUNDS.items() if bounds.least > 0.0}
@@ -37,7 +36,6 @@ def fit(
     boundary_friction: float = 0.12,
     film_friction: float = 0.03,
     resistivity_ohm_m: float = 2.2e-7,
-    speed_m_per_s: ArrayLike | None = None,
     oil_density_kg_per_m3: float | None = None,
     **conditions: ArrayLike,
 ) -> pd.DataFrame:
@@ -62,7 +60,7 @@ def fit(
         root mean square of the column.
     boundary_friction, film_friction, resistivity_ohm_m : float or quantity
         Coefficients of ``thirdbody.lab.friction`` [1] and ``thirdbody.lab.contact_resistance`` [ohm m].
-    speed_m_per_s, oil_density_kg_per_m3, **conditions
+    oil_density_kg_per_m3, **conditions
         As in ``thirdbody.lab.compare``.
 
     Returns
@@ -98,9 +96,8 @@ def fit(
     for name in unknowns:
         if name not in LIMITS:
             raise ValueError(f"unknowns has {name!r}; allowed: {', '.join(LIMITS)}")
-    if speed_m_per_s is not None:
-        conditions = dict(**conditions, **{SPEED: speed_m_per_s})
     observed, table, notes = read_runs(measured, parameters, conditions)
+    parameters = of_oil(oil_density_kg_per_m3, parameters, table)
     misfit = _Misfit(
         unknowns=tuple(unknowns),
         parameters=parameters,
@@ -114,7 +111,6 @@ def fit(
         observed=observed,
         errors=_errors(observed, checked_number("relative_error", relative_error)),
         conditions=table,
-        density=oil_density(oil_density_kg_per_m3, parameters, SPEED in table),
     )
     logarithms, covariance = _solved(misfit)
     changes, coefficients = misfit.inputs(logarithms)
@@ -155,7 +151,6 @@ class _Misfit:
     observed: pd.DataFrame
     errors: pd.DataFrame
     conditions: pd.DataFrame
-    density: float
 
     @cached_property
     def prior(self) -> tuple[NDArray, NDArray]:
@@ -182,8 +177,8 @@ class _Misfit:
     def of_data(self, logarithms: NDArray) -> NDArray:
         """Model minus measurements, over their errors."""
         changes, coefficients = self.inputs(logarithms)
-        inputs = replace(self.parameters, **changes)
-        (solution,) = solve_runs(self.conditions, [inputs], self.density)
+        inputs = replace(self.parameters, **changes).with_rig(self.parameters.rig)
+        (solution,) = solve_runs(self.conditions, [inputs])
         with without_warnings():
             model = pd.DataFrame(measurable(solution, inputs, coefficients), self.observed.index)
         residuals = ((model[self.observed.columns] - self.observed) / self.errors).to_numpy()

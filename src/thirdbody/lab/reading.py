@@ -11,16 +11,16 @@ import pandas as pd
 
 from thirdbody.conditions import UNIT, numbers_in, registry, unit_text, warn_outside
 from thirdbody.lab.estimates import MEASURED
-from thirdbody.variables import AXES, BY_ALIAS, decimal
+from thirdbody.variables import CONDITIONS, decimal
 
-SPEED = "speed_m_per_s"
-UNITS = {key: unit_text(key) for key in ("load", *BY_ALIAS)} | {SPEED: "m s-1"}  # by column
+UNITS = {
+    key: unit_text(key) for key in ("load", *(axis.alias for axis in CONDITIONS.values()))
+}  # by column
 UNITS |= {key: quantity.unit for key, quantity in MEASURED.items()}
 USUAL = {key: (*quantity.usual, quantity.unit) for key, quantity in MEASURED.items()}
-USUAL[SPEED] = 1e-6, 200.0, "m s-1"
-COLUMNS = {axis.name.replace("_", " "): axis.alias for axis in AXES.values()}  # by heading
+COLUMNS = {axis.name.replace("_", " "): axis.alias for axis in CONDITIONS.values()}  # by heading
 COLUMNS |= {quantity.heading: key for key, quantity in MEASURED.items()}
-COLUMNS |= {"speed": SPEED, "normal load": "load_N", "normal force": "load_N"}
+COLUMNS |= {"normal load": "load_N", "normal force": "load_N"}
 COLUMNS |= dict.fromkeys(("cof", "coefficient of friction", "μ"), "friction_coefficient")
 OWN = {key: (key, unit) for key, unit in UNITS.items() if key != "load"}
 OWN |= {"separation_m": ("separation_nm", "m"), "film_thickness": (None, "1")}  # of a solution

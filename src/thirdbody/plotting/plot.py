@@ -30,7 +30,6 @@ from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
 from thirdbody.plotting.styles import BLUE, level_styles
 from thirdbody.variables import (
-    BY_ALIAS,
     CONDITIONS,
     DIMENSIONS,
     FLAGS,
@@ -164,7 +163,7 @@ def plot_curve(
     ----------
     table : pandas.DataFrame
         A column ``along``, one for each of the ``variables`` [SI], and beside it ``_low`` and ``_high`` if it
-        has a range: as in ``Interface.curve``.
+        has a range: as in ``thirdbody.answers.curve``.
     along : str
         The condition along x, with its unit: ``load_N``, ``viscosity_cSt``, ...
     variables : collection of str, optional
@@ -176,7 +175,7 @@ def plot_curve(
     -------
     matplotlib.figure.Figure
     """
-    axis = BY_ALIAS[along]
+    axis = axis_of(along)
     name, x = axis.name, table[along].to_numpy()
     if along == "load_N":
         name = NORMAL_LOAD.name
