@@ -18,13 +18,13 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from thirdbody.core.logarithms import TINY
 from thirdbody.core.parameters import Parameters, Surface
 
 
-def area_growth(ratio: ArrayLike, plastic_ratio: float) -> NDArray:
+def area_growth(ratio: float | NDArray, plastic_ratio: float) -> NDArray:
     """A/(pi R omega) [1] of an asperity: 1 while elastic, 2 when fully plastic.
 
     ``ratio`` is omega/omega_1 [1], ``plastic_ratio`` omega_2/omega_1 [1].
@@ -35,7 +35,7 @@ def area_growth(ratio: ArrayLike, plastic_ratio: float) -> NDArray:
     return 1.0 + u * u * (3.0 - 2.0 * u)
 
 
-def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float) -> NDArray:
+def pressure_fraction(ratio: float | NDArray, yield_ratio: float, plastic_ratio: float) -> NDArray:
     """F/(A H) [1] of a yielding asperity: k at first yield, 1 when fully plastic.
 
     ``ratio`` is omega/omega_1 [1], ``yield_ratio`` k [1], ``plastic_ratio`` omega_2/omega_1 [1].
@@ -123,20 +123,20 @@ class SummitPopulation:
         """w_1 = omega_1/sigma_s [1]."""
         return (0.75 * np.pi * self.yield_ratio * self.hardness_ratio) ** 2 / self.sharpness
 
-    def log_load(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
+    def log_load(self, t: float | NDArray) -> tuple[NDArray, NDArray]:
         """ln(F_ss/(A_n E_ss)) of all summits [1], and its derivative with respect to the separation
         ``t`` [1]."""
         nodes = self._nodes(t)
         return self._logarithm(nodes, nodes.area * nodes.pressure, self.hardness_ratio)[:2]
 
-    def log_load_and_area(self, t: ArrayLike) -> NDArray:
+    def log_load_and_area(self, t: float | NDArray) -> NDArray:
         """ln F_ss* and ln(A_ss/A_n), each with its first two derivatives with respect to ``t``:
         shape (2, 3, ...)."""
         nodes = self._nodes(t)
         load = self._logarithm(nodes, nodes.area * nodes.pressure, self.hardness_ratio)
         return np.stack([load, self._logarithm(nodes, nodes.area, 1.0)])
 
-    def pressure(self, ratio: ArrayLike) -> NDArray:
+    def pressure(self, ratio: float | NDArray) -> NDArray:
         """F/(A H) [1] of a summit at omega/omega_1 = ``ratio`` [1]."""
         yielding = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
         return np.where(ratio < 1.0, self.yield_ratio * np.sqrt(ratio), yielding)

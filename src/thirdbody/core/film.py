@@ -19,7 +19,7 @@ from functools import lru_cache
 
 import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from thirdbody.core.interpolation import HermiteTable
 from thirdbody.core.logarithms import EPSILON
@@ -36,18 +36,18 @@ INVERSE_STEPS = 6  # reduce an initial error of up to a factor of 2 in thickness
 INVERSE_RANGE, INVERSE_PIECES, INVERSE_ERROR = (-6.0, 14.0), 2400, 1e-13
 
 
-def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
+def log_load_parameter(log_load: float | NDArray, parameters: Parameters) -> NDArray:
     """ln W [1], W = F/(E_ss R_x^2) (Eq. 8), of a load ln F* [1], F* = F/(A_n E_ss)."""
     return log_load + math.log(parameters.apparent_area / parameters.ball_radius**2)
 
 
-def has_film(viscosity: ArrayLike) -> NDArray:
+def has_film(viscosity: float | NDArray) -> NDArray:
     """Whether a kinematic ``viscosity`` [m2/s] means a film: 0 is dry."""
     return viscosity > 0.0
 
 
 def load_of_film(
-    separation: NDArray, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters
+    separation: NDArray, viscosity: NDArray, roughness: float | NDArray, parameters: Parameters
 ) -> tuple[NDArray, NDArray]:
     """F* [1] in W of films as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
 
@@ -93,7 +93,7 @@ class Film:
     greatest_log_W: float
 
     @classmethod
-    def of(cls, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters) -> Film:
+    def of(cls, viscosity: NDArray, roughness: float | NDArray, parameters: Parameters) -> Film:
         """The film for nu [m2/s], positive, and sigma [m], a scalar or of the same shape.
 
         Examples
@@ -140,14 +140,14 @@ class Film:
             rough_size=self.rough_size[chosen],
         )
 
-    def thickness(self, log_W: ArrayLike) -> tuple[NDArray, NDArray]:
+    def thickness(self, log_W: float | NDArray) -> tuple[NDArray, NDArray]:
         """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an array over the points."""
         a, b = self.exponents
         smooth = np.exp(self.smooth + a * log_W)
         rough = np.exp(self.rough + b * log_W)
         return smooth + rough, a * smooth + b * rough  # Eq. 7
 
-    def rounding(self, log_W: ArrayLike, slope: ArrayLike) -> NDArray:
+    def rounding(self, log_W: float | NDArray, slope: float | NDArray) -> NDArray:
         """Relative rounding error [1] of H_c, an exponential of logarithms, at ln W [1], where
         ``slope`` is d ln H_c/d ln W [1]."""
         a, b = self.exponents
@@ -155,7 +155,7 @@ class Film:
         size = self.smooth_size + rough_share * self.rough_size + np.abs(slope * log_W)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
-    def log_W_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
+    def log_W_and_slope(self, thickness: float | NDArray) -> tuple[NDArray, NDArray]:
         """ln W [1] at which the film has a positive ``thickness`` H_c [1], the inverse of Eq. 7,
         and d ln W/d ln H_c [1].
 
@@ -175,7 +175,7 @@ class Film:
             value[~inside], slope[~inside] = _inverse(x[~inside], *self.exponents)[:2]
         return value + log_parameter, slope
 
-    def is_meaningful(self, log_W: ArrayLike) -> NDArray:
+    def is_meaningful(self, log_W: float | NDArray) -> NDArray:
         """Whether H_c increases with viscosity at ln W [1], and surfaces can carry the film.
 
         By Eq. 7 the film grows without bound as U goes to zero; it is not valid where dH_c/dU < 0.

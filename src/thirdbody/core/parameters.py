@@ -8,7 +8,7 @@ from numbers import Real
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 # range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
@@ -176,13 +176,15 @@ class Parameters:
         its thickness is known in advance, and the solids carry all the load where they need a larger separation."""
         return self.film_load == "fluid"
 
-    def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
+    def total_load(
+        self, solid_load: float | NDArray, film_load: float | NDArray
+    ) -> float | NDArray:
         """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that thickness has the load
         ``film_load`` F* [1] in W."""
         combine = np.add if self.film_shares_load else np.maximum
         return combine(solid_load, film_load)
 
-    def particle_plane_height(self, summit_offset: ArrayLike) -> ArrayLike:
+    def particle_plane_height(self, summit_offset: float | NDArray) -> float | NDArray:
         """Height above the mean plane [m] of the plane from which particles meet the separation: that of the summits,
         at ``summit_offset`` y_s [m], as the paper has one d in both integrals, or the mean plane, d = R_x H_c."""
         return summit_offset if self.particle_plane == "summit" else 0.0 * summit_offset
@@ -216,7 +218,7 @@ class Parameters:
                 f"cross-section of a ball of ball_radius {self.ball_radius:g} m"
             )
 
-    def sizes(self, diameter: ArrayLike) -> tuple[ArrayLike, ArrayLike]:
+    def sizes(self, diameter: float | NDArray) -> tuple[float | NDArray, float | NDArray]:
         """Mean m and standard deviation S [m] of the normal size distribution, for x_a [m]."""
         return self.mean_ratio * diameter, self.spread_ratio * diameter
 

@@ -18,7 +18,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from thirdbody.core.asperity import gauss_legendre
 from thirdbody.core.interpolation import Guesses
@@ -55,7 +55,7 @@ class ParticleLayer:
 
     @classmethod
     def of(
-        cls, diameter: NDArray, roughness: ArrayLike, density: NDArray, parameters: Parameters
+        cls, diameter: NDArray, roughness: float | NDArray, density: NDArray, parameters: Parameters
     ) -> ParticleLayer:
         """The layer for x_a [m] and eta_a [m-2], positive and of one shape, and sigma [m], a scalar or of
         the same shape; ``ValueError`` as of ``Parameters.check_particles``.
@@ -218,12 +218,12 @@ def _bare_fraction(coverage):
     return np.where(bare <= EPSILON, TINY, bare)
 
 
-def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
+def has_particles(diameter: float | NDArray, density: float | NDArray) -> NDArray:
     """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover any area in float64."""
     return diameter * diameter * density > TINY
 
 
-def separation_carrying(log_area: ArrayLike, layer: ParticleLayer) -> NDArray:
+def separation_carrying(log_area: float | NDArray, layer: ParticleLayer) -> NDArray:
     """Approximate separation d [m] at which particles alone have the area ``log_area``, ln(A_sa/A_n) [1].
 
     It is the larger of the separations at which the sizes above d, or above d - h_e, alone have this

@@ -7,7 +7,7 @@ dry contact turns only for diameters x_a close to the roughness sigma (see ``tur
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
@@ -42,7 +42,7 @@ class WindowSearch:
 
 def turning_point_windows(
     search: WindowSearch,
-    roughness: ArrayLike,
+    roughness: float | NDArray,
     density: float,
     load_range: tuple[float, float],
     parameters: Parameters,
