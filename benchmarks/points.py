@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 import thirdbody as tb
 from thirdbody.attributes import KEYS
-from thirdbody.core.state import QUANTITIES as VARIABLES
-from thirdbody.variables import DIMENSIONS
+from thirdbody.variables import DIMENSIONS, QUANTITIES
 
+VARIABLES = tuple(QUANTITIES)
 CLASS = ("medium", "bodies", "span")
 SMALLEST = np.finfo(float).tiny  # smaller numbers have few digits in float64 and count as zero
 

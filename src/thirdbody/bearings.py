@@ -15,8 +15,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import checked_number, checked_numbers, density_of_oil, entrainment_speed
-from thirdbody.core.parameters import OIL_DENSITY, Parameters
+from thirdbody.conditions import (
+    OIL_DENSITY,
+    checked_number,
+    checked_numbers,
+    density_of_oil,
+    entrainment_speed,
+)
+from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.core.parameters import OIL_DENSITY, Parameters
+from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import LARGEST_DIAMETER
 from thirdbody.variables import AXES, CONDITIONS, Axis, decimal
 
@@ -29,9 +29,7 @@ if TYPE_CHECKING:
 KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
 NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles, or at rest
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
-LEAST_COVERAGE = (
-    1e-290  # x_a^2 eta_a [1], below which float64 has too few digits for the area of particles
-)
+OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # least and most usual value of numbers by name, and their unit
 Usual = Mapping[str, tuple[float, float, str]]

@@ -19,14 +19,15 @@ from thirdbody.conditions import (
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import STATES, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
-from thirdbody.core.state import VARIABLES
 from thirdbody.inputs import or_calibrated
 from thirdbody.progress import Progress
-from thirdbody.variables import with_table
+from thirdbody.variables import ERROR_BOUND, FLAGS, QUANTITIES, with_table
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+
+VARIABLES = (*QUANTITIES, *FLAGS, ERROR_BOUND.name)
 
 
 @with_table

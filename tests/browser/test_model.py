@@ -9,11 +9,10 @@ import pytest
 from thirdbody.core.parameters import BOUNDS, WORDS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
-from thirdbody.core.state import QUANTITIES
 from thirdbody.paper.tables import TABLES, read_csv
 from thirdbody.plain_yaml import config_directory, read_yaml
 from thirdbody.points import solve
-from thirdbody.variables import CONDITION_AXES
+from thirdbody.variables import CONDITION_AXES, QUANTITIES
 
 POINTS = 1000
 RTOL = 1e-6
@@ -110,7 +109,7 @@ def test_every_variable_status_regime_and_mode_is_the_librarys(points, explorer,
     error = np.abs(page - library) / np.maximum(np.abs(library), TINY)
     tell(f"explorer: {POINTS} points, largest relative error {np.nanmax(error):.1e}")
     worst = np.unravel_index(np.nanargmax(error), error.shape)
-    assert np.nanmax(error) <= RTOL, (QUANTITIES[worst[1]], points[worst[0]])
+    assert np.nanmax(error) <= RTOL, ([*QUANTITIES][worst[1]], points[worst[0]])
 
 
 # inputs, conditions and loads at which each status is met beside others

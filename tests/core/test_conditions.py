@@ -16,8 +16,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody import answers
 from thirdbody.conditions import from_si, read_conditions
-from thirdbody.core.state import FLAGS, QUANTITIES, VARIABLES
-from thirdbody.variables import AXES
+from thirdbody.variables import AXES, FLAGS, QUANTITIES, VARIABLES
 
 UNIT = pint.UnitRegistry()
 LOADS = xr.DataArray([1e-6, 1e-5], dims="load", coords={"load": [1e-6, 1e-5]})

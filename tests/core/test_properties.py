@@ -12,7 +12,7 @@ import thirdbody as tb
 from thirdbody.attributes import model_attribute
 from thirdbody.core.contact import Contact
 from thirdbody.core.regimes import FILM_COUNTS, SOLUTION_STATUSES, contact_mode, lubrication_regime
-from thirdbody.core.state import QUANTITIES
+from thirdbody.variables import QUANTITIES
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.core.state import FLAGS, QUANTITIES, VARIABLES
+from thirdbody.variables import FLAGS, QUANTITIES, VARIABLES
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),

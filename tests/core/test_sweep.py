@@ -8,8 +8,8 @@ import pytest
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import solve_points
-from thirdbody.core.state import QUANTITIES, VARIABLES
 from thirdbody.core.sweep import sweep
+from thirdbody.variables import QUANTITIES, VARIABLES
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -14,7 +14,7 @@ from benchmarks.points import relative_error
 from tests.oracle.extended import CONDITIONS, QUANTITIES, Oracle, Solved
 from tests.oracle.points import COMBINATIONS, draw_for_library, move_to_kinks
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.core.state import VARIABLES
+from thirdbody.variables import VARIABLES
 
 RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
 ROUND = len(COMBINATIONS) * len(RTOLS)  # surfaces that have each of the one with each of the other

@@ -11,8 +11,8 @@ import yaml
 
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.core.state import QUANTITIES
 from thirdbody.plain_yaml import read_yaml
+from thirdbody.variables import QUANTITIES
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.results

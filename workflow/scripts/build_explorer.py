@@ -5,7 +5,8 @@ from itertools import product
 from pathlib import Path
 
 from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
-from thirdbody.core.parameters import OIL_DENSITY, Parameters
+from thirdbody.conditions import OIL_DENSITY
+from thirdbody.core.parameters import Parameters
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
 from thirdbody.paper.job_log import job
 from thirdbody.paper.page.page import page_content, page_text

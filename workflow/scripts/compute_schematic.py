@@ -1,18 +1,20 @@
 """Solve the interfaces of one schematic and generate random sections through them."""
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.solve import solve_points
+from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.curves import Condition
 from thirdbody.netcdf import write_dataset
 from thirdbody.paper.figures.sections import sections, state_of
 from thirdbody.paper.job_log import job
+from thirdbody.variables import VARIABLES
 
 
 def solved_state(conditions, parameters):
     """The state of the interface at the configured ``conditions``."""
     condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
-    solved = solve_points({"load": load, **condition._asdict()}, parameters)
+    point = {"load": load, **condition._asdict()}
+    solved = solve_points(point, parameters, DEFAULT_RTOL, VARIABLES)
     return state_of(condition, conditions["load_N"], solved)
 
 

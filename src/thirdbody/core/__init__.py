@@ -1,7 +1,9 @@
 """The model of the paper, solved: float64 arrays in SI units in, arrays out.
 
-Needs numpy and scipy alone, and imports nothing from the rest of the package.  ``thirdbody.conditions`` checks the
-conditions; ``parameters`` checks the inputs, and refuses a roughness or particles that they cannot have.
+Needs numpy and scipy alone, and imports nothing from the rest of the package, which checks conditions before they
+come here; ``parameters`` checks the inputs, and refuses a roughness or particles that they cannot have.
+
+Read ``solve`` first: it says how a point is solved.
 
 The equations:
 
@@ -15,11 +17,12 @@ The equations:
 
 Solved for the separation d:
 
-- ``solve``: many points; start here.
+- ``solve``: many points.
 - ``balance``: Eq. 1, the forces at a separation.
 - ``brackets`` and ``root``: separations around the root of Eq. 1, and Newton's method between them.
 - ``state``: the variables of a solved point (Eqs. 3, 9 and 10), and the bound of their errors.
-- ``sweep``: grids to three digits, interpolated over the separation, with ``solid_tables``.
+- ``sweep``: grids to three digits, interpolated over the separation, with ``solid_tables``; it solves Eq. 1 again, for
+  many loads and films on one surface.
 
 What curves have:
 

@@ -64,8 +64,9 @@ ELASTIC, ELASTOPLASTIC, PLASTIC = range(3)  # places of the three kinds of summi
 class _Nodes(NamedTuple):
     """Summits at the quadrature nodes, in arrays of shape (..., 3, nodes), but ``above`` max(t, 0).
 
-    ``v`` is w + min(t, 0), ``area`` A/(pi R sigma_s) times the height density and the quadrature
-    weight, and ``pressure`` F/(A H), all [1].  The factor exp(-max(t, 0)^2/2) of the density is left
+    A summit at the height t + w, with the interference w, has the density e^(-above^2/2) e^(-v (above + v/2)) of Eq. 6,
+    with ``v`` = w + min(t, 0).  ``area`` is A/(pi R sigma_s) times the second factor and the quadrature
+    weight, and ``pressure`` F/(A H), all [1].  The first factor is left
     out, so that the tail keeps its digits where float64 would underflow.
     """
 
@@ -168,7 +169,8 @@ class SummitPopulation:
         return _Nodes(above=above, v=v, area=area, pressure=pressure)
 
     def _logarithm(self, nodes, terms, unit):
-        """ln of the sum of ``terms`` times ``unit`` pi eta_s R sigma_s, and two derivatives."""
+        """ln of the sum of ``terms`` times pi eta_s R sigma_s times ``unit``, H/E_ss of a load and 1 of an area, and two
+        derivatives."""
         # on a single axis, so that the sum at a point does not depend on other points
         above, shape = nodes.above, (*nodes.above.shape, 3 * NODES.size)
         terms, v = terms.reshape(shape), nodes.v.reshape(shape)
@@ -177,5 +179,6 @@ class SummitPopulation:
         mean = moments.sum(-1) / total
         moments *= v
         square = moments.sum(-1) / total
+        # sqrt(pi/2) is pi over the sqrt(2 pi) of Eq. 6
         value = np.log(total * (unit * np.sqrt(0.5 * np.pi))) + np.log(self.scaled_density)
         return value - 0.5 * above**2, -(above + mean), square - mean**2 - 1.0

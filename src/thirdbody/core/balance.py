@@ -21,8 +21,8 @@ class Forces(NamedTuple):
     """Forces of solids and film at separations d [m]: arrays of the shape of d.
 
     ``log_solid`` and ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1].  ``excess`` is
-    ln((F_s + F_f)/F_t) [1], which is 0 where the forces balance; without F_f unless the film shares the
-    load.  The noise in ``errors`` is that of the excess, ``solid_noise`` [1] that of ``log_solid``.
+    ln((F_s + F_f)/F_t) [1], which is 0 where the forces balance; ln(F_s/F_t) in dry contact, and where F_t alone
+    gives the film.  The noise in ``errors`` is that of the excess, ``solid_noise`` [1] that of ``log_solid``.
     ``solids`` has the areas.
     """
 

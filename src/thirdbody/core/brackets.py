@@ -77,9 +77,9 @@ def first_separation(points: Points) -> NDArray:
     It is the larger of the separations for summits alone and for particles alone, at which the
     solids carry one to three times the load; less where it is 0.
     """
-    surfaces, particles = points.contact.summits, points.contact.particles
-    t = surfaces.first_separation(points.log_total + SUMMIT_EXCESS)
-    guess = surfaces.offset + surfaces.deviation * t
+    summits, particles = points.contact.summits, points.contact.particles
+    t = summits.first_separation(points.log_total + SUMMIT_EXCESS)
+    guess = summits.offset + summits.deviation * t
     if particles is not None:
         log_area = points.log_total + PARTICLE_EXCESS - np.log(points.parameters.particle_pressure)
         guess = np.maximum(guess, separation_carrying(log_area, particles))
@@ -104,16 +104,16 @@ def _beyond_film_or_held(points, film, guess):
     low = np.where(beyond, guess, film.high)
     newton = guess - forces.excess.value / forces.excess.slope
     guess = np.where(beyond & (newton < high), newton, guess)
-    held = np.zeros(guess.shape, bool)
+    held, has_root = np.zeros(guess.shape, bool), beyond.copy()
     unclear = np.flatnonzero(~beyond)
     if unclear.size:
         forces = points.take(unclear).forces(film.high[unclear])
         held[unclear] = (forces.excess.value < 0.0) & (points.film is not None)
-        beyond[unclear] = forces.excess.value >= -forces.errors.noise
-        beyond &= ~held
+        has_root[unclear] = forces.excess.value >= -forces.errors.noise
+        has_root &= ~held
     return Brackets(
         guess=guess,
-        low=np.where(held, film.low, np.where(beyond, low, np.nan)),
-        high=np.where(held, film.high, np.where(beyond, high, np.nan)),
+        low=np.where(held, film.low, np.where(has_root, low, np.nan)),
+        high=np.where(held, film.high, np.where(has_root, high, np.nan)),
         held=held,
     )

@@ -98,8 +98,8 @@ class Contact:
         particles = None
         if has_particles(particle_diameter[0], particle_density[0]):
             particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
-        surfaces = RoughSurfaces.of(roughness, parameters, table_rtol)
-        return cls(summits=surfaces, particles=particles, parameters=parameters)
+        summits = RoughSurfaces.of(roughness, parameters, table_rtol)
+        return cls(summits=summits, particles=particles, parameters=parameters)
 
     def take(self, chosen) -> Contact:
         """The contact at the points selected by an index or mask ``chosen``."""

@@ -25,7 +25,8 @@ from thirdbody.core.interpolation import HermiteTable
 from thirdbody.core.logarithms import EPSILON
 from thirdbody.core.parameters import Parameters
 
-# exponents in the term of the roughness in Eq. 7: of sigma* and V, and of W, U and G with a minus
+# exponents in the term of the roughness in Eq. 7: of sigma* and V, and of W, U and G with a minus; they are used
+# more than once, the other numbers of Eq. 7 stand in ``Film.of``
 ROUGH_SIGMA, ROUGH_V = 1.248, 0.119
 ROUGH_W, ROUGH_U, ROUGH_G = 0.133, 0.884, 0.977
 THICKEST = 0.01  # largest H_c that still describes a film between two bodies
@@ -49,7 +50,7 @@ def has_film(viscosity: float | NDArray) -> NDArray:
 def load_of_film(
     separation: NDArray, viscosity: NDArray, roughness: float | NDArray, parameters: Parameters
 ) -> tuple[NDArray, NDArray]:
-    """F* [1] in W of films as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
+    """The load F* [1] whose W gives a film as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
 
     Parameters
     ----------
@@ -76,8 +77,8 @@ def load_of_film(
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
 
-    The first term is the smooth film, the second the effect of roughness.  ``smooth`` and ``rough``
-    are s and r, of the shape of the points.  Rounding grows with ``smooth_size``, the sum of the
+    The first term is the smooth film, the second the smooth film times the term of the roughness in Eq. 7.
+    ``smooth`` and ``rough`` are s and r, of the shape of the points.  Rounding grows with ``smooth_size``, the sum of the
     absolute logarithms in s, and ``rough_size``, the sum of those that r adds.  ``exponents`` are a
     and b.  ``turning_ratio`` is the second term over the first where H_c is least over the speed U.
     ``greatest_log_W`` is ln W at which the mean film pressure reaches the softer hardness, as Eq. 7
@@ -109,20 +110,22 @@ class Film:
         kappa = parameters.ellipticity
         ln_G = math.log(parameters.material_parameter)
         ln_V = math.log(parameters.hardness_parameter)
-        ln_speed, ln_viscosity = math.log(parameters.speed_per_viscosity), np.log(viscosity)
-        ln_U, ln_sigma = ln_speed + ln_viscosity, np.log(roughness / parameters.ball_radius)
+        ln_U_per_nu, ln_nu = math.log(parameters.speed_per_viscosity), np.log(viscosity)
+        # Eq. 8 with mu_0 = rho nu
+        ln_U, ln_sigma = ln_U_per_nu + ln_nu, np.log(roughness / parameters.ball_radius)
         of_W, of_U, of_G = -0.045 * kappa**0.18, 0.663 * kappa**0.025, 0.502 * kappa**0.064
         # Eq. 7 without the powers of W
         smooth = math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa)))
         smooth = smooth + of_U * ln_U + of_G * ln_G
-        rough = math.log(0.025 * kappa**0.081) + ROUGH_SIGMA * ln_sigma + ROUGH_V * ln_V
-        rough = rough - ROUGH_U * ln_U - ROUGH_G * ln_G
-        size_U = abs(ln_speed) + np.abs(ln_viscosity)
+        ln_term = math.log(0.025 * kappa**0.081) + ROUGH_SIGMA * ln_sigma + ROUGH_V * ln_V
+        ln_term = ln_term - ROUGH_U * ln_U - ROUGH_G * ln_G
+        size_U = abs(ln_U_per_nu) + np.abs(ln_nu)
         rough_size = ROUGH_U * size_U + ROUGH_SIGMA * np.abs(ln_sigma) + ROUGH_V * abs(ln_V)
-        softer = parameters.softer_hardness / parameters.elastic_modulus_surfaces  # F_f*
+        # F_f* at which the mean pressure F_f/A_n is the softer hardness
+        softer = parameters.softer_hardness / parameters.elastic_modulus_surfaces
         return cls(
             smooth=smooth,
-            rough=smooth + rough,
+            rough=smooth + ln_term,
             smooth_size=of_U * size_U + of_G * abs(ln_G),
             rough_size=rough_size + ROUGH_G * abs(ln_G),
             exponents=(of_W, of_W - ROUGH_W),

@@ -17,9 +17,9 @@ MATERIALS = (  # of which the elastic factor consists
     *("elastic_modulus_surfaces", "elastic_modulus_particle"),
     *("hardness_surface_1", "hardness_surface_2"),
 )
-# ASSUME: what the paper leaves open. X_min is 0, the film fills the separation of the mean planes
+# ASSUME: what the paper leaves open.  Fixed: X_min is 0, and the film fills the separation of the mean planes.
+# To choose, by these words:
 WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
-OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
 
@@ -155,8 +155,8 @@ class Parameters:
     particle_plane: str  # from which particles meet the separation
     # force balance
     film_load: str  # the load in W of Eq. 8
-    # other sets of inputs that explain the paper about equally well, and what inputs were derived from: materials and
-    # an oil; ``dataclasses.replace`` drops both
+    # other sets of inputs that explain the paper about equally well; and the materials and the oil that inputs were
+    # derived from, which the model only carries along; ``dataclasses.replace`` drops both
     members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
     rig: object = field(default=None, init=False, repr=False, compare=False)
 
@@ -185,9 +185,11 @@ class Parameters:
         return combine(solid_load, film_load)
 
     def particle_plane_height(self, summit_offset: float | NDArray) -> float | NDArray:
-        """Height above the mean plane [m] of the plane from which particles meet the separation: that of the summits,
-        at ``summit_offset`` y_s [m], as the paper has one d in both integrals, or the mean plane, d = R_x H_c."""
-        return summit_offset if self.particle_plane == "summit" else 0.0 * summit_offset
+        """Height above the mean plane [m] of the plane that particles meet: with "summit" they meet the plane of the
+        summits, at ``summit_offset`` y_s [m], as the paper has one d in both integrals; with "surface" the mean plane,
+        from which d = R_x H_c."""
+        of_surface = 0.0 * summit_offset  # of the same shape
+        return summit_offset if self.particle_plane == "summit" else of_surface
 
     @cached_property
     def elastic_factor(self) -> float:
@@ -310,8 +312,8 @@ class Parameters:
         return {name: getattr(self, name) for name in self.names()}
 
     def changed(self, **inputs: float | str) -> "Parameters":
-        """The same with other ``inputs``, SI.  They are known from then on, and all ``members`` have them too; if the
-        members then are all the same, none is left."""
+        """The same with other ``inputs``, SI, which all ``members`` have too: they are known.  If the members then are
+        all the same, none is left."""
         members = [replace(member, **inputs) for member in self.members]
         if all(member == members[0] for member in members):
             members = []

@@ -38,11 +38,11 @@ SHAPE_SAMPLES, GUESSES = np.geomspace(1e-5, 1.0, 199), 1001
 class ParticleLayer:
     """Particles on a surface: one mean diameter and density for each point.
 
-    ``centre`` and ``spread`` are m and S [m] of the size distribution; the centre includes y_s if particles
-    meet the separation of the summit planes, so that it compares with d.  ``scaled_depth`` is h_e/S [1].
-    ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], times the hardness of a surface and the
-    ``moment`` is the fraction of the interface covered by particles (Eqs. 4 and 5).  ``log_bare``
-    is ln of the fraction that all particles leave bare, the bracket of Eq. 4.
+    ``centre`` and ``spread`` are m and S [m] of the size distribution.  If particles meet the plane of the summits,
+    at d - y_s, the centre has y_s added, so that it compares with d.  ``scaled_depth`` is h_e/S [1].
+    ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1] with the ``participation`` p, times the ``moment`` and H_s1 is the
+    coverage (Eqs. 4 and 5), with H_s2 it is A_sa/A_n (Eq. 5).  ``log_bare`` is ln of the fraction that all particles
+    leave bare, the round bracket of Eq. 4.
     """
 
     centre: NDArray
@@ -121,7 +121,7 @@ class ParticleLayer:
         alpha, elastic = (separation - self.centre) / self.spread, self.parameters.elastic_factor
 
         def weighted(above, touching):
-            return (1.0 - elastic) * above + elastic * touching  # the bracket of Eq. 5
+            return (1.0 - elastic) * above + elastic * touching  # the square bracket of Eq. 5
 
         moments, slopes = self.moment(
             np.array([alpha, alpha - self.scaled_depth])
@@ -145,7 +145,7 @@ class ParticleLayer:
         lengths = separation + self.centre + self.scaled_depth * self.spread
         rounding_of_d = 2.0 * np.abs(area.slope) * lengths
         touch = area.value > 0.0
-        # TINY for the digits lost below it; as divisors, LEAST and 0 would be slow
+        # TINY for the digits lost below it; dividing by inf is faster than by 0
         return EPSILON * ((terms + rounding_of_d + TINY) / np.where(touch, area.value, np.inf))
 
 
@@ -195,7 +195,7 @@ class Moment:
         return scipy.special.ndtr(-alpha) + polynomial * density, slope
 
     def _slope(self, alpha):
-        """dM/dalpha, c_2 + c_3 alpha and phi(alpha)."""
+        """dM/dalpha, c_2 + c_3 alpha and phi_a(alpha) of Eq. 6."""
         density = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
         polynomial = self.constant + self.linear * alpha
         return -density * (1.0 - self.linear + polynomial * alpha), polynomial, density

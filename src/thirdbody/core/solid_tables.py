@@ -105,7 +105,7 @@ def _separations(low, high, roughness, particles, solid):
 
 
 def _parts(contact: Contact, d):
-    """ln F_ss and ln A_ss of the summits beside the particles, and A_sa, in the order of
+    """ln F_ss, A_sa and ln A_ss of the summits beside the particles, in the order of
     ``TabulatedSolids``: arrays of the shape (separations, 3); nan where particles cover everything."""
     state = contact.at(d, with_areas=True)
     parts = state.log_summit_load, state.particle_area, state.log_summit_area

@@ -1,10 +1,11 @@
 """Points solved together: the way of a number from the conditions to the variables.
 
 1. ``solve_points`` sorts points by kind and solves those of one kind together.
-2. ``brackets.bracket`` finds separations d on both sides of the root of Eq. 1.
-3. ``root.enclose`` narrows them by Newton's method, and checks the signs at both.
-4. ``balance.Points.forces`` evaluates Eq. 1 at a separation.
-5. ``state.describe`` derives the variables and the bound of their errors.
+2. ``balance.Points.of`` has their summits and particles (``contact``), and their ``film``.
+3. ``brackets.bracket`` finds separations d on both sides of the root of Eq. 1.
+4. ``root.enclose`` narrows them by Newton's method, and checks the signs at both.
+5. ``balance.Points.forces`` evaluates Eq. 1 at a separation: Eqs. 2 and 4 of the ``contact``, Eqs. 7 and 8 of the ``film``.
+6. ``state.describe`` derives the variables and the bound of their errors.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.regimes import SOLUTION_STATUSES, has_values
 from thirdbody.core.root import enclose
-from thirdbody.core.state import VARIABLES, describe, type_of
+from thirdbody.core.state import describe, type_of
 from thirdbody.core.summits import pieces_for
 
 CONDITIONS = "load", "viscosity", "particle_diameter", "roughness", "particle_density"
@@ -40,8 +41,8 @@ FAINT_COVERAGE = 1e-290  # x_a^2 eta_a [1] below which the area of particles los
 def solve_points(
     conditions: Mapping[str, NDArray],
     parameters: Parameters,
-    rtol: float = DEFAULT_RTOL,
-    variables: Collection[str] = VARIABLES,
+    rtol: float,
+    variables: Collection[str],
     callback: Callable[[int], None] | None = None,
 ) -> dict[str, NDArray]:
     """Solve the force balance (Eq. 1) at many points.
@@ -59,7 +60,7 @@ def solve_points(
     rtol : float
         Requested relative error of every variable [1].
     variables : collection of str
-        Those of ``state.VARIABLES`` to return.
+        Names of those to return, of ``state.describe``.
     callback : callable, optional
         Called with the number of points that have been solved since its last call.
 

@@ -18,17 +18,7 @@ from thirdbody.core.regimes import (
 )
 from thirdbody.core.root import Balance
 
-QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
-)
 FLAGS = tuple(FLAG_MEANINGS)
-VARIABLES = (*QUANTITIES, *FLAGS, "error_bound")
 
 
 def type_of(variable: str) -> type:
@@ -37,7 +27,7 @@ def type_of(variable: str) -> type:
 
 
 def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
-    """The ``VARIABLES`` by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
+    """All variables by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
     points, ends = balance.points, balance.forces
     solid, fluid = fractions(ends.log_solid.value - ends.log_fluid)  # Eq. 9, F_t = F_s + F_f
     both = quantities(
@@ -77,7 +67,7 @@ def quantities(
     log_summit_area: NDArray,
     parameters: Parameters,
 ) -> dict[str, NDArray]:
-    """The ``QUANTITIES`` by name (Eqs. 3 and 10), in arrays of one shape.
+    """The variables that are numbers, by name (Eqs. 3, 5 and 10), in arrays of one shape.
 
     Parameters
     ----------
@@ -94,13 +84,14 @@ def quantities(
     """
     particles, summits = fractions(np.log(particle_area) - log_summit_area)
     return {
-        "total_contact_area": particle_area + np.exp(log_summit_area),  # Eq. 3
+        "total_contact_area": particle_area + np.exp(log_summit_area),  # Eqs. 3 and 5
         "particle_contact_area_ratio": particles,  # Eq. 10
         "surface_contact_area_ratio": summits,
         "solid_load_fraction": solid_load_fraction,
         "fluid_load_fraction": fluid_load_fraction,
         "separation": separation,
-        "film_thickness": separation / parameters.ball_radius,
+        "film_thickness": separation
+        / parameters.ball_radius,  # Eq. 7 gives d = R_x H_c; so also when dry
     }
 
 
@@ -109,13 +100,13 @@ def fractions(log_odds: NDArray) -> tuple[NDArray, NDArray]:
     return 1.0 / (1.0 + np.exp(-log_odds)), 1.0 / (1.0 + np.exp(log_odds))
 
 
-def _remove_values(variables, unsolved):
-    """Replace the variables of ``unsolved`` points, except their status, by what stands for none."""
-    if not unsolved.any():
+def _remove_values(variables, without_values):
+    """Replace the variables of points ``without_values``, except their status, by what stands for none."""
+    if not without_values.any():
         return
     for name, values in variables.items():
         if name != "solution_status":
-            values[unsolved] = np.nan if type_of(name) is float else NO_FLAG
+            values[without_values] = np.nan if type_of(name) is float else NO_FLAG
 
 
 def add_flags(
@@ -123,7 +114,7 @@ def add_flags(
     film: Film | None,
     log_load: NDArray,
     parameters: Parameters,
-    has_particles: bool,
+    with_particles: bool,
     **statuses: NDArray,
 ) -> None:
     """Add regime, mode and status to ``variables`` under loads ln F_t* [1].
@@ -132,7 +123,7 @@ def add_flags(
     """
     variables["lubrication_regime"] = lubrication_regime(variables["solid_load_fraction"])
     variables["contact_mode"] = contact_mode(
-        variables["particle_contact_area_ratio"], has_particles
+        variables["particle_contact_area_ratio"], with_particles
     )
     statuses["area_exceeded"] = variables["total_contact_area"] > 1.0
     if film is not None:

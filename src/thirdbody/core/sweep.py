@@ -1,8 +1,8 @@
 """Grids to three digits: functions of the separation d alone are tabulated and interpolated.
 
 For a given surface and particles, F_ss, A_ss and A_sa are functions of d alone (Eqs. 2-6),
-independent of load and lubricant.  They are tabulated (``solid_tables``), and Eq. 1 is then solved at all loads and viscosities at once.  Dry
-contact, and points where the interpolation error exceeds ``rtol``, are solved individually.
+independent of load and lubricant.  They are tabulated (``solid_tables``), and Eq. 1 is then solved at all
+loads and viscosities at once, by Newton's method for ln L_f.  Dry contact, and points where the interpolation error exceeds ``rtol``, are solved individually.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
@@ -47,20 +47,20 @@ def sweep(
     ----------
     axes : mapping
         Load [1], viscosity [m2/s], particle diameter [m], roughness [m] and particle density [m-2]
-        by name, in this order; 1-D and increasing.
+        by name; 1-D and increasing.
     parameters : Parameters
         Inputs of the model.
     rtol : float
         Requested relative error, at least ``LEAST_RTOL``.
     variables : collection of str
-        Those of ``state.VARIABLES`` to return.
+        Names of those to return, of ``state.describe``.
     callback : callable, optional
         Called with the number of points that have been solved since its last call.
 
     Returns
     -------
     dict of arrays
-        The variables by name, over the five axes.  ``error_bound`` is twice the interpolation error midway between
+        The variables by name, with the dimensions in the order of ``axes``.  ``error_bound`` is twice the interpolation error midway between
         two separations, of the quantity most affected, plus the remaining error of the iteration.
     """
     shape = tuple(axes[name].size for name in ORDER)

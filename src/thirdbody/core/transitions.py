@@ -33,7 +33,8 @@ def limit_crossings(
     """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
     ``separation`` d [m] and ``values`` of the quantities have the shape (loads, curves), at increasing
-    loads, nan where unknown; ``conditions`` (4, curves).  Returns for each crossing the index of the limit
+    loads, nan where unknown; ``conditions`` (4, curves): viscosity,
+    particle diameter, roughness and particle density, SI.  Returns for each crossing the index of the limit
     and of the curve, F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])

@@ -1,7 +1,7 @@
 """Windows of particle sizes in which a curve has a turning point.
 
 Small particles do not touch between the summits, and large ones keep the summits apart; A_sa,t* of
-dry contact turns only for diameters x_a close to the roughness sigma (see ``turning_point``).
+dry contact turns only for diameters x_a close to the roughness sigma (see ``turning_points``).
 """
 
 from dataclasses import dataclass

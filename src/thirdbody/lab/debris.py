@@ -6,8 +6,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.conditions import checked_number, common_index, numbers_in, warn_outside
-from thirdbody.core.parameters import OIL_DENSITY, Parameters
+from thirdbody.conditions import OIL_DENSITY, checked_number, common_index, numbers_in, warn_outside
+from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
 
 SIZES = 4, 6, 14  # um(c), the sizes counted in a code of ISO 4406:2021

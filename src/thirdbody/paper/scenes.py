@@ -53,7 +53,7 @@ def scene_dataset(
     values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
     for group in groups:
         place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
-        solved = solve_points(crossed(group), parameters, rtol)
+        solved = solve_points(crossed(group), parameters, rtol, values)
         for name in values:
             values[name][place] = solved[name]
     request = {
