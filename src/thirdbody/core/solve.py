@@ -71,7 +71,9 @@ def solve_points(
     shape = np.broadcast(*(conditions[name] for name in CONDITIONS)).shape
     columns = {name: np.broadcast_to(conditions[name], shape).ravel() for name in CONDITIONS}
     roughness = columns["roughness"]
-    result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
+    result: dict[str, NDArray] = {
+        name: np.empty(roughness.size, type_of(name)) for name in variables
+    }
     with np.errstate(all="ignore"):  # points that cannot be computed get a status
         by_table = _worth_a_table(roughness, rtol)
         left = np.ones(roughness.shape, bool)
@@ -84,7 +86,7 @@ def solve_points(
                 failed = solved["solution_status"] == NOT_CONVERGED
                 left[indices] = failed & attempt.uses_tables
                 if callback is not None:
-                    callback(np.count_nonzero(~left[indices]))
+                    callback(int(np.count_nonzero(~left[indices])))
         _doubt_faint_particles(columns, result)
     return {name: values.reshape(shape) for name, values in result.items()}
 

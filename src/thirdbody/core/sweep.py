@@ -30,7 +30,7 @@ ORDER = "particle_diameter", "roughness", "particle_density", "viscosity", "load
 
 def is_worthwhile(axes: Mapping[str, NDArray], rtol: float) -> bool:
     """Whether ``sweep`` solves a grid over ``axes`` faster than point by point."""
-    films = np.count_nonzero(axes["viscosity"])
+    films = int(np.count_nonzero(axes["viscosity"]))
     return rtol >= LEAST_RTOL and films > 1 and films * axes["load"].size >= FEWEST_POINTS
 
 
@@ -64,7 +64,7 @@ def sweep(
         two separations, of the quantity most affected, plus the remaining error of the iteration.
     """
     shape = tuple(axes[name].size for name in ORDER)
-    values = {name: np.empty(shape, type_of(name)) for name in variables}
+    values: dict[str, NDArray] = {name: np.empty(shape, type_of(name)) for name in variables}
     unsure = np.zeros(shape, bool)
     dry = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
     sizes, densities = axes["particle_diameter"], axes["particle_density"]
