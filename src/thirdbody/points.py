@@ -116,10 +116,10 @@ def solve(
     with Progress(points, "points", progress) as bar:
         values = solve_points(arrays, parameters, rtol, names, bar.add)
     values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
-    if pattern is not None:
-        values = {name: pattern.copy(data=array).rename(name) for name, array in values.items()}
     return Solution(
-        variables=values,
+        variables=values
+        if pattern is None
+        else {name: pattern.copy(data=array).rename(name) for name, array in values.items()},
         conditions=read.arrays | read.labelled,
         keys=read.keys,
         newtons_per_load=parameters.newtons_per_load,

@@ -4,7 +4,8 @@ between regimes and modes; ``turning_point`` and ``turning_window`` for maxima o
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -121,7 +122,7 @@ def find(
         "solution_status": _names("solution_status", places.solution_status),
     }
     index = common_index(conditions | {"level": level})
-    return _indexed(table, queries._replace(index=index), places.query)
+    return _indexed(table, replace(queries, index=index), places.query)
 
 
 def transitions(
@@ -298,7 +299,8 @@ def turning_window(
 WINDOW_COLUMNS = ["low", "low_error", "high", "high_error"]
 
 
-class Queries(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Queries:
     """The combinations of conditions along whose remaining axis is searched.
 
     ``columns`` are conditions [SI] and other numbers by name, flat; ``keys`` the names of the conditions in
@@ -346,10 +348,10 @@ def sample(
     check_count(count)
     if between is None:
         axis = axis_of(along)
-        ends = to_si(axis.alias, axis.searched, parameters.newtons_per_load)
+        first, last = to_si(axis.alias, axis.searched, parameters.newtons_per_load)
     else:
-        ends = ends_in_si("between", between, along, parameters)
-    return np.geomspace(*ends, count)
+        first, last = ends_in_si("between", between, along, parameters)
+    return np.geomspace(first, last, count)
 
 
 def _crossings(queries, along, limits, samples, parameters, rtol, progress) -> Crossings:

@@ -71,9 +71,7 @@ def solve_points(
     shape = np.broadcast(*(conditions[name] for name in CONDITIONS)).shape
     columns = {name: np.broadcast_to(conditions[name], shape).ravel() for name in CONDITIONS}
     roughness = columns["roughness"]
-    result: dict[str, NDArray] = {
-        name: np.empty(roughness.size, type_of(name)) for name in variables
-    }
+    result = {name: np.empty(roughness.size, type_of(name)) for name in variables}
     with np.errstate(all="ignore"):  # points that cannot be computed get a status
         by_table = _worth_a_table(roughness, rtol)
         left = np.ones(roughness.shape, bool)

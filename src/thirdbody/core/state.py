@@ -31,7 +31,7 @@ FLAGS = tuple(FLAG_MEANINGS)
 VARIABLES = (*QUANTITIES, *FLAGS, "error_bound")
 
 
-def type_of(variable: str) -> type:
+def type_of(variable: str) -> type[np.int8 | float]:
     """Data type of a ``variable``."""
     return np.int8 if variable in FLAGS else float
 

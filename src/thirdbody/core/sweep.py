@@ -64,7 +64,7 @@ def sweep(
         two separations, of the quantity most affected, plus the remaining error of the iteration.
     """
     shape = tuple(axes[name].size for name in ORDER)
-    values: dict[str, NDArray] = {name: np.empty(shape, type_of(name)) for name in variables}
+    values = {name: np.empty(shape, type_of(name)) for name in variables}
     unsure = np.zeros(shape, bool)
     dry = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
     sizes, densities = axes["particle_diameter"], axes["particle_density"]

@@ -276,13 +276,14 @@ def _summary(table, name):
     """How far measurements of a quantity are from the model."""
     known = table[np.isfinite(table[f"{name}_residual"])]
     residual = known[f"{name}_residual"]
-    has_range = f"{name}_low" in table
-    inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"]) if has_range else None
+    inside = None
+    if f"{name}_low" in table:
+        inside = int(known[name].between(known[f"{name}_low"], known[f"{name}_high"]).sum())
     return {
         "quantity": name,
         "unit": MEASURED[name].unit,
         "count": len(known),
         "mean_residual": float(residual.mean()),
         "rms_residual": float(np.sqrt((residual**2).mean())),
-        "inside_range": int(inside.sum()) if has_range else None,
+        "inside_range": inside,
     }

@@ -101,8 +101,8 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity $ν$ (cSt)'
     """
-    variables = checked_variables(variables, LUBRICATED)
-    axes = [] if ax is None else np.ravel(np.asarray(ax, object))
+    names = checked_variables(variables, LUBRICATED)
+    axes: list[Axes] = [] if ax is None else [*np.ravel(np.asarray(ax, object))]
     if isinstance(turning_points, str | PathLike):
         turning_points = read_turning_points(turning_points)
     complete = _with_all_dimensions("data", data)
@@ -112,14 +112,14 @@ def plot(
         raise ValueError(f"data has one {along}; allowed: two or more, which curves are drawn over")
     with matplotlib.style.context(STYLE, after_reset=True):
         if along != "load":
-            return _plot_over(complete, along, variables, axes)
+            return _plot_over(complete, along, names, axes)
         if complete.sizes.get(SPEED.name, 1) > 1:
             raise ValueError(f"data vary with the speed; allowed: over='{SPEED.alias}'")
         complete = complete.squeeze(SPEED.name, drop=True) if SPEED.name in complete else complete
         ranges = None if band is None else _with_all_dimensions("band", band)
         figure = curve_figure(complete)
         x = NORMAL_LOAD.name if over == "load_N" else "load"
-        chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in variables)
+        chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
         figure = replace(figure, contents=chosen)
         return figure.plot(complete, turning_points, ranges, axes=axes)
 
@@ -184,8 +184,8 @@ def plot_curve(
     panels = [_panel(name, x, each, {"": table}, [{"color": BLUE}]) for each in variables]
     for panel in panels:
         if f"{panel.y}_low" in table:
-            ends = (table[f"{panel.y}_{end}"].to_numpy() for end in ("low", "high"))
-            panel.series.append(range_series("", x, *ends, BLUE))
+            low, high = (table[f"{panel.y}_{end}"].to_numpy() for end in ("low", "high"))
+            panel.series.append(range_series("", x, low, high, BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, [], axes=axes)
 
