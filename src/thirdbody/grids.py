@@ -112,7 +112,15 @@ def grid(
     )
 
 
-def _solved_grid(axes, request, parameters, rtol, names, load_key, progress) -> xr.Dataset:
+def _solved_grid(
+    axes: Axes,
+    request: Axes,
+    parameters: Parameters,
+    rtol: float,
+    names: Collection[str],
+    load_key: str,
+    progress: bool,
+) -> xr.Dataset:
     """The dataset of five axes, for a ``request`` by name."""
     points = prod(axis.size for axis in axes.values())
     with Progress(points, "points", progress) as bar:

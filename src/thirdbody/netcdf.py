@@ -8,7 +8,7 @@ import errno
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, Union
 
 import netCDF4
 import numpy as np
@@ -69,7 +69,7 @@ class PlainDataset:
         return xr.Dataset(self.data_vars, self.coords, self.attrs)
 
 
-Dataset: TypeAlias = "PlainDataset | xr.Dataset"
+Dataset: TypeAlias = Union[PlainDataset, "xr.Dataset"]  # functions accept either
 
 
 def write_dataset(dataset: Dataset, path: str | PathLike) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import (
     broadcast_by_name,
@@ -248,7 +248,7 @@ class Solution:
         return self.to_dataframe().to_html(index=self.index is not None, max_rows=60)
 
 
-def _in_words(name, values) -> str:
+def _in_words(name: str, values: NDArray) -> str:
     """A number, or the range of numbers; for a flag the names with their counts."""
     if name in STATES:
         states, counts = np.unique(values.astype(int), return_counts=True)

@@ -3,7 +3,7 @@ between regimes and modes; ``turning_point`` and ``turning_window`` for maxima o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -354,7 +354,15 @@ def sample(
     return np.geomspace(first, last, count)
 
 
-def _crossings(queries, along, limits, samples, parameters, rtol, progress) -> Crossings:
+def _crossings(
+    queries: Queries,
+    along: str,
+    limits: Sequence[tuple[str, NDArray]],
+    samples: NDArray,
+    parameters: Parameters,
+    rtol: float,
+    progress: bool,
+) -> Crossings:
     """Crossings along a condition, of which the speed is solved as a viscosity."""
     axis = axis_of(along).name
     others = {name: column for name, column in queries.columns.items() if name in CONDITIONS}
@@ -374,7 +382,7 @@ def _crossings(queries, along, limits, samples, parameters, rtol, progress) -> C
     return places._replace(value=places.value / scale, error=places.error / scale)
 
 
-def _places(places: Crossings, along, parameters) -> dict[str, NDArray]:
+def _places(places: Crossings, along: str, parameters: Parameters) -> dict[str, NDArray]:
     """Place and error of crossings in the unit of ``along``."""
     newtons = parameters.newtons_per_load
     return {

@@ -1,8 +1,10 @@
 """``compare``: measurements beside the model, with the range of the ensemble and residuals."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
@@ -23,6 +25,9 @@ from thirdbody.lab.reading import read_measured
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import range_note, ranges
 from thirdbody.variables import CONDITIONS, SPEED, decimal
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 CURVE = 80  # points of the model between the measurements
 
@@ -178,7 +183,7 @@ def model_curve(comparison: pd.DataFrame, parameters: Parameters | None = None) 
     return table
 
 
-def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = None) -> Any:
+def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = None) -> Figure:
     """Draw a comparison: the measurements, the model and its range, a panel for each measured quantity.
 
     Parameters
