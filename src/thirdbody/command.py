@@ -20,15 +20,15 @@ MATERIALS = (
 )
 
 
-def _option(name: str, text: str, metavar: str = "NUMBER") -> Any:
-    """An option of this name."""
-    return typer.Option(f"--{name}", help=text, metavar=metavar)
+def _option(text: str, *names: str, metavar: str = "NUMBER") -> Any:
+    """An option, called as its argument if it is given no names."""
+    return typer.Option(*names, help=text, metavar=metavar)
 
 
 def _condition(name: str, text: str, before: str = "") -> Any:
     """The option of a condition, with its name and unit in the table of variables."""
     axis = CONDITIONS[name]
-    return _option(before + axis.alias.replace("_", "-"), f"{text} [{axis.alias_unit}]")
+    return _option(f"{text} [{axis.alias_unit}]", f"--{before}{axis.alias.replace('_', '-')}")
 
 
 def _other(name: str) -> Any:
@@ -50,15 +50,15 @@ Speed = Annotated[
     float | None, _condition("speed", "entrainment speed; default: that of the inputs")
 ]
 Along = Annotated[
-    str, _option("along", f"condition that varies: {', '.join(CONDITIONS)}", "CONDITION")
+    str, _option(f"condition that varies: {', '.join(CONDITIONS)}", metavar="CONDITION")
 ]
-FIRST = _option("from", "first value, in the unit of its option")
-LAST = _option("to", "last value, in the unit of its option")
+FIRST = _option("first value, in the unit of its option", "--from")
+LAST = _option("last value, in the unit of its option", "--to")
 Inputs = Annotated[
-    str | None, _option("inputs", "inputs from bearing --write; default: calibrated", "FILE")
+    str | None, _option("inputs from bearing --write; default: calibrated", metavar="FILE")
 ]
-Csv = Annotated[str | None, _option("csv", "table to write, - for standard output", "FILE")]
-Plot = Annotated[str | None, _option("plot", "figure to write", "FILE")]
+Csv = Annotated[str | None, _option("table to write, - for standard output", metavar="FILE")]
+Plot = Annotated[str | None, _option("figure to write", metavar="FILE")]
 Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
 
 app = typer.Typer(
@@ -197,7 +197,7 @@ def curve(
     along: Along,
     first: Annotated[float, FIRST],
     last: Annotated[float, LAST],
-    count: Annotated[int, _option("count", "number of points")] = 60,
+    count: Annotated[int, _option("number of points")] = 60,
     load: Load = None,
     viscosity: Viscosity = None,
     particle_diameter: Size = None,
@@ -242,7 +242,7 @@ def compare(
     other_roughness: Annotated[float | None, _other("roughness")] = None,
     other_particle_density: Annotated[float | None, _other("particle_density")] = None,
     other_inputs: Annotated[
-        str | None, _option("other-inputs", "inputs of the second interface", "FILE")
+        str | None, _option("inputs of the second interface", metavar="FILE")
     ] = None,
     inputs: Inputs = None,
     as_json: Json = False,
@@ -282,16 +282,12 @@ def compare_data(
     particle_density: Density = None,
     speed: Speed = None,
     oil_density_kg_per_m3: Annotated[
-        float | None, _option("oil-density-kg-per-m3", "for speeds, as in the inputs [kg m-3]")
+        float | None, _option("for speeds, as in the inputs [kg m-3]")
     ] = None,
-    boundary_friction: Annotated[
-        float | None, _option("boundary-friction", "of the solids, else fitted [1]")
-    ] = None,
-    film_friction: Annotated[
-        float | None, _option("film-friction", "of the film, else fitted [1]")
-    ] = None,
+    boundary_friction: Annotated[float | None, _option("of the solids, else fitted [1]")] = None,
+    film_friction: Annotated[float | None, _option("of the film, else fitted [1]")] = None,
     resistivity_ohm_m: Annotated[
-        float | None, _option("resistivity-ohm-m", "of both bodies, else fitted [ohm m]")
+        float | None, _option("of both bodies, else fitted [ohm m]")
     ] = None,
     csv: Csv = None,
     plot: Plot = None,
@@ -330,27 +326,19 @@ def compare_data(
     )
 )
 def bearing(
-    ball_radius_mm: Annotated[float | None, _option("ball-radius-mm", "radius R_x [mm]")] = None,
-    speed_m_per_s: Annotated[
-        float | None, _option("speed-m-per-s", "entrainment speed (u_1 + u_2)/2 [m/s]")
-    ] = None,
-    oil_density_kg_per_m3: Annotated[
-        float | None, _option("oil-density-kg-per-m3", "rho, with the speed [kg m-3]")
-    ] = None,
+    ball_radius_mm: Annotated[float | None, _option("radius R_x [mm]")] = None,
+    speed_m_per_s: Annotated[float | None, _option("entrainment speed (u_1 + u_2)/2 [m/s]")] = None,
+    oil_density_kg_per_m3: Annotated[float | None, _option("rho, with the speed [kg m-3]")] = None,
     pressure_viscosity_per_GPa: Annotated[
-        float | None, _option("pressure-viscosity-per-GPa", "alpha [GPa-1]")
+        float | None, _option("alpha [GPa-1]", "--pressure-viscosity-per-GPa")
     ] = None,
-    apparent_area_mm2: Annotated[
-        float | None, _option("apparent-area-mm2", "A_n, nominal area of loads [mm2]")
-    ] = None,
-    ellipticity: Annotated[float | None, _option("ellipticity", "kappa, 1 for a ball [1]")] = None,
-    ball: Annotated[str | None, _option("ball", f"surface 1: {MATERIALS}", "MATERIAL")] = None,
-    flat: Annotated[str | None, _option("flat", "surface 2", "MATERIAL")] = None,
-    particle: Annotated[
-        str | None, _option("particle", "at least as hard as both", "MATERIAL")
-    ] = None,
+    apparent_area_mm2: Annotated[float | None, _option("A_n, nominal area of loads [mm2]")] = None,
+    ellipticity: Annotated[float | None, _option("kappa, 1 for a ball [1]")] = None,
+    ball: Annotated[str | None, _option(f"surface 1: {MATERIALS}", metavar="MATERIAL")] = None,
+    flat: Annotated[str | None, _option("surface 2", metavar="MATERIAL")] = None,
+    particle: Annotated[str | None, _option("at least as hard as both", metavar="MATERIAL")] = None,
     inputs: Inputs = None,
-    write: Annotated[str | None, _option("write", "file of inputs to write", "FILE")] = None,
+    write: Annotated[str | None, _option("file of inputs to write", metavar="FILE")] = None,
     as_json: Json = False,
 ) -> int:
     """Inputs for another ball, speed, oil or material."""
