@@ -156,9 +156,8 @@ class Contact:
         return SolidState(
             log_load=log_solids,
             log_summit_load=log_summits,
-            log_summit_area=log_product(
-                log_area, bare_area
-            ),  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
+            # Eq. 5: A_ss-sa = A_ss (1 - coverage)
+            log_summit_area=log_product(log_area, bare_area),
             particle_area=area,
             coverage=coverage.value,
             errors=errors,
