@@ -103,11 +103,8 @@ def rank_interpretations(
     losses = {each.name: left_out_losses(objective, each.predicted) for each in candidates}
     totals = {name: series.sum() if len(series) else np.nan for name, series in losses.items()}
     cross_validated = {name: total for name, total in totals.items() if not math.isnan(total)}
-    least = (
-        losses[min(cross_validated, key=lambda name: cross_validated[name])]
-        if cross_validated
-        else None
-    )
+    best = min(cross_validated, key=cross_validated.__getitem__, default=None)
+    least = None if best is None else losses[best]
     rows = []
     for candidate in candidates:
         inputs, verdicts = candidate.content["inputs"], candidate.verdicts

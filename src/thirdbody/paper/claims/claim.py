@@ -92,7 +92,7 @@ class Claim:
     aside: str = ""
     cluster: str = ""
 
-    # fields of some kinds: what the other kinds have in their place
+    # fields of some kinds: what the other kinds have in their place; annotations would make them fields of all
     quantity = direction = along = extreme = ""
     against = "load"
     published = None  # type: Any
