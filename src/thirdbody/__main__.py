@@ -2,12 +2,13 @@
 
 import os
 import sys
+from io import TextIOWrapper
 
 
 def run() -> int:
     """Run the command in any encoding; Ctrl-C ends it quietly, even while modules are imported."""
     sys.stderr = sys.stderr or open(os.devnull, "w")  # noqa: SIM115
-    if sys.stdout:  # None if it is closed: then no answer can be written
+    if isinstance(sys.stdout, TextIOWrapper):  # None if it is closed: then no answer can be written
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         from thirdbody.command import main

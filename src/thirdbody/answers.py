@@ -173,7 +173,7 @@ def curve(
     check_count(count)
     numbers = np.geomspace(*between, count)
     points, *of_members = _of_each(
-        lambda inputs: solve(**conditions, **{along: numbers}, parameters=inputs, progress=False),
+        lambda inputs: solve(**{**conditions, along: numbers}, parameters=inputs, progress=False),
         parameters,
     )
     table = _with_ranges([points, *of_members], QUANTITIES)
@@ -261,11 +261,11 @@ def _states(parameters, conditions) -> list[dict]:
         point = solve(**conditions, parameters=inputs)
         numbers = {name: float(getattr(point, name)) for name in QUANTITIES}
         numbers["separation"] *= 1e9
-        numbers = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
+        known = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
         states = {name: str(getattr(point, name).item()) for name in FLAGS}
         if states["lubrication_regime"] == "full_film":
             states["contact_mode"] = "none"
-        return numbers | states
+        return known | states
 
     return _of_each(values, parameters)
 

@@ -5,6 +5,7 @@ import json
 from collections.abc import Iterable, Mapping
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,11 +38,12 @@ def coordinate_attributes(described: Described, key: str = "") -> dict[str, str]
 
 def variable_attributes(quantity: Described) -> dict:
     """Attributes of a variable."""
-    attributes = coordinate_attributes(quantity) | {"equation": quantity.equation}
+    attributes: dict[str, Any] = coordinate_attributes(quantity)
+    attributes |= {"equation": quantity.equation}
     if quantity.meanings:
         named = dict(enumerate(quantity.meanings))
-        named |= {} if quantity.name == STATUS else {NO_FLAG: "without_values"}
-        named |= {FILL_FLAG: "not_shown"}
+        named |= {} if quantity.name == STATUS else {int(NO_FLAG): "without_values"}
+        named |= {int(FILL_FLAG): "not_shown"}
         attributes["flag_values"] = np.array([*named], dtype=np.int8)
         attributes["flag_meanings"] = " ".join(named.values())
         attributes["coverage_content_type"] = "qualityInformation"

@@ -234,7 +234,7 @@ def bearing(
         texts = ("None" if each is None else f"{each:g}" for each in (speed, density))
         message = "speed_m_per_s is {} and oil_density_kg_per_m3 {}; allowed: both, or neither"
         raise ValueError(message.format(*texts))
-    if speed is not None:
+    if speed is not None and density is not None:
         changes["speed_per_viscosity"] = density * speed / (modulus * radius)
     if "pressure_viscosity_per_GPa" in numbers:
         changes["material_parameter"] = numbers["pressure_viscosity_per_GPa"] * modulus / GIGA
@@ -304,9 +304,10 @@ def speed_note(parameters: Parameters) -> str:
 
 def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, NDArray]:
     """Area [m2] and mean pressure [Pa] of the smooth ball on a flat under a load [N] (Hertz)."""
-    cube = 0.75 * np.asarray(load_N, float) * parameters.ball_radius
+    load = np.asarray(load_N, float)
+    cube = 0.75 * load * parameters.ball_radius
     area = math.pi * (cube / parameters.elastic_modulus_surfaces) ** (2.0 / 3.0)
-    return area, load_N / area
+    return area, load / area
 
 
 def derived_inputs(parameters: Parameters | None = None) -> pd.DataFrame:

@@ -20,37 +20,45 @@ MATERIALS = (
 )
 
 
-def _option(name: str, text: str, kind: type = float, metavar: str = "NUMBER") -> Any:
-    """The type of an argument that an option sets."""
-    return Annotated[kind | None, typer.Option(f"--{name}", help=text, metavar=metavar)]
+def _option(text: str, *names: str, metavar: str = "NUMBER") -> Any:
+    """An option, called as its argument if it is given no names."""
+    return typer.Option(*names, help=text, metavar=metavar)
 
 
 def _condition(name: str, text: str, before: str = "") -> Any:
-    """The type of an argument that the option of a condition sets, with its name and unit in the table of variables."""
+    """The option of a condition, with its name and unit in the table of variables."""
     axis = CONDITIONS[name]
-    return _option(before + axis.alias.replace("_", "-"), f"{text} [{axis.alias_unit}]")
+    return _option(f"{text} [{axis.alias_unit}]", f"--{before}{axis.alias.replace('_', '-')}")
 
 
-HELP = {
-    "load": "normal load",
-    "viscosity": "kinematic viscosity of the oil, 0 if dry",
-    "particle_diameter": "mean particle diameter x_a, 0 if none",
-    "roughness": "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2)",
-    "particle_density": "particles per area, 0 if none",
-    "speed": "entrainment speed; default: that of the inputs",
-}
-Load, Viscosity, Size, Roughness, Density, Speed = (
-    _condition(name, text) for name, text in HELP.items()
-)
-OtherLoad, OtherViscosity, OtherSize, OtherRoughness, OtherDensity = (
-    _condition(name, "of the second interface", "other-") for name in AXES
-)
-Along = _option("along", f"condition that varies: {', '.join(CONDITIONS)}", str, "CONDITION")
-First = _option("from", "first value, in the unit of its option")
-Last = _option("to", "last value, in the unit of its option")
-Inputs = _option("inputs", "inputs from bearing --write; default: calibrated", str, "FILE")
-Csv = _option("csv", "table to write, - for standard output", str, "FILE")
-Plot = _option("plot", "figure to write", str, "FILE")
+def _other(name: str) -> Any:
+    return _condition(name, "of the second interface", "other-")
+
+
+Load = Annotated[float | None, _condition("load", "normal load")]
+Viscosity = Annotated[
+    float | None, _condition("viscosity", "kinematic viscosity of the oil, 0 if dry")
+]
+Size = Annotated[
+    float | None, _condition("particle_diameter", "mean particle diameter x_a, 0 if none")
+]
+Roughness = Annotated[
+    float | None, _condition("roughness", "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2)")
+]
+Density = Annotated[float | None, _condition("particle_density", "particles per area, 0 if none")]
+Speed = Annotated[
+    float | None, _condition("speed", "entrainment speed; default: that of the inputs")
+]
+Along = Annotated[
+    str, _option(f"condition that varies: {', '.join(CONDITIONS)}", metavar="CONDITION")
+]
+FIRST = _option("first value, in the unit of its option", "--from")
+LAST = _option("last value, in the unit of its option", "--to")
+Inputs = Annotated[
+    str | None, _option("inputs from bearing --write; default: calibrated", metavar="FILE")
+]
+Csv = Annotated[str | None, _option("table to write, - for standard output", metavar="FILE")]
+Plot = Annotated[str | None, _option("figure to write", metavar="FILE")]
 Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
 
 app = typer.Typer(
@@ -79,13 +87,13 @@ def _thirdbody(
     """Contact of rough surfaces with hard particles and an oil film between them."""
 
 
-def _example(*lines: str) -> dict[str, str]:
+def _example(*lines: str) -> str:
     """The epilog with an example."""
-    return {"epilog": "\b\nExample:\n  " + " \\\n    ".join(lines)}  # \b: no wrapping
+    return "\b\nExample:\n  " + " \\\n    ".join(lines)  # \b: no wrapping
 
 
 @app.command(
-    **_example(
+    epilog=_example(
         "thirdbody state --load-N 10 --viscosity-cSt 90",
         "--particle-diameter-nm 500 --roughness-nm 300",
         "--particle-density-per-m2 1e11",
@@ -124,7 +132,7 @@ def state(
 
 
 @app.command(
-    **_example(
+    epilog=_example(
         "thirdbody transitions --along viscosity --load-N 10",
         "--particle-diameter-nm 500 --roughness-nm 300",
         "--particle-density-per-m2 1e11",
@@ -132,8 +140,8 @@ def state(
 )
 def transitions(
     along: Along = "load",
-    first: First = None,
-    last: Last = None,
+    first: Annotated[float | None, FIRST] = None,
+    last: Annotated[float | None, LAST] = None,
     load: Load = None,
     viscosity: Viscosity = None,
     particle_diameter: Size = None,
@@ -154,15 +162,15 @@ def transitions(
 
 
 @app.command(
-    **_example(
+    epilog=_example(
         "thirdbody turning-point --viscosity-cSt 0",
         "--particle-diameter-nm 300 --roughness-nm 300",
         "--particle-density-per-m2 1e11",
     )
 )
 def turning_point(
-    first: First = 0.04,
-    last: Last = 80.0,
+    first: Annotated[float, FIRST] = 0.04,
+    last: Annotated[float, LAST] = 80.0,
     viscosity: Viscosity = None,
     particle_diameter: Size = None,
     roughness: Roughness = None,
@@ -179,7 +187,7 @@ def turning_point(
 
 
 @app.command(
-    **_example(
+    epilog=_example(
         "thirdbody curve --along viscosity --from 10 --to 150 --load-N 10",
         "--particle-diameter-nm 500 --roughness-nm 300",
         "--particle-density-per-m2 1e11 --csv curve.csv --plot curve.svg",
@@ -187,9 +195,9 @@ def turning_point(
 )
 def curve(
     along: Along,
-    first: First,
-    last: Last,
-    count: _option("count", "number of points", int) = 60,
+    first: Annotated[float, FIRST],
+    last: Annotated[float, LAST],
+    count: Annotated[int, _option("number of points")] = 60,
     load: Load = None,
     viscosity: Viscosity = None,
     particle_diameter: Size = None,
@@ -216,7 +224,7 @@ def curve(
 
 
 @app.command(
-    **_example(
+    epilog=_example(
         "thirdbody compare --load-N 10 --viscosity-cSt 90",
         "--particle-diameter-nm 500 --roughness-nm 300",
         "--particle-density-per-m2 1e11 --other-viscosity-cSt 120",
@@ -228,12 +236,14 @@ def compare(
     particle_diameter: Size = None,
     roughness: Roughness = None,
     particle_density: Density = None,
-    other_load: OtherLoad = None,
-    other_viscosity: OtherViscosity = None,
-    other_particle_diameter: OtherSize = None,
-    other_roughness: OtherRoughness = None,
-    other_particle_density: OtherDensity = None,
-    other_inputs: _option("other-inputs", "inputs of the second interface", str, "FILE") = None,
+    other_load: Annotated[float | None, _other("load")] = None,
+    other_viscosity: Annotated[float | None, _other("viscosity")] = None,
+    other_particle_diameter: Annotated[float | None, _other("particle_diameter")] = None,
+    other_roughness: Annotated[float | None, _other("roughness")] = None,
+    other_particle_density: Annotated[float | None, _other("particle_density")] = None,
+    other_inputs: Annotated[
+        str | None, _option("inputs of the second interface", metavar="FILE")
+    ] = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
@@ -255,7 +265,7 @@ def compare(
 
 
 @app.command(
-    **_example(
+    epilog=_example(
         "thirdbody compare-data measured.csv --viscosity-cSt 90",
         "--particle-diameter-nm 500 --roughness-nm 300",
         "--particle-density-per-m2 1e11 --plot compared.svg",
@@ -271,12 +281,14 @@ def compare_data(
     roughness: Roughness = None,
     particle_density: Density = None,
     speed: Speed = None,
-    oil_density_kg_per_m3: _option(
-        "oil-density-kg-per-m3", "for speeds, as in the inputs [kg m-3]"
-    ) = None,
-    boundary_friction: _option("boundary-friction", "of the solids, else fitted [1]") = None,
-    film_friction: _option("film-friction", "of the film, else fitted [1]") = None,
-    resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies, else fitted [ohm m]") = None,
+    oil_density_kg_per_m3: Annotated[
+        float | None, _option("for speeds, as in the inputs [kg m-3]")
+    ] = None,
+    boundary_friction: Annotated[float | None, _option("of the solids, else fitted [1]")] = None,
+    film_friction: Annotated[float | None, _option("of the film, else fitted [1]")] = None,
+    resistivity_ohm_m: Annotated[
+        float | None, _option("of both bodies, else fitted [ohm m]")
+    ] = None,
     csv: Csv = None,
     plot: Plot = None,
     inputs: Inputs = None,
@@ -307,24 +319,26 @@ def compare_data(
 
 
 @app.command(
-    **_example(
+    epilog=_example(
         "thirdbody bearing --ball silicon-nitride --ball-radius-mm 5",
         "--speed-m-per-s 2 --oil-density-kg-per-m3 850",
         "--pressure-viscosity-per-GPa 20 --write bearing.yaml",
     )
 )
 def bearing(
-    ball_radius_mm: _option("ball-radius-mm", "radius R_x [mm]") = None,
-    speed_m_per_s: _option("speed-m-per-s", "entrainment speed (u_1 + u_2)/2 [m/s]") = None,
-    oil_density_kg_per_m3: _option("oil-density-kg-per-m3", "rho, with the speed [kg m-3]") = None,
-    pressure_viscosity_per_GPa: _option("pressure-viscosity-per-GPa", "alpha [GPa-1]") = None,
-    apparent_area_mm2: _option("apparent-area-mm2", "A_n, nominal area of loads [mm2]") = None,
-    ellipticity: _option("ellipticity", "kappa, 1 for a ball [1]") = None,
-    ball: _option("ball", f"surface 1: {MATERIALS}", str, "MATERIAL") = None,
-    flat: _option("flat", "surface 2", str, "MATERIAL") = None,
-    particle: _option("particle", "at least as hard as both", str, "MATERIAL") = None,
+    ball_radius_mm: Annotated[float | None, _option("radius R_x [mm]")] = None,
+    speed_m_per_s: Annotated[float | None, _option("entrainment speed (u_1 + u_2)/2 [m/s]")] = None,
+    oil_density_kg_per_m3: Annotated[float | None, _option("rho, with the speed [kg m-3]")] = None,
+    pressure_viscosity_per_GPa: Annotated[
+        float | None, _option("alpha [GPa-1]", "--pressure-viscosity-per-GPa")
+    ] = None,
+    apparent_area_mm2: Annotated[float | None, _option("A_n, nominal area of loads [mm2]")] = None,
+    ellipticity: Annotated[float | None, _option("kappa, 1 for a ball [1]")] = None,
+    ball: Annotated[str | None, _option(f"surface 1: {MATERIALS}", metavar="MATERIAL")] = None,
+    flat: Annotated[str | None, _option("surface 2", metavar="MATERIAL")] = None,
+    particle: Annotated[str | None, _option("at least as hard as both", metavar="MATERIAL")] = None,
     inputs: Inputs = None,
-    write: _option("write", "file of inputs to write", str, "FILE") = None,
+    write: Annotated[str | None, _option("file of inputs to write", metavar="FILE")] = None,
     as_json: Json = False,
 ) -> int:
     """Inputs for another ball, speed, oil or material."""
@@ -421,7 +435,7 @@ def _write(text: str, path: str) -> None:
         return
     from thirdbody.files import atomic_write
 
-    with atomic_write(path) as part:
+    with atomic_write(path) as (part,):
         part.write_text(text, encoding="utf-8")
 
 
@@ -439,7 +453,7 @@ def main(arguments: list[str] | None = None) -> int:
         try:
             code = app(arguments, prog_name="thirdbody", standalone_mode=False)
         except typer.TyperException as error:
-            error.show()
+            error.show()  # type: ignore[attr-defined]  # all that typer raises have it
             return BAD_INPUT
         except (ValueError, TypeError, OSError, ImportError) as error:
             print(f"error: {error}", file=sys.stderr)

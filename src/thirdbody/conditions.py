@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass
 from functools import cache
 from inspect import currentframe
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -50,7 +51,8 @@ class OutOfRangeWarning(UserWarning):
     """
 
 
-class Conditions(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Conditions:
     """Conditions in SI, by the names of ``AXES``.
 
     Attributes
@@ -166,7 +168,7 @@ def unit_text(key: str) -> str:
     return axis.alias_unit if key == axis.alias else axis.unit
 
 
-def ends_in_si(name: str, ends: Any, key: str, parameters: Parameters) -> NDArray:
+def ends_in_si(name: str, ends: Any, key: str, parameters: Parameters) -> tuple[float, float]:
     """The two ends of a range, the argument ``name``, numbers in the unit of ``key`` or quantities, in SI.
 
     Raises ``ValueError`` unless they are positive and increase; warns as ``read_conditions``.
@@ -177,7 +179,7 @@ def ends_in_si(name: str, ends: Any, key: str, parameters: Parameters) -> NDArra
     if si.shape != (2,) or not 0.0 < si[0] < si[1]:
         raise ValueError(f"{name} is {ends!r}; allowed: two numbers, positive and increasing")
     _warn([text.replace(key, name, 1) for end in typed for text in end.unusual(newtons)][:1])
-    return si
+    return si[0], si[1]
 
 
 class _Typed(NamedTuple):
@@ -451,8 +453,8 @@ def _warn(unusual):
 
 def _level_outside():
     """The level in the stack, for ``warnings.warn`` in the calling function, of the code that called the package."""
-    level, frame = 1, currentframe().f_back
-    while frame.f_back is not None and frame.f_globals["__name__"].startswith("thirdbody"):
+    level, frame = 0, currentframe()
+    while frame is not None and frame.f_globals["__name__"].startswith("thirdbody"):
         level, frame = level + 1, frame.f_back
     return level
 

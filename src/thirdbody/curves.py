@@ -6,7 +6,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.netcdf import FILL_FLAG, PlainDataset
+from thirdbody.netcdf import FILL_FLAG, Dataset
 from thirdbody.variables import AXES, CONDITION_AXES, STATUS
 
 
@@ -52,7 +52,7 @@ def row_key(row: Mapping) -> tuple[str, ...]:
     return condition_key(row[axis.column] for axis in CONDITION_AXES)
 
 
-def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def curves_of(dataset: Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """The curves of a dataset, with at least one point with a status: their conditions, SI, in the
     order of ``Condition``, shape (4, curves); and their index in a variable after its load axis,
     ``values[:, index]``."""

@@ -9,19 +9,20 @@ import shutil
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from os import PathLike
 from pathlib import Path
 
 from thirdbody.messages import format_path, format_value
 
 
 @contextmanager
-def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
+def atomic_write(*paths: str | PathLike) -> Iterator[tuple[Path, ...]]:
     """Write files under temporary names beside the ``paths``, which are yielded, and move them into
     place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
     an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
     places = [*map(_place, paths)]
     if len(places) == 1 and _is_device(places[0]):
-        yield places[0]
+        yield (places[0],)
         return
     # temporary names have the process, by which what a killed one leaves is known
     mark = f"partial{os.getpid()}-{secrets.token_hex(4)}"
@@ -29,9 +30,8 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     try:
         for place, part in parts.items():
             _prepare(place, part)
-        written = tuple(parts.values())
-        yield written[0] if len(written) == 1 else written
-        for part in written:
+        yield tuple(parts.values())
+        for part in parts.values():
             with open(part, "rb") as stream:
                 os.fsync(stream.fileno())
         for place, part in parts.items():
@@ -84,7 +84,7 @@ def _is_alive(process):
     return True
 
 
-def _place(path: str | Path) -> Path:
+def _place(path: str | PathLike) -> Path:
     """``path`` as a ``Path``, which must name a file."""
     try:
         place = Path(path)

@@ -102,8 +102,8 @@ def grid(
     request = axes | {"speed": speeds}
     solved = _solved_grid(films, request, parameters, rtol, names, load_key, progress)
     shape = axes["viscosity"].size, speeds.size
-    places = xr.DataArray(places.reshape(shape), dims=("film", "speed"))
-    placed = solved.isel(viscosity=places).drop_vars("viscosity").rename(film="viscosity")
+    films_of = xr.DataArray(places.reshape(shape), dims=("film", "speed"))
+    placed = solved.isel(viscosity=films_of).drop_vars("viscosity").rename(film="viscosity")
     return placed.assign_coords(
         {
             name: (name, request[name], coordinate_attributes(CONDITIONS[name]))
@@ -112,7 +112,15 @@ def grid(
     )
 
 
-def _solved_grid(axes, request, parameters, rtol, names, load_key, progress) -> xr.Dataset:
+def _solved_grid(
+    axes: Axes,
+    request: Axes,
+    parameters: Parameters,
+    rtol: float,
+    names: Collection[str],
+    load_key: str,
+    progress: bool,
+) -> xr.Dataset:
     """The dataset of five axes, for a ``request`` by name."""
     points = prod(axis.size for axis in axes.values())
     with Progress(points, "points", progress) as bar:
@@ -183,7 +191,7 @@ def stream(
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
     described = described_grid(axes, empty, parameters, rtol, load_key=load_key)
-    with atomic_write(path) as part:
+    with atomic_write(path) as (part,):
         size = prod(shape) * sum(kind.itemsize for kind in types.values())
         free = disk_usage(Path(path).parent).free
         if size > free and not compression:

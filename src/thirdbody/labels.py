@@ -31,11 +31,11 @@ def labelled_dataset(solution: Solution) -> xr.Dataset:
 def _labelled(solution) -> xr.Dataset:
     variables, conditions = solution.variables, solution.conditions
     first = next(iter(variables.values()), None)
-    labelled = isinstance(first, xr.DataArray)
+    labelled = first if isinstance(first, xr.DataArray) else None
     plain = [values for values in conditions.values() if not isinstance(values, xr.DataArray)]
     shape = np.broadcast_shapes(*map(np.shape, (*variables.values(), *plain)))
-    dimensions = first.dims if labelled else _dimensions(shape, conditions)
-    coordinates = dict(first.coords) if labelled else {}
+    dimensions = _dimensions(shape, conditions) if labelled is None else labelled.dims
+    coordinates = {} if labelled is None else dict(labelled.coords)
     for name, values in conditions.items():
         if name not in coordinates:
             attributes = coordinate_attributes(CONDITIONS[name], solution.keys[name])
@@ -59,10 +59,11 @@ def labelled_frame(solution: Solution) -> pd.DataFrame:
     flat = dataset if dataset.sizes else dataset.expand_dims(POINT)
     labels = [name for name in flat.dims if name in flat.coords]
     others = [name for name in flat.coords if name not in labels]
-    frame = flat.to_dataframe().reset_index()[[*labels, *others, *flat.data_vars]]
-    for name, codes in codes_to_name({name: frame[name] for name in flat.data_vars}).items():
+    frame = flat.to_dataframe().reset_index()[[*labels, *others, *solution.variables]]
+    for name, codes in codes_to_name({name: frame[name] for name in solution.variables}).items():
         frame[name] = pd.Categorical.from_codes(codes, FLAG_MEANINGS[name])
-    headings = {name: column_name(name) for name in flat.data_vars} | solution.keys
+    headings = {name: column_name(name) for name in solution.variables}
+    headings |= solution.keys
     for name, key in solution.keys.items():
         frame[name] = decimal(from_si(key, frame[name], solution.newtons_per_load))
     headings[NORMAL_LOAD.name] = "load_N"
@@ -92,7 +93,7 @@ def _with_rows(dataset, index):
         return dataset
     dimension, size = [*dataset.sizes.items()][-1]
     rows = index.take(np.arange(size) % max(len(index), 1))
-    labels = {}
+    labels: dict[str, tuple] = {}
     for level, name in enumerate(rows.names):
         if name is None or name in (*dataset.variables, *labels):
             name = "row" if rows.nlevels == 1 else f"row_{level}"

@@ -8,7 +8,7 @@ import errno
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, Union
 
 import netCDF4
 import numpy as np
@@ -69,13 +69,16 @@ class PlainDataset:
         return xr.Dataset(self.data_vars, self.coords, self.attrs)
 
 
-def write_dataset(dataset: "PlainDataset | xr.Dataset", path: str | PathLike) -> None:
+Dataset: TypeAlias = Union[PlainDataset, "xr.Dataset"]  # functions accept either
+
+
+def write_dataset(dataset: Dataset, path: str | PathLike) -> None:
     """Write a dataset as NetCDF-4: ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing values, and unsolved
     points stay nan.  Raises ``OSError`` if the disk is full or not writable."""
     # smallest size, within 0.2 %, that every NetCDF-4 library reads; level 9 takes 50 % longer to write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     storage = {
-        name: compressed | {"chunksizes": variable.values.shape}
+        str(name): compressed | {"chunksizes": variable.values.shape}
         for name, variable in dataset.data_vars.items()
     }
     try:
@@ -87,18 +90,19 @@ def write_dataset(dataset: "PlainDataset | xr.Dataset", path: str | PathLike) ->
 
 
 def declare(
-    file: netCDF4.Dataset, dataset: "PlainDataset | xr.Dataset", storage: Mapping[str, Mapping]
+    file: netCDF4.Dataset, dataset: Dataset, storage: Mapping[str, Mapping]
 ) -> dict[str, netCDF4.Variable]:
     """Write a dataset to a new file, except the values of its variables, which are returned empty;
     ``storage`` has arguments of ``netCDF4.Dataset.createVariable`` for each."""
     file.setncatts(dataset.attrs)
     for name, size in dataset.sizes.items():
-        file.createDimension(name, size)
+        file.createDimension(str(name), size)
     declared = {}
-    for name, variable in dataset.data_vars.items():
+    for key, variable in dataset.data_vars.items():
+        name = str(key)
         declared[name] = _added(file, name, variable, **storage[name])
         beside = [  # coordinates along its dimensions that have other names
-            other
+            str(other)
             for other, coordinate in dataset.coords.items()
             if other not in coordinate.dims and set(coordinate.dims) <= set(variable.dims)
         ]
@@ -121,7 +125,8 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
     """Read a NetCDF file, with packed numbers decoded and nan for their fill values; ``OSError`` in one
     line if it is missing, damaged, or lacks ``needed`` variables."""
-    coordinates, variables = set(), {}
+    coordinates: set[str] = set()
+    variables: dict[str, Variable] = {}
     try:
         with netCDF4.Dataset(path) as file:
             coordinates.update(file.dimensions)

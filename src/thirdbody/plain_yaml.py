@@ -8,7 +8,7 @@ import yaml
 
 from thirdbody.messages import format_path, format_value
 
-KINDS = {dict: "keys with values", list: "a list"}
+KINDS: dict[type, str] = {dict: "keys with values", list: "a list"}
 LARGEST = 1_000_000  # bytes of a file
 DEEPEST = 20  # lists and mappings in one another
 MOST_VALUES = 100_000  # with what aliases repeat

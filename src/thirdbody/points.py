@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import (
     broadcast_by_name,
@@ -117,10 +117,10 @@ def solve(
     with Progress(points, "points", progress) as bar:
         values = solve_points(arrays, parameters, rtol, names, bar.add)
     values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
-    if pattern is not None:
-        values = {name: pattern.copy(data=array).rename(name) for name, array in values.items()}
     return Solution(
-        variables=values,
+        variables=values
+        if pattern is None
+        else {name: pattern.copy(data=array).rename(name) for name, array in values.items()},
         conditions=read.arrays | read.labelled,
         keys=read.keys,
         newtons_per_load=parameters.newtons_per_load,
@@ -249,7 +249,7 @@ class Solution:
         return self.to_dataframe().to_html(index=self.index is not None, max_rows=60)
 
 
-def _in_words(name, values) -> str:
+def _in_words(name: str, values: NDArray) -> str:
     """A number, or the range of numbers; for a flag the names with their counts."""
     if name in STATES:
         states, counts = np.unique(values.astype(int), return_counts=True)

@@ -20,7 +20,8 @@ class Progress:
     def __init__(self, total: int, things: str, is_shown: bool) -> None:
         self._total, self._things = total, things
         self._is_shown = is_shown and sys.stderr is not None  # None without a console
-        self._done, self._written = 0, None  # counts: now, and when last written
+        self._done = 0
+        self._written: int | None = None  # the count when last written
         self._is_bar = self._is_shown and sys.stderr.isatty()
         self._start = monotonic()
         self._due = self._start + (FIRST_BAR if self._is_bar else LINE)

@@ -3,8 +3,9 @@ between regimes and modes; ``turning_point`` and ``turning_window`` for maxima o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -121,7 +122,7 @@ def find(
         "solution_status": _names("solution_status", places.solution_status),
     }
     index = common_index(conditions | {"level": level})
-    return _indexed(table, queries._replace(index=index), places.query)
+    return _indexed(table, replace(queries, index=index), places.query)
 
 
 def transitions(
@@ -298,7 +299,8 @@ def turning_window(
 WINDOW_COLUMNS = ["low", "low_error", "high", "high_error"]
 
 
-class Queries(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Queries:
     """The combinations of conditions along whose remaining axis is searched.
 
     ``columns`` are conditions [SI] and other numbers by name, flat; ``keys`` the names of the conditions in
@@ -346,13 +348,21 @@ def sample(
     check_count(count)
     if between is None:
         axis = axis_of(along)
-        ends = to_si(axis.alias, axis.searched, parameters.newtons_per_load)
+        first, last = to_si(axis.alias, axis.searched, parameters.newtons_per_load)
     else:
-        ends = ends_in_si("between", between, along, parameters)
-    return np.geomspace(*ends, count)
+        first, last = ends_in_si("between", between, along, parameters)
+    return np.geomspace(first, last, count)
 
 
-def _crossings(queries, along, limits, samples, parameters, rtol, progress) -> Crossings:
+def _crossings(
+    queries: Queries,
+    along: str,
+    limits: Sequence[tuple[str, NDArray]],
+    samples: NDArray,
+    parameters: Parameters,
+    rtol: float,
+    progress: bool,
+) -> Crossings:
     """Crossings along a condition, of which the speed is solved as a viscosity."""
     axis = axis_of(along).name
     others = {name: column for name, column in queries.columns.items() if name in CONDITIONS}
@@ -372,7 +382,7 @@ def _crossings(queries, along, limits, samples, parameters, rtol, progress) -> C
     return places._replace(value=places.value / scale, error=places.error / scale)
 
 
-def _places(places: Crossings, along, parameters) -> dict[str, NDArray]:
+def _places(places: Crossings, along: str, parameters: Parameters) -> dict[str, NDArray]:
     """Place and error of crossings in the unit of ``along``."""
     newtons = parameters.newtons_per_load
     return {

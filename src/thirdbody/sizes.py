@@ -17,10 +17,7 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
     part = normal.cdf(largest) - normal.cdf(0.0)
     mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
-    x_a, mean, largest, reach = (
-        f"{1e9 * each:.4g}" for each in (diameter, mean, largest, layer.reach[0])
-    )
     return (
-        f"x_a = {x_a} nm stands for particles of {mean} nm on average and at most {largest} nm, "
-        f"which carry load at separations d below {reach} nm"
+        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average and at most "
+        f"{1e9 * largest:.4g} nm, which carry load at separations d below {1e9 * layer.reach[0]:.4g} nm"
     )

@@ -116,7 +116,10 @@ def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:
     return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)
 
 
-def _by_name(*variables):
+Kind = TypeVar("Kind", bound=Variable)
+
+
+def _by_name(*variables: Kind) -> dict[str, Kind]:
     return {variable.name: variable for variable in variables}
 
 
@@ -409,7 +412,7 @@ def with_table(documented: Documented) -> Documented:
         symbol = f": {variable.symbol} [{variable.unit}]" if variable.name in QUANTITIES else ""
         variables += [f"{variable.name} : array", f"    The {variable.label}{symbol}."]
     for name, lines in (("{conditions}", conditions), ("{variables}", variables)):
-        documented.__doc__ = documented.__doc__.replace(name, "\n    ".join(lines))
+        documented.__doc__ = (documented.__doc__ or "").replace(name, "\n    ".join(lines))
     if inspect.isfunction(documented):
         signature = inspect.signature(documented)
         *others, _ = signature.parameters.values()
@@ -418,5 +421,5 @@ def with_table(documented: Documented) -> Documented:
             for axis in CONDITIONS.values()
             for name in (axis.name, axis.alias)
         ]
-        documented.__signature__ = signature.replace(parameters=[*names, *others])
+        vars(documented)["__signature__"] = signature.replace(parameters=[*names, *others])
     return documented

@@ -47,11 +47,11 @@ def test_what_a_killed_writer_leaves_is_removed_and_what_another_writes_is_not(t
     with begun() as alive:
         assert left not in listing(tmp_path)
         (kept,) = listing(tmp_path)
-        with atomic_write(tmp_path / "a.csv") as part:
+        with atomic_write(tmp_path / "a.csv") as (part,):
             part.write_text("whole")
         assert listing(tmp_path) == [kept, "a.csv"]
         alive.kill()
-    with atomic_write(tmp_path / "a.csv") as part:
+    with atomic_write(tmp_path / "a.csv") as (part,):
         part.write_text("again")
     assert listing(tmp_path) == ["a.csv"] and (tmp_path / "a.csv").read_text() == "again"
 
@@ -110,7 +110,7 @@ def test_a_pipe_is_written_and_stays_a_pipe(tmp_path):
     place = tmp_path / "pipe"
     os.mkfifo(place)
     reader = os.open(place, os.O_RDONLY | os.O_NONBLOCK)
-    with atomic_write(place) as part:
+    with atomic_write(place) as (part,):
         part.write_text("a line\n")
     assert os.read(reader, 100) == b"a line\n" and place.is_fifo()
     os.close(reader)
@@ -120,7 +120,7 @@ def test_what_is_written_over_keeps_its_mode_and_a_read_only_file_stays(tmp_path
     place = tmp_path / "table.csv"
     place.write_text("first")
     place.chmod(0o600)
-    with atomic_write(place) as part:
+    with atomic_write(place) as (part,):
         part.write_text("second")
     assert place.stat().st_mode & 0o777 == 0o600
     monkeypatch.setattr(os, "access", lambda path, mode: False)  # root may write all files

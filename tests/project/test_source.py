@@ -9,12 +9,21 @@ from pathlib import Path
 
 import pytest
 
+import thirdbody
+
 ROOT = Path(__file__).resolve().parents[2]
+PUBLIC_API = Path(__file__).with_name("public_api.py")
 CHECKS = {
     "packages import only from below": ["lint-imports", "--no-cache"],
     "ruff finds no fault": ["ruff", "check", "--no-cache"],
     "every file is formatted": ["ruff", "format", "--check", "--no-cache"],
     "every rule is formatted": ["snakefmt", "--check", "Snakefile", "workflow"],
+    "types agree": ["mypy"],
+    # without the configuration of this repository, as in one with the installed library
+    "the library is typed for users": [
+        *("mypy", "--strict", "--config-file=", "--cache-dir=.mypy_cache/user"),
+        PUBLIC_API,
+    ],
 }
 
 
@@ -27,6 +36,13 @@ def test_source(check):
         command, cwd=ROOT, env=os.environ | library, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_users_file_has_every_public_name():
+    names = set(
+        re.findall(r"(?<=\btb\.)\w+|(?<=\btb\.lab\.)\w+", PUBLIC_API.read_text(encoding="utf-8"))
+    )
+    assert names == {*thirdbody.__all__, *thirdbody.lab.__all__}
 
 
 def test_snakemake_asks_for_nothing_but_environments():

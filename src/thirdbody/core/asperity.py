@@ -115,8 +115,8 @@ class SummitPopulation:
         """The populations of the points selected by an index or mask ``chosen``."""
         return replace(
             self,
-            scaled_density=self.scaled_density[chosen],
-            sharpness=self.sharpness[chosen],
+            scaled_density=np.asarray(self.scaled_density)[chosen],
+            sharpness=np.asarray(self.sharpness)[chosen],
         )
 
     @property

@@ -40,10 +40,10 @@ class Forces(NamedTuple):
 
 
 def _taken(record, chosen):
-    """A record, in which others may lie, with ``chosen`` elements of its arrays; None stays."""
+    """A record, in which others may lie, with ``chosen`` elements of its arrays."""
     if isinstance(record, tuple):
-        return type(record)._make(_taken(part, chosen) for part in record)
-    return record if record is None else record.take(chosen, axis=-1)
+        return type(record)(*(_taken(part, chosen) for part in record))
+    return record.take(chosen, axis=-1)
 
 
 @dataclass(frozen=True)
@@ -76,9 +76,9 @@ class Points:
         return self.contact.parameters
 
     @property
-    def shares_load(self) -> bool:
-        """Whether the film is part of the force balance: whether W of Eq. 8 contains F_f, not F_t."""
-        return self.film is not None and self.parameters.film_shares_load
+    def shared_film(self) -> Film | None:
+        """The film if it is part of the force balance: if W of Eq. 8 contains F_f, not F_t."""
+        return self.film if self.parameters.film_shares_load else None
 
     def take(self, chosen) -> Points:
         """The points selected by an index or mask ``chosen``."""
@@ -109,11 +109,12 @@ class Points:
             solid_noise=errors.noise,
             solids=solids,
         )
-        return self._with_film(forces) if self.shares_load else forces
+        film = self.shared_film
+        return forces if film is None else self._with_film(film, forces)
 
-    def _with_film(self, forces):
+    def _with_film(self, film, forces):
         """The forces of solids, and those of a film that shares the load with them (Eq. 1)."""
-        log_fluid, film_noise = self.log_film_load(forces.separation)
+        log_fluid, film_noise = self.log_film_load(film, forces.separation)
         excess, solid = log_sum(forces.log_solid, log_fluid)  # Eq. 1: F_t = F_s + F_f
         errors = ErrorTerms(
             steepest=np.maximum(forces.errors.steepest, np.abs(log_fluid.slope)),
@@ -122,16 +123,20 @@ class Points:
         )
         return forces._replace(excess=excess, log_fluid=log_fluid.value, errors=errors)
 
-    def log_film_load(self, separation: NDArray) -> tuple[WithSlope, NDArray]:
-        """ln(F_f/F_t) [1] of films as thick as ``separation`` d [m], and its noise [1]."""
+    def log_film_load(self, film: Film, separation: NDArray) -> tuple[WithSlope, NDArray]:
+        """ln(F_f/F_t) [1] of a ``film`` as thick as ``separation`` d [m], and its noise [1]."""
         thickness = separation / self.parameters.ball_radius
-        log_parameter, slope = self.film.log_W_and_slope(thickness)
-        noise = self.film.rounding(log_parameter, 1.0 / slope) * np.abs(slope)
+        log_parameter, slope = film.log_W_and_slope(thickness)
+        noise = film.rounding(log_parameter, 1.0 / slope) * np.abs(slope)
         log_fluid = log_parameter - log_load_parameter(self.log_total, self.parameters)
         return WithSlope(value=log_fluid, slope=slope / separation), noise + INVERSE_ERROR
 
     def film_separation(self) -> tuple[NDArray, NDArray]:
-        """d = R_x H_c [m] of films that carry all of F_t (Eqs. 7 and 8), and its relative rounding."""
+        """d = R_x H_c [m] of films that carry all of F_t (Eqs. 7 and 8), and its relative rounding; 0
+        when dry."""
+        if self.film is None:
+            nothing = np.zeros(self.log_total.shape)
+            return nothing, nothing
         log_parameter = log_load_parameter(self.log_total, self.parameters)
         thickness, slope = self.film.thickness(log_parameter)
         rounding = self.film.rounding(log_parameter, slope / thickness)

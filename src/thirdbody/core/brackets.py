@@ -48,7 +48,7 @@ def bracket(points: Points) -> Brackets:
     """
     film = _film_alone(points)
     guess = np.maximum(first_separation(points), film.separation)
-    if not points.shares_load:
+    if points.shared_film is None:
         return _beyond_film_or_held(points, film, guess)
     return Brackets(
         guess=guess,
@@ -60,9 +60,6 @@ def bracket(points: Points) -> Brackets:
 
 def _film_alone(points):
     """Where the film carries all of F_t."""
-    if points.film is None:
-        nothing = np.zeros(points.log_total.shape)
-        return FilmAlone(separation=nothing, low=nothing, high=nothing)
     separation, rounding = points.film_separation()
     return FilmAlone(
         separation=separation,

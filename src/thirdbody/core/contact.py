@@ -49,14 +49,14 @@ class SolidState(NamedTuple):
     """Loads and areas of summits and particles at a separation d: arrays of its shape.
 
     ``log_load`` is ln F_s* [1].  For the summits beside the particles, ``log_summit_load`` is
-    ln F_ss-sa* [1] and ``log_summit_area`` ln(A_ss-sa/A_n) [1], None if not requested.
+    ln F_ss-sa* [1] and ``log_summit_area`` ln(A_ss-sa/A_n) [1], nan if not requested.
     ``particle_area`` is A_sa/A_n [1], and ``coverage`` [1] the fraction of the interface covered by
     particles larger than d.  The noise in ``errors`` is that of ``log_load``.
     """
 
     log_load: WithSlope
     log_summit_load: WithSlope
-    log_summit_area: WithSlope | None
+    log_summit_area: WithSlope
     particle_area: WithSlope
     coverage: NDArray
     errors: ErrorTerms
@@ -115,34 +115,36 @@ class Contact:
         rounding = EPSILON * (ROUNDINGS + size + ROUNDINGS_OF_D * rounding_of_d)
         if self.particles is None:
             return _without_particles(log_load, log_area, rounding)
-        return self._with_particles(separation, log_load, log_area, rounding)
+        return self._with_particles(self.particles, separation, log_load, log_area, rounding)
 
     def _summits_alone(self, separation, with_areas):
         """ln F_ss*, and ln(A_ss/A_n) if requested, as without particles."""
         deviation = self.summits.deviation
         t = np.minimum((separation - self.summits.offset) / deviation, FARTHEST)
-        log_area = None
         if with_areas:
             (log_load, load_slope), (log_area, area_slope) = self.summits.log_load_and_area(t)
-            log_area = WithSlope(value=log_area, slope=area_slope / deviation)
         else:
             log_load, load_slope = self.summits.log_load(t)
+            log_area = area_slope = np.full_like(t, np.nan)
         load_slope = load_slope / deviation * (t < FARTHEST)
-        return WithSlope(value=log_load, slope=load_slope), log_area
+        return (
+            WithSlope(value=log_load, slope=load_slope),
+            WithSlope(value=log_area, slope=area_slope / deviation),
+        )
 
-    def _with_particles(self, separation, log_load, log_area, rounding):
-        """The state with particles, which take load and area from the summits they keep apart."""
-        area, coverage = self.particles.contact(separation)
+    def _with_particles(self, particles, separation, log_load, log_area, rounding):
+        """The state with ``particles``, which take load and area from the summits they keep apart."""
+        area, coverage = particles.contact(separation)
         bare_area = log_bare_fraction(coverage)
         # Eq. 4: F_ss-sa is what particles of all sizes leave of F_ss
-        log_summits = log_load._replace(value=log_load.value + self.particles.log_bare)
+        log_summits = log_load._replace(value=log_load.value + particles.log_bare)
         log_particles = WithSlope(  # Eqs. 4 and 5: F_sa is the hardness times A_sa
             value=np.log(area.value) + np.log(self.parameters.particle_pressure),
             slope=np.where(area.value > TINY, area.slope / area.value, 0.0),
         )
         log_solids, fraction = log_sum(log_summits, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
-        rounding = rounding + 8.0 * EPSILON * np.exp(-self.particles.log_bare)
-        area_rounding = self.particles.rounding(separation, area)
+        rounding = rounding + 8.0 * EPSILON * np.exp(-particles.log_bare)
+        area_rounding = particles.rounding(separation, area)
         noise = fraction * rounding + (1.0 - fraction) * area_rounding
         has_load = log_summits.value > NOTHING
         steepest = np.where(has_load, np.abs(log_load.slope) + bare_area.slope, 0.0)
@@ -155,7 +157,7 @@ class Contact:
             log_load=log_solids,
             log_summit_load=log_summits,
             # Eq. 5: A_ss-sa = A_ss (1 - coverage)
-            log_summit_area=None if log_area is None else log_product(log_area, bare_area),
+            log_summit_area=log_product(log_area, bare_area),
             particle_area=area,
             coverage=coverage.value,
             errors=errors,

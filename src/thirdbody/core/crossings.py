@@ -68,9 +68,9 @@ def crossings(
     levels = np.stack([level for _, level in limits])
     names = [name for name, _ in limits]
     excess = _Excess(names, levels, axis, others, parameters, rtol, callback)
-    limit, query, rises, *ends = _brackets(excess, samples)
+    limit, query, rises, low, high = _brackets(excess, samples)
     root, width = bracketed_roots(
-        lambda log_value: excess.at(limit, query, log_value)[0], *ends, 0.1 * rtol
+        lambda log_value: excess.at(limit, query, log_value)[0], low, high, 0.1 * rtol
     )
     error, status = _errors(excess, limit, query, root, 2.0 * (width + rtol))
     value = np.exp(root)

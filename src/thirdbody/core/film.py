@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from thirdbody.core.interpolation import HermiteTable
 from thirdbody.core.logarithms import EPSILON
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import Number, Parameters
 
 # exponents in the term of the roughness in Eq. 7: of sigma* and V, and of W, U and G with a minus; they are used
 # more than once, the other numbers of Eq. 7 stand in ``Film.of``
@@ -37,12 +37,12 @@ INVERSE_STEPS = 6  # reduce an initial error of up to a factor of 2 in thickness
 INVERSE_RANGE, INVERSE_PIECES, INVERSE_ERROR = (-6.0, 14.0), 2400, 1e-13
 
 
-def log_load_parameter(log_load: float | NDArray, parameters: Parameters) -> NDArray:
+def log_load_parameter(log_load: Number, parameters: Parameters) -> Number:
     """ln W [1], W = F/(E_ss R_x^2) (Eq. 8), of a load ln F* [1], F* = F/(A_n E_ss)."""
     return log_load + math.log(parameters.apparent_area / parameters.ball_radius**2)
 
 
-def has_film(viscosity: float | NDArray) -> NDArray:
+def has_film(viscosity: NDArray) -> NDArray:
     """Whether a kinematic ``viscosity`` [m2/s] means a film: 0 is dry."""
     return viscosity > 0.0
 

@@ -65,7 +65,7 @@ class HermiteTable:
         joined.error = np.concatenate([table.error for table in tables])
         return joined
 
-    def __call__(self, x: float | NDArray, which: float | NDArray = 0) -> tuple[NDArray, NDArray]:
+    def __call__(self, x: NDArray, which: int | NDArray = 0) -> tuple[NDArray, NDArray]:
         """Value and slope of the functions with index ``which`` at ``x``, an array in the interval."""
         position = (x - self.start) * self._per_piece
         piece = position.astype(np.intp)

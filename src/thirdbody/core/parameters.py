@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from numbers import Real
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,8 @@ MATERIALS = (  # of which the elastic factor consists
 WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
+Number = TypeVar("Number", float, NDArray)  # one number, or an array of them
+
 
 class Bounds(NamedTuple):
     """A closed interval of numbers, and their SI unit."""
@@ -30,7 +32,7 @@ class Bounds(NamedTuple):
     most: float
     unit: str
 
-    def hold(self, value: object) -> bool:
+    def hold(self, value: Any) -> bool:
         """Whether ``value`` is a number in the interval."""
         is_number = isinstance(value, Real) and not isinstance(value, bool)
         return is_number and self.least <= value <= self.most
@@ -158,7 +160,7 @@ class Parameters:
     # other sets of inputs that explain the paper about equally well; and the materials and the oil that inputs were
     # derived from, which the model only carries along; ``dataclasses.replace`` drops both
     members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
-    rig: object = field(default=None, init=False, repr=False, compare=False)
+    rig: Any = field(default=None, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         for name, words in WORDS.items():
@@ -176,9 +178,7 @@ class Parameters:
         its thickness is known in advance, and the solids carry all the load where they need a larger separation."""
         return self.film_load == "fluid"
 
-    def total_load(
-        self, solid_load: float | NDArray, film_load: float | NDArray
-    ) -> float | NDArray:
+    def total_load(self, solid_load: Number, film_load: Number) -> Number:
         """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that thickness has the load
         ``film_load`` F* [1] in W."""
         combine = np.add if self.film_shares_load else np.maximum
@@ -220,7 +220,7 @@ class Parameters:
                 f"cross-section of a ball of ball_radius {self.ball_radius:g} m"
             )
 
-    def sizes(self, diameter: float | NDArray) -> tuple[float | NDArray, float | NDArray]:
+    def sizes(self, diameter: Number) -> tuple[Number, Number]:
         """Mean m and standard deviation S [m] of the normal size distribution, for x_a [m]."""
         return self.mean_ratio * diameter, self.spread_ratio * diameter
 
@@ -311,7 +311,7 @@ class Parameters:
         """All inputs as a dict, without the members."""
         return {name: getattr(self, name) for name in self.names()}
 
-    def changed(self, **inputs: float | str) -> "Parameters":
+    def changed(self, **inputs: Any) -> "Parameters":
         """The same with other ``inputs``, SI, which all ``members`` have too: they are known.  If the members then are
         all the same, none is left."""
         members = [replace(member, **inputs) for member in self.members]
@@ -325,7 +325,7 @@ class Parameters:
         object.__setattr__(inputs, "members", tuple(members))
         return inputs
 
-    def with_rig(self, rig: object) -> "Parameters":
+    def with_rig(self, rig: Any) -> "Parameters":
         """The same inputs and members, all derived from this ``rig``."""
         inputs = self.with_members(member.with_rig(rig) for member in self.members)
         object.__setattr__(inputs, "rig", rig)

@@ -218,7 +218,7 @@ def _bare_fraction(coverage):
     return np.where(bare <= EPSILON, TINY, bare)
 
 
-def has_particles(diameter: float | NDArray, density: float | NDArray) -> NDArray:
+def has_particles(diameter: NDArray, density: NDArray) -> NDArray:
     """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover any area in float64."""
     return diameter * diameter * density > TINY
 

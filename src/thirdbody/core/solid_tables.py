@@ -52,8 +52,8 @@ class SolidTable:
         """The solids at ``separation`` [m], or at the nearest end of the table."""
         columns = np.moveaxis(self._polynomials(np.clip(separation, *self.ends)), -1, 0)
         values, slopes, (load_error, area_error) = columns[:3], columns[3:6], columns[6:]
-        parts = map(WithSlope, values, slopes)
-        return TabulatedSolids(*parts, load_error=load_error, area_error=area_error)
+        load, particle_area, summit_area = map(WithSlope, values, slopes)
+        return TabulatedSolids(load, particle_area, summit_area, load_error, area_error)
 
 
 def solid_tables(
@@ -71,8 +71,8 @@ def solid_tables(
     """
     every = Contact.of(diameter, roughness, density, parameters, SUMMIT_ERROR)
     separations = [
-        _separations(*ends, sigma, every.particles, solid)
-        for solid, (*ends, sigma) in enumerate(zip(low, high, roughness, strict=True))
+        _separations(first, last, sigma, every.particles, solid)
+        for solid, (first, last, sigma) in enumerate(zip(low, high, roughness, strict=True))
     ]
     stops = np.cumsum([grid.size for grid in separations])
     solid = np.repeat(np.arange(diameter.size), np.diff(stops, prepend=0))
@@ -88,16 +88,16 @@ def solid_tables(
 def _separations(low, high, roughness, particles, solid):
     """Separations [m] from ``low`` to ``high``: finer over the particle sizes, and on both sides of
     every kink."""
-    ends = np.arcsinh(np.array([low, high]) / roughness)
-    steps = int(np.ceil((ends[1] - ends[0]) / STEP)) + 1
-    separations = [roughness * np.sinh(np.linspace(*ends, steps + 1)), [low, high]]
+    first, last = np.arcsinh(np.array([low, high]) / roughness)
+    steps = int(np.ceil((last - first) / STEP)) + 1
+    separations = [roughness * np.sinh(np.linspace(first, last, steps + 1)), [low, high]]
     if particles is not None:
         one = particles.take(solid)
         mean, spread, depth = one.centre, one.spread, one.scaled_depth
         smallest, largest = particles.moment.smallest, particles.moment.largest
         for shift in (0.0, -depth):
-            first = max(smallest, SMALLEST)
-            separations.append(mean + spread * (first + SIZES * (largest - first) - shift))
+            least = max(smallest, SMALLEST)
+            separations.append(mean + spread * (least + SIZES * (largest - least) - shift))
             for kink in (smallest, largest):
                 beside = KINK_GAP * (mean + spread * (abs(kink) + abs(shift)))
                 separations.append(mean + spread * (kink - shift) + beside * np.array([-1.0, 1.0]))

@@ -85,7 +85,7 @@ def solve_points(
                 failed = solved["solution_status"] == NOT_CONVERGED
                 left[indices] = failed & attempt.uses_tables
                 if callback is not None:
-                    callback(np.count_nonzero(~left[indices]))
+                    callback(int(np.count_nonzero(~left[indices])))
         _doubt_faint_particles(columns, result)
     return {name: values.reshape(shape) for name, values in result.items()}
 

@@ -21,7 +21,7 @@ from thirdbody.core.root import Balance
 FLAGS = tuple(FLAG_MEANINGS)
 
 
-def type_of(variable: str) -> type:
+def type_of(variable: str) -> type[np.int8 | float]:
     """Data type of a ``variable``."""
     return np.int8 if variable in FLAGS else float
 

@@ -61,12 +61,12 @@ class RoughSurfaces:
     @cached_property
     def offset(self):
         """y_s [m]."""
-        return self.surfaces.summit_offset[self.which]
+        return np.take(self.surfaces.summit_offset, self.which)
 
     @cached_property
     def deviation(self):
         """sigma_s [m]."""
-        return self.surfaces.summit_deviation[self.which]
+        return np.take(self.surfaces.summit_deviation, self.which)
 
     @cached_property
     def error(self):
@@ -83,18 +83,18 @@ class RoughSurfaces:
 
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
-        return self.here.log_load(t) if self.table is None else self._read(t, LOAD)
+        return self.here.log_load(t) if self.table is None else self._read(self.table, t, LOAD)
 
     def log_load_and_area(self, t: NDArray) -> tuple:
         """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt, at summit separations ``t`` [1]."""
         if self.table is None:
             return tuple(self.here.log_load_and_area(t)[:, :2])
-        return self._read(t, LOAD), self._read(t, AREA)
+        return self._read(self.table, t, LOAD), self._read(self.table, t, AREA)
 
-    def _read(self, t, function):
-        """ln F_ss* (``function`` LOAD) or ln A_ss* (AREA) and its slope, from the table."""
-        inside = self.table.covers(t)
-        value, slope = self.table(np.where(inside, t, 0.0), 2 * self.which + function)
+    def _read(self, table, t, function):
+        """ln F_ss* (``function`` LOAD) or ln A_ss* (AREA) and its slope, from the ``table``."""
+        inside = table.covers(t)
+        value, slope = table(np.where(inside, t, 0.0), 2 * self.which + function)
         if not inside.all():
             summits = self.population.take(np.broadcast_to(self.which, t.shape)[~inside])
             outside = summits.log_load_and_area(t[~inside])

@@ -30,7 +30,7 @@ ORDER = "particle_diameter", "roughness", "particle_density", "viscosity", "load
 
 def is_worthwhile(axes: Mapping[str, NDArray], rtol: float) -> bool:
     """Whether ``sweep`` solves a grid over ``axes`` faster than point by point."""
-    films = np.count_nonzero(axes["viscosity"])
+    films = int(np.count_nonzero(axes["viscosity"]))
     return rtol >= LEAST_RTOL and films > 1 and films * axes["load"].size >= FEWEST_POINTS
 
 

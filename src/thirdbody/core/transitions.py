@@ -48,10 +48,10 @@ def limit_crossings(
     is_three_body = has_particles(diameter, density)
     for of_ratio, three_body in product((False, True), repeat=2):
         chosen = np.flatnonzero((is_ratio == of_ratio) & (is_three_body == three_body))
-        ends = (separation[step[chosen] + after, curve[chosen]] for after in (0, 1))
+        first, last = (separation[step[chosen] + after, curve[chosen]] for after in (0, 1))
         inputs = conditions[:, curve[chosen]], parameters, rtol
         if chosen.size:
-            load[chosen], error[chosen] = _crossings(*ends, of_ratio, level[chosen], *inputs)
+            load[chosen], error[chosen] = _crossings(first, last, of_ratio, level[chosen], *inputs)
     return limit, curve, load, error, above[limit, step + 1, curve]
 
 
@@ -70,7 +70,7 @@ def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
     # within its error a point may lie on the level
     outside = (at_first > 0.0) == (at_last > 0.0)
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
-    ends = (np.where(outside, nearest, end) for end in (first, last))
-    d, width = bracketed_roots(excess, *ends, SEPARATION_MARGIN * rtol * last)
+    low, high = (np.where(outside, nearest, end) for end in (first, last))
+    d, width = bracketed_roots(excess, low, high, SEPARATION_MARGIN * rtol * last)
     load, _, steepest = load_at(solids, viscosity, roughness, d)
     return load, load * (steepest * width + rtol)

@@ -115,8 +115,9 @@ def _turning_points(
     three_body = np.flatnonzero(has_particles(diameter, density))
     if three_body.size == 0:
         return most_prominent
-    columns = (column[three_body] for column in (diameter, roughness, density))
-    solids = Contact.of(*columns, parameters, rtol)
+    solids = Contact.of(
+        diameter[three_body], roughness[three_body], density[three_body], parameters, rtol
+    )
     ends = tuple(end[:, three_body] for end in ends)
     solid, peak, width, prominence = ratio_maxima(
         solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol

@@ -127,4 +127,4 @@ def _separations(first, last, roughness, count):
     ends = np.full((2, surface.max() + 1), np.nan)
     np.fmax.at(ends[0], surface, first)
     np.fmin.at(ends[1], surface, last)
-    return np.linspace(*ends, count)[:, surface]
+    return np.linspace(ends[0], ends[1], count)[:, surface]

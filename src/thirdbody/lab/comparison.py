@@ -1,8 +1,10 @@
 """``compare``: measurements beside the model, with the range of the ensemble and residuals."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
@@ -23,6 +25,9 @@ from thirdbody.lab.reading import read_measured
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import range_note, ranges
 from thirdbody.variables import CONDITIONS, SPEED, decimal
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 CURVE = 80  # points of the model between the measurements
 
@@ -178,7 +183,7 @@ def model_curve(comparison: pd.DataFrame, parameters: Parameters | None = None) 
     return table
 
 
-def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = None) -> Any:
+def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = None) -> Figure:
     """Draw a comparison: the measurements, the model and its range, a panel for each measured quantity.
 
     Parameters
@@ -276,13 +281,14 @@ def _summary(table, name):
     """How far measurements of a quantity are from the model."""
     known = table[np.isfinite(table[f"{name}_residual"])]
     residual = known[f"{name}_residual"]
-    has_range = f"{name}_low" in table
-    inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"]) if has_range else None
+    inside = None
+    if f"{name}_low" in table:
+        inside = int(known[name].between(known[f"{name}_low"], known[f"{name}_high"]).sum())
     return {
         "quantity": name,
         "unit": MEASURED[name].unit,
         "count": len(known),
         "mean_residual": float(residual.mean()),
         "rms_residual": float(np.sqrt((residual**2).mean())),
-        "inside_range": int(inside.sum()) if has_range else None,
+        "inside_range": inside,
     }

@@ -194,7 +194,7 @@ def fitted_coefficients(
 
 def _fit(terms, measured, coefficients):
     """Add the coefficients of the ``terms`` that are not in ``coefficients``; returns notes on them."""
-    notes = []
+    notes: list[str] = []
     while unknown := [name for name in terms if name not in coefficients]:
         known = [name for name in terms if name in coefficients]
         rest = measured - terms[known] @ np.array([coefficients[name] for name in known])

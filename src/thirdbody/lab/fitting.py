@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 from os import PathLike
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -168,7 +169,7 @@ class _Misfit:
         values = self.parameters.as_dict() | self.coefficients
         return np.log([values[name] for name in self.unknowns])
 
-    def inputs(self, logarithms: NDArray) -> tuple[dict[str, float], dict[str, float]]:
+    def inputs(self, logarithms: NDArray) -> tuple[dict[str, Any], dict[str, float]]:
         """The unknown inputs, and all coefficients."""
         values = dict(zip(self.unknowns, np.exp(logarithms).tolist()))
         changes = {name: value for name, value in values.items() if name not in COEFFICIENTS}

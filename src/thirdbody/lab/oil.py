@@ -74,13 +74,10 @@ def oil_viscosity(
     >>> tb.lab.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
     array([38.5])
     """
-    if common_index({"temperature_C": temperature_C}) is not None:
-        oil = dict(grade=grade, viscosity_index=viscosity_index, points=points)
-        viscosity = oil_viscosity(temperature_C.to_numpy(), **oil)
-        return type(temperature_C)(viscosity, temperature_C.index, name="viscosity_cSt")
     temperature = numbers_in("temperature_C", temperature_C, "degC")
-    if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
-        message = f"temperature_C is {temperature_C!r}"
+    allowed = (temperature >= COLDEST) & (temperature <= HOTTEST)
+    if not allowed.all():
+        message = f"temperature_C is {temperature[~allowed][0]:g}"
         raise ValueError(f"{message}; allowed: {COLDEST:g} to {HOTTEST:g}")
     if (points is None) == (grade is None) or (grade is None and viscosity_index is not None):
         message = f"grade is {grade!r}, viscosity_index {viscosity_index!r} and points {points!r}"
@@ -99,10 +96,16 @@ def oil_viscosity(
         viscosity = 10.0 ** (10.0**doubled) - 0.7
     line = np.append(viscosity, (thick, thin))
     if not (slope > 0.0 and (line >= LEAST).all() and (line <= MOST).all()):
-        message = f"viscosities are {line.min():.3g} to {line.max():.3g} cSt at {temperature_C!r} C"
-        allowed = f"{LEAST:g} to {MOST:g} cSt, less where it is hotter: there ASTM D341 is a line"
-        raise ValueError(f"{message}; allowed: {allowed}")
-    return viscosity
+        raise ValueError(
+            f"viscosities are {line.min():.3g} to {line.max():.3g} cSt; allowed: {LEAST:g} to {MOST:g} cSt, "
+            "less where it is hotter: there ASTM D341 is a line"
+        )
+    rows = common_index({"temperature_C": temperature_C})
+    if rows is None:
+        return viscosity
+    import pandas as pd  # slow to import
+
+    return pd.Series(viscosity, rows, name="viscosity_cSt")
 
 
 def _doubled(viscosity):
@@ -167,8 +170,8 @@ def oil_grade(
     rows = []
     for grade in GRADES:
         try:
-            oil = dict(grade=grade, viscosity_index=viscosity_index)
-            rows.append((grade, float(oil_viscosity(temperature_C, **oil))))
+            viscosity = oil_viscosity(temperature_C, grade=grade, viscosity_index=viscosity_index)
+            rows.append((grade, float(viscosity)))
         except ValueError:  # too thin for ASTM D341
             continue
     if not rows:

@@ -23,13 +23,13 @@ COLUMNS |= {quantity.heading: key for key, quantity in MEASURED.items()}
 COLUMNS |= {"normal load": "load_N", "normal force": "load_N"}
 COLUMNS |= dict.fromkeys(("cof", "coefficient of friction", "μ"), "friction_coefficient")
 OWN = {key: (key, unit) for key, unit in UNITS.items() if key != "load"}
-OWN |= {"separation_m": ("separation_nm", "m"), "film_thickness": (None, "1")}  # of a solution
+OWN |= {"separation_m": ("separation_nm", "m"), "film_thickness": ("", "1")}  # of a solution
 RATIOS = {
     "load_N": "load",
-    "film_thickness_nm": None,
-    "separation_nm": None,
+    "film_thickness_nm": "",
+    "separation_nm": "",
 }  # F_t*; H_c is left out
-HEADING = re.compile(rf"(.*?)\s*(?:\[({UNIT})\]|\(({UNIT})\)|/\s*({UNIT}))?\s*", re.DOTALL)
+HEADING = re.compile(rf"(.*?)\s*(?:\[({UNIT})\]|\(({UNIT})\)|/\s*({UNIT}))?\s*\Z", re.DOTALL)
 NUMBER = r"[-+]?\d*[.,]?\d*(?:[eE][-+]?\d+)?"
 THOUSANDS = r"[-+]?[1-9]\d{0,2},\d{3}"
 FIRST_LINES = 100  # in which the headings are
@@ -47,7 +47,7 @@ def read_measured(
     numbers, others = {}, []
     for heading, column in table.items():
         key, unit = _key_and_unit(str(heading))
-        if key is None:
+        if not key:
             others.append(str(heading))
             continue
         if key in numbers:
@@ -71,11 +71,11 @@ def read_measured(
 
 
 def _key_and_unit(heading):
-    """The column of a heading, None if it is another one; and its unit, None if it has none."""
+    """The column of a heading, empty if it is another one; and its unit, None if it has none."""
     if heading in OWN:
         return OWN[heading]
-    name, *units = HEADING.fullmatch(heading).groups()
-    key = COLUMNS.get(" ".join(name.replace("_", " ").split()).casefold())
+    name, *units = HEADING.findall(heading)[0]
+    key = COLUMNS.get(" ".join(name.replace("_", " ").split()).casefold(), "")
     unit = next((unit for unit in units if unit), None)
     if unit in ("1", "-"):
         return RATIOS.get(key, key), "1"
@@ -94,7 +94,7 @@ def _read_csv(path):
     def headings(place):
         above, separator = place
         cells = next(csv.reader([lines[above]], delimiter=separator, skipinitialspace=True))
-        return sum(_key_and_unit(cell)[0] is not None for cell in cells)
+        return sum(_key_and_unit(cell)[0] != "" for cell in cells)
 
     places = [(above, sign) for above in range(len(lines[:FIRST_LINES])) for sign in "\t;,"]
     above, separator = max(places, key=headings, default=(0, ","))

@@ -38,9 +38,10 @@ def equivalent_roughness(
     >>> sigma_nm
     300.0
     """
-    if (Rq is None) == (Ra is None):
+    pairs = [pair for pair in (Rq, Ra) if pair is not None]
+    if len(pairs) != 1:
         raise ValueError("allowed: one of Rq and Ra")
-    one, other = Ra if Rq is None else Rq
+    one, other = pairs[0]
     common_index({"surface 1": one, "surface 2": other})
     if np.any(one < 0) or np.any(other < 0):
         raise ValueError(f"roughnesses are {one!r} and {other!r}; allowed: zero or positive")

@@ -64,7 +64,8 @@ def band(
             variables[f"{name}_{suffix}"] = Variable(DIMENSIONS, whole, described, filled)
     members = json.dumps([dict(member) for member in ensemble])
     origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
-    attributes = dataset.attrs | {
+    attributes = {
+        **dataset.attrs,
         "title": f"{dataset.attrs['title']}: range of the ensemble",
         **ATTRIBUTES,
         "configuration_sha256": hashlib.sha256(origin.encode()).hexdigest(),

@@ -18,7 +18,8 @@ def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> lis
     """Rows of the table ``tpca_loads``, one per curve with a turning point, for the ``dataset`` of
     a ``figure`` solved with ``parameters``."""
     conditions, shown = curves_of(dataset)
-    found = turning_points(dataset["separation"].values[:, shown], *conditions, parameters)
+    separation = dataset["separation"].values[:, shown]
+    found = turning_points(separation, **Condition(*conditions)._asdict(), parameters=parameters)
     curves = np.flatnonzero(found.exists)
     columns = {name: getattr(found, name)[curves] for name in FOUND}
     columns["separation_m"] = found.separation[curves]

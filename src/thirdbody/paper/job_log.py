@@ -21,8 +21,7 @@ def job(snakemake: Any) -> Iterator[SimpleNamespace]:
     is killed leaves no half of a file, nor do two runs at once.
     """
     output = snakemake.output
-    with logged(snakemake.log[0]), atomic_write(*output) as parts:
-        paths = [parts] if isinstance(parts, Path) else parts
+    with logged(snakemake.log[0]), atomic_write(*output) as paths:
         yield SimpleNamespace(**dict(zip(output.keys(), paths, strict=True)))
         for name, path in zip(output, paths, strict=True):
             print(f"{digest(path)}  {name}")

@@ -52,7 +52,9 @@ class Subject:
         return cls(
             tuple(map(Condition.of, settings["turning_points"])),
             tuple(map(Condition.of, settings["transitions"])),
-            tuple(map(AXES["roughness"].to_si, settings["windows_roughness_nm"])),
+            tuple(
+                float(AXES["roughness"].to_si(each)) for each in settings["windows_roughness_nm"]
+            ),
             tuple(settings["load_N"]),
         )
 
@@ -74,7 +76,7 @@ class Subject:
 
     def values(self, parameters: Parameters, effort: Effort) -> NDArray:
         """Solve for all ``outputs``: loads F_t* and ratios [1], shape (outputs,)."""
-        asked = {
+        asked: dict[str, set] = {
             "curve": set(self.transitions),
             "turning_point": set(self.turning_points),
             "window": set(self.window_roughness),

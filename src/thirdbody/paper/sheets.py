@@ -276,7 +276,7 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
     cells = []
     for row in rows:
         limit, *ends = (
-            outside.get(row[name]) or rounded(AXES[limited].from_si(row[name]))
+            outside.get(row[name]) or rounded(float(AXES[limited].from_si(row[name])))
             for name in ("limit", "low", "high")
         )
         texts = f"{limit} ({' to '.join(dict.fromkeys(ends))})", _statuses([row])
@@ -423,7 +423,7 @@ def _elasticity(row) -> str:
 
 def _spread(printed, unit=1.0, **fields) -> str:
     """The printed numbers that have these ``fields``, with their tolerances, in ``unit``."""
-    texts = {}
+    texts: dict[str, None] = {}
     for number in printed:
         if fields.items() <= number.items():
             value, low, high = (number[name] / unit for name in ("value", "low", "high"))

@@ -69,8 +69,8 @@ def _draw_zones(axes, scale, shaded):
     limits, names = ZONES[scale.zones]
     if shaded:
         axes.axhspan(limits[0], min(limits[1], high), color=ZONE, linewidth=0.0, zorder=0.5)
-    limits = [limit for limit in limits if limit < high]
-    edges = axes.transScale.transform([(1.0, each) for each in (low, *limits, high)])[:, 1]
+    inside = [limit for limit in limits if limit < high]
+    edges = axes.transScale.transform([(1.0, each) for each in (low, *inside, high)])[:, 1]
     middles = axes.transScale.inverted().transform(
         [(0.0, each) for each in 0.5 * (edges[1:] + edges[:-1])]
     )[:, 1]

@@ -68,7 +68,7 @@ def _groups(axes, texts, end) -> list[list[tuple[Line2D, float, float]]]:
         if len(known):
             height = axes.transAxes.inverted().transform(axes.transData.transform(known[end]))[1]
             places.append((line, known[end][0], float(height)))
-    groups = []
+    groups: list[list[tuple[Line2D, float, float]]] = []
     for place in sorted(places, key=lambda place: place[2]):
         if groups and place[2] - groups[-1][0][2] < COINCIDE:
             groups[-1].append(place)
@@ -96,7 +96,7 @@ def _spread(heights) -> NDArray:
 
 def keep_apart(axes: Axes, marks: Sequence[Line2D]) -> None:
     """Hide points of ``marks`` that coincide with others of them."""
-    kept = []
+    kept: list[NDArray] = []
     for line in marks:
         stays = []
         for place in _in_axes(axes, line):

@@ -10,7 +10,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from thirdbody.curves import Condition, condition_key, curves_of
-from thirdbody.netcdf import PlainDataset
+from thirdbody.netcdf import Dataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import hide_bars, keep_apart, name_ends
@@ -26,7 +26,7 @@ CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 
 
 def curves_in(
-    data: PlainDataset, turning_points: Iterable[Mapping] = (), ranges: PlainDataset | None = None
+    data: Dataset, turning_points: Iterable[Mapping] = (), ranges: Dataset | None = None
 ) -> list[Curve]:
     """The curves of ``data``, in the order of its axes, with their ``ranges``; ``turning_points`` have
     the four conditions.  Areas are also relative to dry two-body contact on the same surface."""
@@ -34,7 +34,12 @@ def curves_in(
         condition_key(each[name] for name in Condition._fields): each for each in turning_points
     }
     conditions, shown = curves_of(data)
-    variables = {**data.variables, **(ranges.variables if ranges is not None else {})}
+    variables = {
+        str(name): each
+        for dataset in (data, ranges)
+        if dataset is not None
+        for name, each in dataset.variables.items()
+    }
     over_load = {name: each.values for name, each in variables.items() if each.dims == ("load",)}
     columns = {
         name: each.values[:, shown].T for name, each in variables.items() if len(each.dims) > 1
@@ -87,9 +92,9 @@ class CurveFigure:
 
     def plot(
         self,
-        data: PlainDataset,
+        data: Dataset,
         turning_points: Sequence[Mapping] = (),
-        ensemble_range: PlainDataset | None = None,
+        ensemble_range: Dataset | None = None,
         windows: Sequence[Mapping] = (),
         axes: Sequence[Axes] = (),
         further: Callable[[Content, Sequence[Curve]], Iterable[Series]] | None = None,
@@ -155,7 +160,7 @@ ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
 LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
 
 
-def curve_figure(data: PlainDataset) -> CurveFigure:
+def curve_figure(data: Dataset) -> CurveFigure:
     """The figure of any ``data``: areas over the load on each surface, also load fractions and film unless
     all curves are dry; ``ValueError`` if several conditions vary, beside dry and lubricated contact."""
     conditions = [curve.condition for curve in curves_in(data)]
@@ -170,10 +175,10 @@ def curve_figure(data: PlainDataset) -> CurveFigure:
             "contact, and any number of roughnesses"
         )
     contents = tuple(map(Content, ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED))
-    surfaces = len(levels["roughness"])
-    if not varying and surfaces > 1:
-        return CurveFigure("roughness", contents)
-    return CurveFigure(*varying or ["viscosity"], contents, surfaces > 1)
+    several_surfaces = len(levels["roughness"]) > 1
+    if varying:
+        return CurveFigure(varying[0], contents, several_surfaces)
+    return CurveFigure("roughness" if several_surfaces else "viscosity", contents)
 
 
 def _curve_series(content, curves) -> Iterator[Series]:
@@ -224,7 +229,7 @@ def draw_panels(
         if groups:
             lines = [handle(each) for group in groups for each in group]
             axes[-1].legend(handles=lines, title=typeset(title) or None)
-        return axes[0].figure
+        return axes[0].figure.figure
     rows = math.ceil(len(panels) / 2)
     beside = len(panels) % 2 == 1 and is_beside(groups)
     below = key_height(groups) if groups and not beside else 0.0

@@ -18,7 +18,7 @@ from thirdbody.plotting.scales import typeset
 
 STYLE = Path(__file__).with_name("paper.mplstyle")
 # without dates, so that files are reproducible
-FORMATS = {
+FORMATS: dict[str, dict[str, Any]] = {
     "svg": {"metadata": {"Date": None}},
     "pdf": {"metadata": {"CreationDate": None}},
     "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
@@ -62,5 +62,5 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
     kind = Path(path).suffix.removeprefix(".")
     if kind not in FORMATS:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
-    with atomic_write(path) as part:
+    with atomic_write(path) as (part,):
         figure.savefig(part, format=kind, **FORMATS[kind])

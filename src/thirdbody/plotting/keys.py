@@ -52,7 +52,7 @@ def add_key(
     most = max(map(len, columns))
     blank = {"linestyle": "none", "label": " "}
     lines = [handle(each) for column in columns for each in column + [blank] * (most - len(column))]
-    place = {"loc": "outside lower center", "ncols": len(columns)}
+    place: dict[str, Any] = {"loc": "outside lower center", "ncols": len(columns)}
     if beside:
         cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
         place = {"loc": "center", "bbox_to_anchor": cell}

@@ -70,8 +70,10 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
     """The turning points of ``curves`` in a panel of ``x`` and ``y`` as one series, if there are any."""
     marked = [curve for curve in curves if curve.turning_point]
     if marked:
-        places = [[one.at(name, one.turning_point["load"]) for one in marked] for name in (x, y)]
-        yield Series(kind, "", *np.array(places), look=LOOKS[kind])
+        at_x, at_y = (
+            np.array([one.at(name, one.turning_point["load"]) for one in marked]) for name in (x, y)
+        )
+        yield Series(kind, "", at_x, at_y, look=LOOKS[kind])
 
 
 def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
@@ -87,7 +89,8 @@ def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -
         if not curve.turning_point and rise >= LEAST_RISE and is_apart:
             places.append([curve.values[name][top] for name in (x, y)])
     if places:
-        yield Series(SLIGHT, "", *np.array(places).T, look=LOOKS[SLIGHT])
+        at_x, at_y = np.array(places).T
+        yield Series(SLIGHT, "", at_x, at_y, look=LOOKS[SLIGHT])
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
@@ -103,8 +106,8 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
             places = np.flatnonzero(marked)
             if places.size:
                 ends = np.unique(places[[0, -1]])
-                points = (curve.values[name][ends] for name in (x, y))
-                yield Series(status, curve.label, *points, curve.condition, LOOKS[status])
+                at_x, at_y = (curve.values[name][ends] for name in (x, y))
+                yield Series(status, curve.label, at_x, at_y, curve.condition, LOOKS[status])
 
 
 def range_series(

@@ -1,6 +1,6 @@
 """What a figure shows, as data: curves, panels and their series."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -66,7 +66,7 @@ class Panel:
     title: str
     x: str
     y: str
-    series: Sequence[Series]
+    series: list[Series]
     letter: str = ""
     least: float = 0.0
     conditions: str = ""

@@ -15,6 +15,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from thirdbody.attributes import GIVEN_AS
 from thirdbody.conditions import axis_of, checked_variables
@@ -28,7 +29,7 @@ from thirdbody.plotting.drawing import STYLE, Drawing
 from thirdbody.plotting.marks import range_series, read_turning_points
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
-from thirdbody.plotting.styles import BLUE, level_styles
+from thirdbody.plotting.styles import BLUE, Look, level_styles
 from thirdbody.variables import (
     CONDITIONS,
     DIMENSIONS,
@@ -101,8 +102,8 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity $ν$ (cSt)'
     """
-    variables = checked_variables(variables, LUBRICATED)
-    axes = [] if ax is None else np.ravel(np.asarray(ax, object))
+    names = checked_variables(variables, LUBRICATED)
+    axes: list[Axes] = [] if ax is None else [*np.ravel(np.asarray(ax, object))]
     if isinstance(turning_points, str | PathLike):
         turning_points = read_turning_points(turning_points)
     complete = _with_all_dimensions("data", data)
@@ -112,19 +113,19 @@ def plot(
         raise ValueError(f"data has one {along}; allowed: two or more, which curves are drawn over")
     with matplotlib.style.context(STYLE, after_reset=True):
         if along != "load":
-            return _plot_over(complete, along, variables, axes)
+            return _plot_over(complete, along, names, axes)
         if complete.sizes.get(SPEED.name, 1) > 1:
             raise ValueError(f"data vary with the speed; allowed: over='{SPEED.alias}'")
         complete = complete.squeeze(SPEED.name, drop=True) if SPEED.name in complete else complete
         ranges = None if band is None else _with_all_dimensions("band", band)
         figure = curve_figure(complete)
         x = NORMAL_LOAD.name if over == "load_N" else "load"
-        chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in variables)
+        chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
         figure = replace(figure, contents=chosen)
         return figure.plot(complete, turning_points, ranges, axes=axes)
 
 
-def _longest(data) -> str:
+def _longest(data: xr.Dataset) -> str:
     """The load, by the name by which it was given, if it varies; or else the axis with most values."""
     if data.sizes["load"] < 2:
         return max(_dimensions(data), key=lambda name: data.sizes[name])
@@ -184,13 +185,15 @@ def plot_curve(
     panels = [_panel(name, x, each, {"": table}, [{"color": BLUE}]) for each in variables]
     for panel in panels:
         if f"{panel.y}_low" in table:
-            ends = (table[f"{panel.y}_{end}"].to_numpy() for end in ("low", "high"))
-            panel.series.append(range_series("", x, *ends, BLUE))
+            low, high = (table[f"{panel.y}_{end}"].to_numpy() for end in ("low", "high"))
+            panel.series.append(range_series("", x, low, high, BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, [], axes=axes)
 
 
-def _panel(over, x, name, curves, looks) -> Panel:
+def _panel(
+    over: str, x: NDArray, name: str, curves: Mapping[str, Mapping], looks: Sequence[Look]
+) -> Panel:
     """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables."""
     series = [
         Series(CURVE, label, x, np.asarray(values[name], float), look=look)
@@ -247,7 +250,7 @@ def plot_comparison(
     return figure
 
 
-def _note(data, name, value) -> str:
+def _note(data: xr.Dataset, name: str, value: float) -> str:
     """A condition with its symbol and unit; a load also in newtons."""
     text = note(name, float(value))
     if name != "load" or "normal_load" not in data:
@@ -256,7 +259,7 @@ def _note(data, name, value) -> str:
     return f"{text} ({newtons:.3g} N)"
 
 
-def _with_all_dimensions(name, data) -> xr.Dataset:
+def _with_all_dimensions(name: str, data: Any) -> xr.Dataset:
     """A dataset over the five axes in their order; missing ones have length one."""
     if isinstance(data, str | PathLike):
         data = read_plain(data).to_xarray()
@@ -281,7 +284,7 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     return data.transpose(*dimensions).sortby([*dimensions])
 
 
-def _dimensions(data) -> list[str]:
+def _dimensions(data: xr.Dataset) -> list[str]:
     """The five axes, and the speed, if it is one."""
     return [*DIMENSIONS, *([SPEED.name] if SPEED.name in data.variables else [])]
 
@@ -294,7 +297,7 @@ def _check_units(data):
             raise ValueError(f"{name} is in {unit}; allowed: {variable.unit}")
 
 
-def _placed_on_axes(name, data) -> xr.Dataset:
+def _placed_on_axes(name: str, data: xr.Dataset) -> xr.Dataset:
     """Points along other dimensions on the five axes, if they are all combinations of their conditions."""
     table = data.reset_coords().to_dataframe()
     levels = [each for each in table.index.names if each not in table]
@@ -309,6 +312,6 @@ def _placed_on_axes(name, data) -> xr.Dataset:
     return placed
 
 
-def _newtons_per_load(data) -> float:
+def _newtons_per_load(data: xr.Dataset) -> float:
     """F_t/F_t* [N] of a dataset."""
     return float(np.nanmax(data[NORMAL_LOAD.name].values) / np.nanmax(data["load"].values))

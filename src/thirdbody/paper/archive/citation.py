@@ -61,7 +61,7 @@ def software_versions(pyproject: str | PathLike) -> dict[str, str]:
     project = _read_project(pyproject)
     wanted, names = [*project["dependencies"], f"{project['name']}[workflow]"], set()
     while wanted:
-        name, extras = re.match(r"([\w.-]+)(?:\[([\w,]+)\])?", wanted.pop()).groups()
+        ((name, extras),) = re.findall(r"^([\w.-]+)(?:\[([\w,]+)\])?", wanted.pop())
         if name != project["name"]:
             names.add(name)
             continue

@@ -48,7 +48,10 @@ def crate(data: Path, kinds: dict[str, str], release: Release) -> dict[str, Any]
 
 def _file_properties(path: str, release: Release) -> dict[str, Any]:
     """Properties of a file, with its licence if it differs from that of the archive."""
-    properties = {"name": PurePosixPath(path).name, "encodingFormat": media_type(path)}
+    properties: dict[str, Any] = {
+        "name": PurePosixPath(path).name,
+        "encodingFormat": media_type(path),
+    }
     if path.startswith("source/") and not path.startswith("source/config/"):
         properties["license"] = {"@id": f"https://spdx.org/licenses/{release.citation['license']}"}
     return properties

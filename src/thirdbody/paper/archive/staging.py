@@ -48,12 +48,12 @@ def stage(
     data = folder / "data"
     for path in map(Path, products):
         _copy(path, data / path.parent.name / path.name)
-    for path in sources:
-        _copy(path, data / "source" / path)
-        if path.startswith(VERIFICATION):
-            _copy(path, folder / path)
-    for path in LICENCES:
-        _copy(path, data / path)
+    for source in sources:
+        _copy(source, data / "source" / source)
+        if source.startswith(VERIFICATION):
+            _copy(source, folder / source)
+    for licence in LICENCES:
+        _copy(licence, data / licence)
     content_sha256 = run_path(f"{VERIFICATION}content_hash.py")["content_sha256"]
     contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
     write_json(data / "datasets" / "content-sha256.json", contents)
@@ -101,7 +101,7 @@ def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
 
     Raises ``ValueError``, and writes nothing, if the folder does not match its checksums.
     """
-    command = [sys.executable, "verification/verify.py", folder, "--sums"]
+    command = [sys.executable, "verification/verify.py", str(folder), "--sums"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         reason = (done.stdout or done.stderr).strip()

@@ -173,7 +173,7 @@ def passed_viscosity(level: float, axes: Axes, parameters: Parameters, rtol: flo
     thick as the separation (Eqs. 7 and 8).
     """
     films = axes["viscosity"][axes["viscosity"] > 0.0]
-    dry = axes | {"load": level * axes["load"][:, np.newaxis], "viscosity": np.zeros(1)}
+    dry = {**axes, "load": level * axes["load"][:, np.newaxis], "viscosity": np.zeros(1)}
     separation = solve_points(dry, parameters, rtol, ["separation"])["separation"]
     log_fluid = np.log1p(-level) if parameters.film_shares_load else 0.0
     film = Film.of(films, axes["roughness"], parameters)

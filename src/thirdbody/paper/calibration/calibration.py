@@ -8,7 +8,7 @@ bounds, scaled to 0 to 1, linearly or logarithmically.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -75,7 +75,7 @@ class Interpretation:
                 unknowns.append(Unknown(each, *ends, given["scale"] == "logarithmic"))
         return cls(name, entry["fixed"], tuple(unknowns))
 
-    def values(self, positions: ArrayLike) -> dict[str, float]:
+    def values(self, positions: Iterable[float]) -> dict[str, float]:
         """Values of the unknowns at ``positions``, shape (unknowns,), by name, SI."""
         pairs = zip(self.unknowns, positions, strict=True)
         return {unknown.name: unknown.value(position) for unknown, position in pairs}
@@ -110,7 +110,7 @@ class Objective:
         return cls(Judge(fitted, base, settings["newtons"]), np.array(weights))
 
     @property
-    def claims(self) -> tuple[Claim, ...]:
+    def claims(self) -> Sequence[Claim]:
         """Statements to which the inputs are fitted."""
         return self.judge.claims
 
@@ -136,13 +136,13 @@ class Objective:
         ids = {claim.id for claim in self.claims}
         return scores[..., [claim.id in ids for claim in every.claims]]
 
-    def __call__(self, interpretation: Interpretation, positions: ArrayLike) -> float:
+    def __call__(self, interpretation: Interpretation, positions: Iterable[float]) -> float:
         """The objective [1] at the ``positions`` of the unknowns."""
         inputs = interpretation.values(positions)
         return self.value(interpretation.penalty(inputs), self.scores(interpretation, inputs))
 
 
-def loss(score: ArrayLike) -> ArrayLike:
+def loss(score: NDArray) -> NDArray:
     """Loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1]: steepest at the tolerance, and nearly
     flat far away, so that a statement that cannot hold does not outweigh the others."""
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score

@@ -37,7 +37,8 @@ class Candidate:
     def of(cls, judge: Judge, content: Mapping[str, Any], verdicts: Verdicts | None = None) -> Self:
         """Evaluate all statements for a calibrated file; ``verdicts`` are those for its inputs, if known."""
         entries = content.get("folds", ())
-        folds, predicted = [], {}
+        folds: list[Sequence[Claim]] = []
+        predicted: Verdicts = {}
         for entry in entries:  # a statement that was in no search is not predicted
             left_out = tuple(claim for claim in judge.claims if claim.id in entry["left_out"])
             folds.append(left_out)
@@ -76,7 +77,7 @@ def printed_numbers(
 ) -> pd.DataFrame:
     """Each number that the statements ``ids`` print, the computed one, and the relative deviation of the
     latter; -1 where the model has no such number."""
-    rows = []
+    rows: list[dict[str, Any]] = []
     for claim in claims:
         if claim.id not in ids or claim.published is None or isinstance(claim.published, str):
             continue
@@ -102,7 +103,8 @@ def rank_interpretations(
     losses = {each.name: left_out_losses(objective, each.predicted) for each in candidates}
     totals = {name: series.sum() if len(series) else np.nan for name, series in losses.items()}
     cross_validated = {name: total for name, total in totals.items() if not math.isnan(total)}
-    least = losses[min(cross_validated, key=cross_validated.get)] if cross_validated else None
+    best = min(cross_validated, key=cross_validated.__getitem__, default=None)
+    least = None if best is None else losses[best]
     rows = []
     for candidate in candidates:
         inputs, verdicts = candidate.content["inputs"], candidate.verdicts

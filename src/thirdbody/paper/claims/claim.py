@@ -92,12 +92,12 @@ class Claim:
     aside: str = ""
     cluster: str = ""
 
-    # fields of some kinds: what the other kinds have in their place
+    # fields of some kinds: what the other kinds have in their place; annotations would make them fields of all
     quantity = direction = along = extreme = ""
     against = "load"
-    published = None
+    published = None  # type: Any
     any_curve = open_end = False
-    reference = {}
+    reference = {}  # type: Mapping[str, float]
 
     def check(self, evidence: "Evidence") -> Verdict:
         """Compare the model with the statement, whether or not it is tested."""
@@ -151,7 +151,7 @@ class Claim:
     def references(self) -> tuple[Condition, ...]:
         """Conditions of the reference of each curve, SI; empty without reference."""
         changes = {
-            axis.name: axis.to_si(self.reference[axis.alias])
+            axis.name: float(axis.to_si(self.reference[axis.alias]))
             for axis in CONDITION_AXES
             if axis.alias in self.reference
         }

@@ -29,7 +29,7 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
     """The conditions needed to evaluate ``claims``, for ``solve_evidence``: a set of ``Condition``
     for ``curve`` and ``turning_point``, of sigma [m] for ``window``."""
-    asked = {"curve": set(), "turning_point": set(), "window": set()}
+    asked: dict[str, set] = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
         for condition in claim.curves + claim.references:
             asked[claim.source].add(condition.roughness if claim.source == "window" else condition)

@@ -73,7 +73,7 @@ def _row(judge, settings, departure, verdicts):
 def random_inputs(settings: Mapping[str, Any]) -> list[dict[str, float]]:
     """Sets of the unknowns, SI, spread evenly over their usual ranges by a Latin hypercube."""
     names = settings["interpretations"] | {"random": {"fixed": {}}}
-    unknowns = Interpretation.of("random", settings | {"interpretations": names}).unknowns
+    unknowns = Interpretation.of("random", {**settings, "interpretations": names}).unknowns
     usual = [[unknown.position(end) for end in unknown.usual] for unknown in unknowns]
     low, high = np.transpose(usual)
     count, seed = settings["random_sets"], settings["seeds"][0]

@@ -66,8 +66,8 @@ def solve_evidence(
 ) -> Evidence:
     """Solve the conditions ``asked``, from ``referenced_conditions``, between the first and last normal load
     [N]; quantities are nan without values, or with an error bound above ``LARGEST_ERROR``."""
-    load_range = tuple(force / parameters.newtons_per_load for force in newtons)
-    loads = np.geomspace(*load_range, effort.loads)
+    first, last = (force / parameters.newtons_per_load for force in newtons)
+    loads = np.geomspace(first, last, effort.loads)
     shared = {"load": loads, "normal_load": loads * parameters.newtons_per_load}
     conditions = sorted(asked["curve"] | asked["turning_point"])
     curves, points = {}, {}
@@ -87,11 +87,14 @@ def solve_evidence(
             curves[condition] = curve_of(shared | own)
         places = [index for index, each in enumerate(conditions) if each in asked["turning_point"]]
         separation = solution["separation"][:, places]
-        found = turning_points(separation, *columns[:, places], parameters, effort.rtol)
+        of_places = Condition(*columns[:, places])._asdict()
+        found = turning_points(separation, **of_places, parameters=parameters, rtol=effort.rtol)
         numbers = zip(*(values.tolist() for values in vars(found).values()), strict=True)
         for index, some in zip(places, numbers, strict=True):
             points[conditions[index]] = TurningPoints(*some)
     surfaces = sorted(asked["window"])
-    found = turning_point_windows(effort.window, surfaces, WINDOW_DENSITY, load_range, parameters)
-    windows = {sigma: (each.low, each.high) for sigma, each in zip(surfaces, found, strict=True)}
+    ends = turning_point_windows(
+        effort.window, np.array(surfaces), WINDOW_DENSITY, (first, last), parameters
+    )
+    windows = {sigma: (each.low, each.high) for sigma, each in zip(surfaces, ends, strict=True)}
     return Evidence(parameters, effort, curves, points, windows)

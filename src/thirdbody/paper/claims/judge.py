@@ -10,7 +10,7 @@ from thirdbody.paper.claims.claims import referenced_conditions
 from thirdbody.paper.claims.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence
 from thirdbody.paper.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 
-Verdicts = Mapping[str, Verdict]  # by the id of the statement
+Verdicts = dict[str, Verdict]  # by the id of the statement
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ class Value(NumberClaim):
     def is_decided(self, loads: NDArray, last: float) -> bool:
         # a published number is missed if the last load already misses it
         at_most = np.minimum(loads, last)
-        return (loads < last).all() or self.against_published(at_most, "").distance > 1.0
+        return bool((loads < last).all()) or self.against_published(at_most, "").distance > 1.0
 
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:

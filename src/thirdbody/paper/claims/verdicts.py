@@ -50,7 +50,7 @@ class Report:
     whose inputs ``verdicts`` are for.  ``predicted`` has the statements whose figure was left out, and ``comparison`` is the table from ``rank_interpretations``.
     """
 
-    claims: tuple[Claim, ...]
+    claims: Sequence[Claim]
     settings: Mapping[str, Any]
     default: Mapping[str, Any]
     verdicts: Verdicts
@@ -273,7 +273,7 @@ def score_sentence(report: Report) -> str:
     """Numbers of statements that hold, predicted and fitted."""
     fitted = count_once(report.claims, report.verdicts)
     predicted = count_once(report.claims, report.predicted)
-    texts = ENVIRONMENT.get_template("claims.macros.j2").module
+    texts: Any = ENVIRONMENT.get_template("claims.macros.j2").module  # its macros are attributes
     compared = len(report.settings["interpretations"])
     return texts.score(
         fitted=fitted, predicted=predicted, compared=compared, prominence=PROMINENCE

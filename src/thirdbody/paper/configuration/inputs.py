@@ -27,8 +27,9 @@ def choose_inputs(
     that replaces it.  Returns ``parameters``, the value of each input, SI; ``calibrated``, the path of the
     calibrated file; ``ensemble``, its members with the overrides; and ``inputs``, the overrides.
     """
-    changes, place = laid_over, "inputs"
-    if not isinstance(laid_over, Mapping):
+    if isinstance(laid_over, Mapping):
+        changes, place = laid_over, "inputs"
+    else:
         changes, place = read_yaml(laid_over), str(laid_over)
         if "inputs" in changes:
             calibrated, changes = laid_over, {}
@@ -52,7 +53,7 @@ def _check_printed(values: Values, parameters: Parameters, calibrated: str | Pat
     """Raise ``ValueError`` for a value of ``inputs.yaml`` that the calibrated file was not found with."""
     for name, value in values.items():
         used = getattr(parameters, name)
-        if not math.isclose(value, used, rel_tol=1e-12):
+        if not math.isclose(float(value), used, rel_tol=1e-12):
             raise ValueError(
                 f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, with which {calibrated} was found "
                 "(inputs in config.yaml override it)"

@@ -256,10 +256,10 @@ def _notes(panels) -> list[str]:
         viscosities = {curve.curve.viscosity for curve in panel.of_kind(CURVE)}
         if 1 < len(viscosities) < len({condition.viscosity for condition in conditions}):
             own.append(_levels("viscosity", viscosities))
-        own = f" at {', '.join(own)}" if own else ""
+        at = f" at {', '.join(own)}" if own else ""
         over = "" if panel.x == "load" else f" over the {quantity(panel.x)}"
         letter = f"({panel.letter}) " if len(panels) > 1 else ""
-        contents.append(f"{letter}{quantity(panel.y)}{own}{over}")
+        contents.append(f"{letter}{quantity(panel.y)}{at}{over}")
     sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in named]

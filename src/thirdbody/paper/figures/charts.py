@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 import xarray as xr
+from matplotlib.figure import Figure
 
 from thirdbody.plotting.curves import draw_panels
-from thirdbody.plotting.drawing import Drawing
 from thirdbody.plotting.marks import range_series
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import note, parameter_title, value_text
@@ -14,7 +14,7 @@ from thirdbody.plotting.styles import level_styles
 from thirdbody.variables import CONDITION_AXES
 
 
-def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
+def plot(name: str, charts: Sequence[xr.Dataset]) -> Figure:
     """The limit ``name``, one of ``SCALES``, in one panel per dataset of ``charts``, from
     ``thirdbody.paper.atlas.catalogue.chart_panels``, all with the same roughnesses."""
     surfaces = charts[0]["roughness"].values
@@ -25,8 +25,7 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
         )
     ]
     panels = [
-        Panel(", ".join(_notes(chart)), "load", name, tuple(_series(chart, looks)))
-        for chart in charts
+        Panel(", ".join(_notes(chart)), "load", name, [*_series(chart, looks)]) for chart in charts
     ]
     newtons_per_load = float((charts[0]["normal_load"] / charts[0]["load"])[-1])
     figure = draw_panels(panels, [looks], parameter_title("roughness"), (), newtons_per_load)

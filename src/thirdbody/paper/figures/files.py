@@ -28,8 +28,9 @@ DIGITS = 5  # of the coordinates of printed numbers in a record
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
     """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as .csv,
     the caption as .md, and the record of the figure as .json."""
-    drawing.get_layout_engine().execute(drawing)
-    drawing.set_layout_engine(None)  # once for all formats
+    if engine := drawing.get_layout_engine():
+        engine.execute(drawing)
+        drawing.set_layout_engine(None)  # once for all formats
     rows = [
         row for panel in drawing.panels for each in panel.series for row in _points(panel, each)
     ]

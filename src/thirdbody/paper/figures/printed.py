@@ -107,11 +107,11 @@ def printed_series(
         for row in own:
             if _lacks_ordinate(row, x, y, rows):
                 continue
-            points = _low_value_high(curve, row, x, y, numbers)
-            place = row["id"], tuple(np.ravel(points))
-            if points and place not in drawn:
+            found = _low_value_high(curve, row, x, y, numbers)
+            place = row["id"], found and tuple(np.ravel(found))
+            if found and place not in drawn:
                 drawn.add(place)
-                points = np.array(points)
+                points = np.array(found)
                 kind, (number_x, number_y) = PRINTED, points[:, 1:2]
                 end = "|" if points[0, 0] < points[0, 2] else "_"
                 look = BAR | colour | {"marker": end}

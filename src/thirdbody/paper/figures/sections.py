@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
 from thirdbody.attributes import coordinate_attributes, variable_attributes
@@ -95,7 +95,8 @@ def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> 
     most = max(section["particle_size"].size for section in found)
     variables = {}
     for name, attributes in VARIABLES.items():
-        values, dims = [section[name] for section in found], ("panel",)
+        dims: tuple[str, ...] = ("panel",)
+        values = [section[name] for section in found]
         if name in LINES:
             dims = ("panel", "position")
         elif name in PARTICLES:  # panels with fewer particles are padded with nan
@@ -204,7 +205,7 @@ def _particles(state, parameters, position, lower, upper, held, random) -> dict[
 
 
 def size_quantiles(
-    fraction: ArrayLike, smallest: ArrayLike, diameter: float, parameters: Parameters
+    fraction: float | NDArray, smallest: float | NDArray, diameter: float, parameters: Parameters
 ) -> NDArray:
     """Quantiles [m] of the sizes from ``smallest`` [m] to X_max, for x_a = ``diameter`` [m]."""
     mean, spread = parameters.sizes(diameter)

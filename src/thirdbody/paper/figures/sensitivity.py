@@ -2,6 +2,7 @@
 
 import textwrap
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -57,7 +58,7 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
     bar.set_label("Elasticity, d ln(result)/d ln(input)", fontsize=SIZE)
     names = [_input_name(name, symbols.get(name, "")) for name in inputs]
     axes.set_yticks(np.arange(len(inputs)) + 0.5, names)
-    style = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
+    style: dict[str, Any] = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
     axes.set_xticks(np.arange(len(results)) + 0.5, map(typeset, results), **style)
     negligible = [_input_name(name, "") for name in weights if name not in inputs]
     notes = {
@@ -98,7 +99,7 @@ def _draw_cells(axes: Axes, values: np.ndarray) -> QuadMesh:
         if abs(value) >= LEAST:
             dark = np.dot(mesh.to_rgba(value)[:3], LIGHTNESS) < DARK
             text = f"{value:.2f}" if abs(value) < 0.995 else f"{value:#.2g}".rstrip(".")
-            style = {"ha": "center", "va": "center_baseline", "fontsize": SIZE}
+            style: dict[str, Any] = {"ha": "center", "va": "center_baseline", "fontsize": SIZE}
             style["color"] = "white" if dark else "black"
             axes.text(column + 0.5, line + 0.55, text.replace("-", "−"), **style)
     return mesh

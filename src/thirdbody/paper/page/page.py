@@ -3,7 +3,7 @@ template, style and scripts of the folder ``page/`` and with D3.  It computes th
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +20,7 @@ NODES = 48  # of the integrals computed in the page
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 RAISED = re.compile(r"(?<=[a-z])-\d")
 # what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
-MARKUP = {
+MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\\text\s*\{([^}]*)\}": r"\1",
     r"\\(sigma|nu|eta)(?![a-z])": lambda found: {"sigma": "σ", "nu": "ν", "eta": "η"}[found[1]],
     r"\s*\\times\s*": "×",

@@ -1,0 +1,12 @@
+from thirdbody.lab.comparison import compare as compare
+from thirdbody.lab.comparison import plot_comparison as plot_comparison
+from thirdbody.lab.debris import cleanliness as cleanliness
+from thirdbody.lab.debris import debris_density as debris_density
+from thirdbody.lab.estimates import contact_resistance as contact_resistance
+from thirdbody.lab.estimates import friction as friction
+from thirdbody.lab.fitting import fit as fit
+from thirdbody.lab.oil import oil_grade as oil_grade
+from thirdbody.lab.oil import oil_viscosity as oil_viscosity
+from thirdbody.lab.roughness import equivalent_roughness as equivalent_roughness
+from thirdbody.lab.topography import surface as surface
+from thirdbody.lab.topography import surface_parameters as surface_parameters

@@ -1,0 +1,60 @@
+"""Every public name as a user uses it, for a type checker; it is not run."""
+
+from typing import assert_type
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+import thirdbody as tb
+
+print(tb.__version__)
+inputs = tb.load_parameters(participation=0.5)
+assert_type(inputs, tb.Parameters)
+assert_type(tb.load_parameters("inputs.yaml").changed(ball_radius=0.01), tb.Parameters)
+assert_type(inputs.ball_radius, float)
+for member in tb.ensemble(inputs):
+    assert_type(member, tb.Parameters)
+bronze = tb.Material(modulus_GPa=110, poisson_ratio=0.34, hardness_GPa=1.5)
+rig = tb.bearing(inputs, ball="silicon nitride", flat=bronze, speed_m_per_s=2.0)
+assert_type(rig, tb.Parameters)
+
+try:
+    points = tb.solve(
+        load=np.geomspace(1e-6, 1e-4, 5)[:, np.newaxis],
+        viscosity_cSt=[0, 120],
+        particle_diameter=3e-7,
+        roughness_nm=300,
+        particle_density=1e11,
+        variables=["solid_load_fraction"],
+        parameters=rig,
+    )
+except tb.OutOfRangeWarning as warning:
+    print(warning)
+assert_type(points, tb.Solution)
+assert_type(points.to_dataset(), xr.Dataset)
+points.to_dataframe().to_csv("points.csv")
+
+grid = tb.grid(load_N=[1, 10], viscosity_cSt=[0, 90], roughness_nm=300, progress=False)
+assert_type(grid, xr.Dataset)
+tb.stream("grid.nc", load_N=[1, 10], viscosity_cSt=[0, 90], roughness_nm=300, compression=1)
+figure = tb.plot(grid, over="load_N")
+assert_type(figure, Figure)
+figure.savefig("figure.png")
+
+found = tb.find("solid_load_fraction", [0.9, 0.5], "viscosity_cSt", load_N=10, roughness_nm=300)
+changes = tb.transitions("load_N", between=(0.1, 100.0), viscosity_cSt=90, roughness_nm=300)
+turning = tb.turning_point(viscosity_cSt=0, roughness_nm=300, count=60)
+window = tb.turning_window(roughness_nm=[100, 300], particle_density_per_m2=1e11)
+print(found, changes, turning["exists"], window["low"])
+
+sigma = tb.lab.equivalent_roughness(Rq=(240, 180))
+measured = tb.lab.compare("measured.csv", parameters=rig, roughness_nm=sigma)
+assert_type(tb.lab.plot_comparison(measured, rig), Figure)
+fitted = tb.lab.fit("measured.csv", ["participation"], parameters=rig, roughness_nm=sigma)
+print(tb.lab.friction(points).max(), tb.lab.contact_resistance(points, rig).max())
+print(tb.lab.oil_viscosity([40, 80], grade=46), tb.lab.oil_grade(73.5, 75), fitted)
+print(tb.lab.cleanliness("18/16/13", gap_nm=500.0))
+print(tb.lab.debris_density(gap_nm=500.0, particle_diameter_nm=300.0, mg_per_L=10.0))
+table = tb.lab.surface("ball.x3p", "flat.x3p", scale_nm=1000.0)
+assert_type(tb.lab.surface_parameters(table, rig), tb.Parameters)
