@@ -1,7 +1,7 @@
 """A drawing: a figure with the data of its panels, and its file."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from io import BytesIO
 from os import PathLike
@@ -63,4 +63,13 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
     if kind not in FORMATS:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
     with atomic_write(path) as part:
-        figure.savefig(part, format=kind, **FORMATS[kind])
+        write_figure(figure, part, kind, FORMATS[kind])
+
+
+def write_figure(
+    figure: Figure, path: str | PathLike, kind: str, options: Mapping[str, Any]
+) -> None:
+    """Draw a figure in memory, then write it: on a full disk matplotlib's writer of PDF hides the error."""
+    drawn = BytesIO()
+    figure.savefig(drawn, format=kind, **options)
+    Path(path).write_bytes(drawn.getvalue())
