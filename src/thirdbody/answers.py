@@ -115,8 +115,8 @@ def changes_along(
     with without_warnings():
         for end in ends:
             point = solve(**{**conditions, along: end}, parameters=parameters)
-            states = [getattr(point, name).item() for name in FLAGS]
-            notes.append(f"at {end:g} {axis.alias_unit}: {', '.join(map(str, states))}")
+            states = point.to_dataframe()[[*FLAGS]].iloc[0].dropna()
+            notes.append(f"at {end:g} {axis.alias_unit}: {', '.join(states)}")
     notes += [
         f"left out at {row[along]:.4g} {axis.alias_unit}: {STATUS_MEANINGS[row['solution_status']]}"
         for _, row in invalid.iterrows()

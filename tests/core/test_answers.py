@@ -134,6 +134,8 @@ def test_in_a_full_film_there_is_no_contact_mode(inputs):
     assert (rows["lubrication_regime"], rows["contact_mode"]) == ("full_film", "none")
     table = answers.curve(inputs, without("viscosity_cSt"), "viscosity_cSt", (50.0, 2000.0), 5)
     assert table["contact_mode"].isna().equals(table["lubrication_regime"] == "full_film")
+    table = answers.changes_along(inputs, without("viscosity_cSt"), "viscosity_cSt", (50.0, 2000.0))
+    assert "at 2000 cSt: full_film, converged" in table.attrs["notes"]
 
 
 def test_numbers_have_as_many_digits_as_their_range_allows(inputs):
