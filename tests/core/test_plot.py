@@ -112,7 +112,7 @@ def test_what_would_be_drawn_wrongly_or_not_at_all_is_refused(grid):
     for data, options in (
         (grid(load=1e-5), {"over": "load"}),  # a curve of one point
         (grid(), {"over": "roughness"}),
-        (grid(particle_diameter=[1e-7, 3e-7]), {}),  # curves that one key cannot name
+        (grid(roughness=np.linspace(1e-7, 5e-7, 7)), {}),  # more panels than letters
         (grid(["separation"]), {}),
     ):
         with pytest.raises(ValueError, match="allowed"):

@@ -12,6 +12,7 @@ from typing import Any
 import matplotlib.style
 from matplotlib.figure import Figure
 
+from thirdbody.curves import MOST_PANELS
 from thirdbody.files import atomic_write
 from thirdbody.plotting.panels import Panel
 from thirdbody.plotting.scales import typeset
@@ -45,6 +46,8 @@ class Drawing(Figure):
 def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: int = 2) -> Drawing:
     """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its title and, if there are
     several, its letter."""
+    if len(panels) > MOST_PANELS:
+        raise ValueError(f"the figure has {len(panels)} panels; allowed: at most {MOST_PANELS}")
     figure = Drawing(figsize=size, layout="constrained")
     figure.panels = [
         replace(panel, letter=ascii_uppercase[place]) for place, panel in enumerate(panels)
