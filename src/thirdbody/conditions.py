@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
-NEVER_ZERO = "load", "roughness", "speed"  # the others are 0 without oil or particles
+NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles, or at rest
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 LEAST_COVERAGE = (
     1e-290  # x_a^2 eta_a [1], below which float64 has too few digits for the area of particles

@@ -103,8 +103,14 @@ def test_a_speed_is_one_of_the_five_kinds(parameters, speed):
     for values in (pd.Series(speeds), xr.DataArray(speeds, dims="run")):
         solution = tb.solve(**ENGINEERING, speed_m_per_s=values, parameters=parameters)
         assert_allclose(solution.separation, expected)
-    with pytest.raises(ValueError, match="speed_m_per_s is 0; allowed: positive"):
-        tb.solve(**ENGINEERING, speed_m_per_s=0.0, parameters=parameters)
+    with pytest.raises(ValueError, match="speed_m_per_s is -1; allowed: zero or positive"):
+        tb.solve(**ENGINEERING, speed_m_per_s=-1.0, parameters=parameters)
+
+
+def test_at_rest_there_is_no_film(parameters):
+    dry = tb.solve(**ENGINEERING | {"viscosity_cSt": 0.0}, parameters=parameters)
+    at_rest = tb.solve(**ENGINEERING, speed_m_per_s=0.0, parameters=parameters)
+    assert at_rest.separation == dry.separation and at_rest.fluid_load_fraction == 0.0
 
 
 def test_friction_falls_as_the_film_takes_the_load(parameters):

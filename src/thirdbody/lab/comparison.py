@@ -14,14 +14,13 @@ from thirdbody.conditions import (
     density_of_oil,
     entrainment_speed,
     from_si,
-    numbers_in,
     read_conditions,
     without_warnings,
 )
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
 from thirdbody.lab.estimates import MEASURED, fitted_coefficients, measurable
-from thirdbody.lab.reading import SPEED, UNITS, read_measured
+from thirdbody.lab.reading import SPEED, read_measured
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import range_note, ranges
 from thirdbody.variables import BY_ALIAS, decimal
@@ -223,7 +222,6 @@ def read_runs(
     observed = columns[[name for name in columns if name in MEASURED]]
     # dict refuses a condition that is a column and an argument
     arguments = dict(**columns.drop(columns=observed.columns), **conditions)
-    speed = arguments.pop(SPEED, None)
     try:
         read = read_conditions(arguments, parameters)
     except ValueError as error:
@@ -236,8 +234,8 @@ def read_runs(
         key: decimal(from_si(key, read.arrays[axis.name], parameters.newtons_per_load))
         for key, axis in BY_ALIAS.items()
     }
-    if speed is not None:
-        table[SPEED] = numbers_in(SPEED, speed, UNITS[SPEED])
+    if SPEED in arguments:
+        table[SPEED] = read.arrays["speed"]
     return observed, pd.DataFrame(table, observed.index).astype(float), notes
 
 
