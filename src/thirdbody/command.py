@@ -23,6 +23,7 @@ VISCOSITY = "kinematic viscosity of the oil, 0 if dry [cSt]"
 SIZE = "mean particle diameter x_a, 0 if none [nm]"
 ROUGHNESS = "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2) [nm]"
 DENSITY = "particles per area, 0 if none [m-2]"
+SPEED = "entrainment speed; default: that of the inputs [m/s]"
 
 
 def _option(name: str, text: str, kind: type = float, metavar: str = "NUMBER") -> Any:
@@ -35,7 +36,7 @@ Viscosity = _option("viscosity-cSt", VISCOSITY)
 Size = _option("particle-diameter-nm", SIZE)
 Roughness = _option("roughness-nm", ROUGHNESS)
 Density = _option("particle-density-per-m2", DENSITY)
-Speed = _option("speed-m-per-s", "entrainment speed; default: that of the inputs [m/s]")
+Speed = _option("speed-m-per-s", SPEED)
 Along = _option("along", f"condition that varies: {', '.join(CONDITIONS)}", str, "CONDITION")
 First = _option("from", "first value, in the unit of its option")
 Last = _option("to", "last value, in the unit of its option")
@@ -219,11 +220,13 @@ def compare(
     particle_diameter_nm: Size = None,
     roughness_nm: Roughness = None,
     particle_density_per_m2: Density = None,
+    speed_m_per_s: Speed = None,
     other_load_N: _option("other-load-N", f"of the second interface: {LOAD}") = None,
     other_viscosity_cSt: _option("other-viscosity-cSt", VISCOSITY) = None,
     other_particle_diameter_nm: _option("other-particle-diameter-nm", SIZE) = None,
     other_roughness_nm: _option("other-roughness-nm", ROUGHNESS) = None,
     other_particle_density_per_m2: _option("other-particle-density-per-m2", DENSITY) = None,
+    other_speed_m_per_s: _option("other-speed-m-per-s", SPEED) = None,
     other_inputs: _option("other-inputs", "inputs of the second interface", str, "FILE") = None,
     inputs: Inputs = None,
     as_json: Json = False,
@@ -233,7 +236,8 @@ def compare(
 
     given = locals()
     conditions = _conditions(given)
-    changes = {key: given[f"other_{key}"] for key in BY_ALIAS if given[f"other_{key}"] is not None}
+    others = {axis.alias: given[f"other_{axis.alias}"] for axis in CONDITIONS.values()}
+    changes = {key: value for key, value in others.items() if value is not None}
     if not changes and other_inputs is None:
         raise ValueError(
             "--other-... is missing; allowed: one or more, as --other-viscosity-cSt 120"
