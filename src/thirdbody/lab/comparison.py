@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.bearings import speed_note
+from thirdbody.bearings import area_note, speed_note
 from thirdbody.conditions import (
     checked_number,
     density_of_oil,
@@ -123,10 +123,7 @@ def compare(
         table[name] = observed[name]
         table = table.assign(**_model_columns(name, models))
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
-    notes += [
-        *fits,
-        f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2",
-    ]
+    notes += [*fits, area_note(parameters)]
     if SPEED in table:
         notes.append(f"speeds are those in an oil of {density:g} kg/m3")
     elif table["viscosity_cSt"].any():
