@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from thirdbody.bearings import hertz_contact, speed_note
+from thirdbody.bearings import area_note, hertz_contact, speed_note
 from thirdbody.conditions import axis_of, check_count, without_warnings
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.turning_points import PROMINENCE
@@ -115,8 +115,8 @@ def changes_along(
     with without_warnings():
         for end in ends:
             point = solve(**{**conditions, along: end}, parameters=parameters)
-            states = [getattr(point, name).item() for name in FLAGS]
-            notes.append(f"at {end:g} {axis.alias_unit}: {', '.join(map(str, states))}")
+            states = point.to_dataframe()[[*FLAGS]].iloc[0].dropna()
+            notes.append(f"at {end:g} {axis.alias_unit}: {', '.join(states)}")
     notes += [
         f"left out at {row[along]:.4g} {axis.alias_unit}: {STATUS_MEANINGS[row['solution_status']]}"
         for _, row in invalid.iterrows()
@@ -328,17 +328,18 @@ def _notes(parameters, conditions, status) -> list[str]:
     if 0.0 < count < 1.0:
         area = 1e6 * parameters.apparent_area
         notes.append(f"{count:.2g} particles in A_n = {area:.3g} mm2: most contacts have none")
-    if "speed_m_per_s" in conditions:
-        notes.append(speed_note(parameters))
     return notes + _ensemble_notes(parameters, conditions)
 
 
 def _ensemble_notes(parameters, conditions) -> list[str]:
-    """What a range is, and the sizes that x_a stands for, if there are particles."""
-    notes = []
+    """What the inputs stand for: the nominal area, the speed if there is oil, the sizes if there are particles;
+    and what a range is."""
+    notes = [area_note(parameters)]
+    if conditions.get("viscosity_cSt") != 0.0:
+        notes.append(speed_note(parameters))
     layer = [conditions.get(key) for key in LAYER]
     if all(layer):  # neither without particles nor along one of these
-        notes = [sizes_note(1e-9 * layer[0], 1e-9 * layer[1], parameters)]
+        notes.append(sizes_note(1e-9 * layer[0], 1e-9 * layer[1], parameters))
     return [*notes, range_note(parameters.members)]
 
 

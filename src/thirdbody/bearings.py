@@ -302,6 +302,11 @@ def speed_note(parameters: Parameters) -> str:
     )
 
 
+def area_note(parameters: Parameters) -> str:
+    """The area to which loads refer, in words."""
+    return f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2"
+
+
 def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, NDArray]:
     """Area [m2] and mean pressure [Pa] of the smooth ball on a flat under a load [N] (Hertz)."""
     load = np.asarray(load_N, float)

@@ -236,11 +236,13 @@ def compare(
     particle_diameter: Size = None,
     roughness: Roughness = None,
     particle_density: Density = None,
+    speed: Speed = None,
     other_load: Annotated[float | None, _other("load")] = None,
     other_viscosity: Annotated[float | None, _other("viscosity")] = None,
     other_particle_diameter: Annotated[float | None, _other("particle_diameter")] = None,
     other_roughness: Annotated[float | None, _other("roughness")] = None,
     other_particle_density: Annotated[float | None, _other("particle_density")] = None,
+    other_speed: Annotated[float | None, _other("speed")] = None,
     other_inputs: Annotated[
         str | None, _option("inputs of the second interface", metavar="FILE")
     ] = None,
@@ -252,7 +254,7 @@ def compare(
 
     given = locals()
     conditions = _conditions(given)
-    changes = _by_alias({name: given[f"other_{name}"] for name in AXES})
+    changes = _by_alias({name: given[f"other_{name}"] for name in CONDITIONS})
     if not changes and other_inputs is None:
         raise ValueError(
             "--other-... is missing; allowed: one or more, as --other-viscosity-cSt 120"

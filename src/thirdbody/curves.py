@@ -1,6 +1,6 @@
 """Curves over the load: their conditions, in tables and keys of the configuration, and those of a dataset."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Set
 from typing import NamedTuple, Self
 
 import numpy as np
@@ -8,6 +8,11 @@ from numpy.typing import NDArray
 
 from thirdbody.netcdf import FILL_FLAG, Dataset
 from thirdbody.variables import AXES, CONDITION_AXES, STATUS
+
+OF_PARTICLES = "particle_diameter", "particle_density"
+MOST_PANELS = 26  # of a figure: each has a letter
+ALL_DRY = "particle_contact_area_ratio", "total_contact_area"
+LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
 
 
 class Condition(NamedTuple):
@@ -40,6 +45,25 @@ class Condition(NamedTuple):
     @property
     def is_two_body(self) -> bool:
         return self.particle_diameter == 0.0 or self.particle_density == 0.0
+
+
+def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]]:
+    """The condition whose values have colours in a figure over the load, and the conditions of which each
+    value has panels of its own, from the ``levels`` of all.  Dry contact is black, and two-body contact is in
+    each panel."""
+    varying = [name for name in OF_PARTICLES if len(levels[name] - {0.0}) > 1]
+    media = levels["viscosity"]
+    if len(media - {0.0}) > 1 or (len(media) > 1 and not varying):
+        varying.insert(0, "viscosity")
+    if len(levels["roughness"]) > 1:
+        varying.append("roughness")
+    colours, *panels = varying or ["viscosity"]
+    return colours, panels
+
+
+def variables_over_load(levels: Mapping[str, Set[float]]) -> tuple[str, ...]:
+    """The variables that a figure over the load shows: areas, also load fractions and film unless all is dry."""
+    return ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED
 
 
 def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:

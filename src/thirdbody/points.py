@@ -17,7 +17,7 @@ from thirdbody.conditions import (
     without_speed,
 )
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.regimes import STATES, states_of
+from thirdbody.core.regimes import NO_FLAG, STATES, codes_to_name, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.inputs import or_calibrated
 from thirdbody.progress import Progress
@@ -240,6 +240,7 @@ class Solution:
     def __repr__(self) -> str:
         arrays = {name: np.asarray(array) for name, array in self.variables.items()}
         shape = next(iter(arrays.values())).shape if arrays else ()
+        arrays |= codes_to_name(arrays)
         lines = [f"{name:<28}{_in_words(name, array)}" for name, array in arrays.items()]
         return "\n".join([f"Solution of shape {shape}", *lines])
 
@@ -253,9 +254,9 @@ def _in_words(name: str, values: NDArray) -> str:
     """A number, or the range of numbers; for a flag the names with their counts."""
     if name in STATES:
         states, counts = np.unique(values.astype(int), return_counts=True)
-        names = states_of(name, states)
+        names = ["none" if state == NO_FLAG else str(state) for state in states_of(name, states)]
         if values.size == 1:
-            return str(names.item())
+            return names[0]
         return ", ".join(f"{state} ({count})" for state, count in zip(names, counts, strict=True))
     numbers = values[~np.isnan(values)]
     if numbers.size == 0:

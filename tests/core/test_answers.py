@@ -128,12 +128,31 @@ def test_inputs_without_an_ensemble_have_no_range_and_say_so(inputs):
     assert "separation_low" not in table
 
 
+def test_each_answer_names_its_area_and_the_speed_of_an_oil(inputs):
+    mine = tb.bearing(inputs, speed_m_per_s=2.0, oil_density_kg_per_m3=870.0, apparent_area_mm2=3.0)
+    area = "the nominal area A_n of the inputs is 3 mm2"
+    speed = "with an oil of 870 kg/m3, U/nu is for an entrainment speed of 2 m/s"
+    for load in ({}, {"viscosity_cSt": 0.0}):
+        given = ENGINEERING | load
+        others = {key: value for key, value in given.items() if key != "load_N"}
+        for table in (
+            answers.state(mine, given),
+            answers.changes_along(mine, others, "load_N", None),
+            answers.turning_load(mine, others),
+            answers.compare_interfaces(mine, given, mine, given | {"load_N": 5.0}),
+        ):
+            assert area in table.attrs["notes"]
+            assert (speed in table.attrs["notes"]) == (given["viscosity_cSt"] > 0.0)
+
+
 def test_in_a_full_film_there_is_no_contact_mode(inputs):
     thick = ENGINEERING | {"viscosity_cSt": 1000.0}
     rows = by_name(answers.state(inputs, thick))["value"]
     assert (rows["lubrication_regime"], rows["contact_mode"]) == ("full_film", "none")
     table = answers.curve(inputs, without("viscosity_cSt"), "viscosity_cSt", (50.0, 2000.0), 5)
     assert table["contact_mode"].isna().equals(table["lubrication_regime"] == "full_film")
+    table = answers.changes_along(inputs, without("viscosity_cSt"), "viscosity_cSt", (50.0, 2000.0))
+    assert "at 2000 cSt: full_film, converged" in table.attrs["notes"]
 
 
 def test_numbers_have_as_many_digits_as_their_range_allows(inputs):

@@ -101,6 +101,17 @@ def test_bad_input_is_named_and_answers_nothing(text, named, capsys):
     assert printed.out == "" and named in printed.err and "Traceback" not in printed.err
 
 
+def test_two_speeds_are_compared_as_two_viscosities(capsys):
+    def values(options):
+        assert run(f"compare {STATE.partition(' ')[2]} {options} --json") == ANSWERED
+        rows = json.loads(capsys.readouterr().out)["rows"]
+        return [row["other"] for row in rows if isinstance(row["other"], float)]
+
+    faster = values("--speed-m-per-s 2 --other-speed-m-per-s 4")
+    thicker = values("--speed-m-per-s 2 --other-viscosity-cSt 180")
+    assert faster == pytest.approx(thicker)
+
+
 def test_what_does_not_occur_has_an_exit_code_of_its_own(capsys):
     dry = "--viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0"
     assert run(f"transitions --along particle_diameter --load-N 10 {dry}") == NONE_FOUND

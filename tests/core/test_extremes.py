@@ -102,6 +102,16 @@ def test_what_rounding_makes_impossible_says_so(rtol):
     assert not [verdict for verdict in verdicts if verdict.startswith("wrong")]
 
 
+@pytest.mark.parametrize("density", [1e-280, 1e-292, 1e-294, 1e-298, 5e-324])
+def test_particles_too_few_for_float64_have_their_share_within_its_bound(parameters, density):
+    film = {"viscosity": 120e-6, "particle_diameter": 3e-7, "roughness": 3e-8}
+    few, more = (solve(parameters, **film, particle_density=number) for number in (density, 1e-200))
+    expected = density * (more.particle_contact_area_ratio / 1e-200)
+    error = abs(few.particle_contact_area_ratio / expected - 1.0)
+    assert error <= few.error_bound + more.error_bound
+    assert (few.solution_status == "converged") == (few.error_bound <= 1e-9)
+
+
 @pytest.mark.parametrize("bad", [5e-324, 1e-320, 9.99e-31, 1.01e30, 1e308])
 def test_a_roughness_whose_surface_float64_cannot_hold_is_refused(parameters, method, bad):
     shown = re.escape(f"roughness is {bad:g}; allowed: 1e-30 to 1e+30 m")

@@ -1,5 +1,7 @@
 """Results as datasets and as tables: nothing loses its name, its unit or its meaning."""
 
+import re
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -90,6 +92,7 @@ def test_where_people_read_a_full_film_has_no_contact_mode(solved):
     solution = solved(load=1e-6, viscosity=[9e-5, 1e-3])
     assert solution.lubrication_regime[1] == "full_film"
     assert solution.to_dataframe()["contact_mode"].isna().tolist() == [False, True]
+    assert re.search(r"^contact_mode +none \(1\), \w+ \(1\)$", str(solution), re.MULTILINE)
     assert (solution.to_dataset()["contact_mode"] >= 0).all()
 
 

@@ -1,11 +1,14 @@
 """The paper's panels for datasets of one's own, however they were made."""
 
+import resource
+
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
 
 import thirdbody as tb
+from thirdbody.plotting.drawing import FORMATS, save_figure
 from thirdbody.plotting.plot import plot_comparison, plot_curve
 from thirdbody.plotting.scales import SCALES
 from thirdbody.variables import AXES as CONDITIONS
@@ -109,7 +112,7 @@ def test_what_would_be_drawn_wrongly_or_not_at_all_is_refused(grid):
     for data, options in (
         (grid(load=1e-5), {"over": "load"}),  # a curve of one point
         (grid(), {"over": "roughness"}),
-        (grid(particle_diameter=[1e-7, 3e-7]), {}),  # curves that one key cannot name
+        (grid(roughness=np.linspace(1e-7, 5e-7, 7)), {}),  # more panels than letters
         (grid(["separation"]), {}),
     ):
         with pytest.raises(ValueError, match="allowed"):
@@ -304,3 +307,16 @@ def test_other_units_are_refused(name, factor, unit):
     changed = grid.assign({name: (factor * grid[name]).assign_attrs(units=unit)})
     with pytest.raises(ValueError, match=f"^{name} is in {unit}; allowed: "):
         tb.plot(changed)
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_want_of_room_names_the_picture_and_leaves_nothing(grid, tmp_path, kind):
+    figure = tb.plot(grid())
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, usual[1]))  # bytes of a file
+    try:
+        with pytest.raises(OSError, match=f"a.{kind} cannot be written .File too large"):
+            save_figure(figure, tmp_path / f"a.{kind}")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+    assert not list(tmp_path.iterdir())

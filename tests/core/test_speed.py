@@ -103,8 +103,14 @@ def test_a_speed_is_one_of_the_five_kinds(parameters, speed):
     for values in (pd.Series(speeds), xr.DataArray(speeds, dims="run")):
         solution = tb.solve(**ENGINEERING, speed_m_per_s=values, parameters=parameters)
         assert_allclose(solution.separation, expected)
-    with pytest.raises(ValueError, match="speed_m_per_s is -2"):
-        tb.solve(**ENGINEERING, speed_m_per_s=-2.0, parameters=parameters)
+    with pytest.raises(ValueError, match="speed_m_per_s is -1; allowed: zero or positive"):
+        tb.solve(**ENGINEERING, speed_m_per_s=-1.0, parameters=parameters)
+
+
+def test_at_rest_there_is_no_film(parameters):
+    dry = tb.solve(**ENGINEERING | {"viscosity_cSt": 0.0}, parameters=parameters)
+    at_rest = tb.solve(**ENGINEERING, speed_m_per_s=0.0, parameters=parameters)
+    assert at_rest.separation == dry.separation and at_rest.fluid_load_fraction == 0.0
 
 
 def test_friction_falls_as_the_film_takes_the_load(parameters):
@@ -114,10 +120,3 @@ def test_friction_falls_as_the_film_takes_the_load(parameters):
     friction = tb.lab.friction(solution)
     assert friction[0] == pytest.approx(0.12, rel=1e-3) and (np.diff(friction) < 1e-6).all()
     assert friction[-1] == pytest.approx(0.03, rel=0.05)
-
-
-def test_at_rest_contact_is_dry(parameters):
-    at_rest = tb.solve(**ENGINEERING, speed_m_per_s=0.0, parameters=parameters)
-    dry = tb.solve(**ENGINEERING | {"viscosity_cSt": 0.0}, parameters=parameters)
-    assert at_rest.solid_load_fraction == 1.0
-    assert at_rest.separation == dry.separation

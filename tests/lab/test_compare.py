@@ -68,6 +68,8 @@ def test_half_the_speed_is_half_the_viscosity(runs, rest, defaults):
     assert half[name].iloc[2] > speed[name].iloc[2]
     at_rest = tb.lab.compare(runs(**{"speed [m/s]": 0.0}), **rest)
     assert at_rest[name].tolist() == [1.0, 1.0, 1.0]
+    with pytest.raises(ValueError, match="speed_m_per_s is nan"):
+        tb.lab.compare(runs(**{"speed [m/s]": [2.0, np.nan, 2.0]}), **rest)
 
 
 def test_a_speed_and_an_oil_are_those_of_bearing(runs, rest):

@@ -560,6 +560,13 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
         ("particle_diameter", {"viscosity_cSt": [0], "particle_diameter_nm": [200, 400]}, 2, 2),
         ("roughness", {"viscosity_cSt": [90], "roughness_nm": [100, 300]}, 4, 2),
         ("viscosity", {"viscosity_cSt": [50, 90], "roughness_nm": [100, 300]}, 8, 2),
+        # two-body contact is in the panels of each size
+        (
+            "viscosity",
+            {"viscosity_cSt": [0, 46, 120], "particle_diameter_nm": [0, 300, 600]},
+            8,
+            6,
+        ),
     ],
 )
 def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, curves, parameters):

@@ -203,6 +203,16 @@ def test_a_scene_too_large_to_be_solved_is_refused(shipped, from_root):
     assert "2.4e+08" in refusal(workflow_settings, changed(shipped, "scenes.mine", scene), CONFIG)
 
 
+def test_a_scene_whose_figure_has_more_panels_than_letters_is_refused():
+    layer = {"viscosity_cSt": [46, 120], "particle_density_per_m2": [1e11]}
+    group = layer | {"particle_diameter_nm": [300, 600, 900], "roughness_nm": [100, 200, 300]}
+    scenes = {"mine": {"title": "x", "curves": [group]}}
+    with pytest.raises(ValueError, match="scenes.mine: the figure has 36 panels, .*allowed: at m"):
+        read_settings({"scenes": scenes}, CONFIG)
+    group["roughness_nm"] = [100, 200]
+    assert "mine" in read_settings({"scenes": scenes}, CONFIG)["scenes"]
+
+
 def test_a_roughness_that_the_inputs_cannot_have_is_refused(shipped, from_root):
     settings = changed(shipped, "inputs", {"summit_parameter_exponent": 1.5})
     settings = changed(settings, "scenes.fig03.curves.0.roughness_nm", [1])

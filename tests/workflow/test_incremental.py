@@ -4,6 +4,7 @@ import os
 import re
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -148,6 +149,21 @@ def test_comments_in_the_configuration_and_dates_of_files_rerun_nothing(workspac
     for file in ("config", "scenes", "claims", "inputs", "calibration", "paper_tables"):
         workspace.rewrite(f"config/{file}.yaml", lambda text: f"# a remark\n{text}")
     assert not workspace.pending()
+
+
+def test_a_profile_of_the_user_that_looks_at_dates_alone_keeps_nothing_old(
+    workspace, tmp_path, monkeypatch
+):
+    (tmp_path / "config.yaml").write_text("rerun-triggers: [mtime]\n")
+    monkeypatch.setenv("SNAKEMAKE_PROFILE", str(tmp_path))
+    workspace.put("config/scenes.yaml", "scenes/fig05/title", "Another title")
+    assert workspace.pending() >= workspace.products(*of_figure("fig05"))
+
+
+def test_the_library_of_another_checkout_is_refused(workspace):
+    run = replace(workspace, imported=(ROOT / "src", ROOT)).snakemake("--dry-run")
+    assert run.returncode != 0
+    assert f"the library is {ROOT / 'src/thirdbody'}; allowed: that of this checkout" in run.stderr
 
 
 @pytest.mark.parametrize("folder", ["my drive", "thirdbody(1)", "a{b}"])

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.bearings import speed_note, with_oil_density
+from thirdbody.bearings import area_note, speed_note, with_oil_density
 from thirdbody.conditions import (
     checked_number,
     density_of_oil,
@@ -121,10 +121,7 @@ def compare(
         table[name] = observed[name]
         table = table.assign(**_model_columns(name, models))
         table[f"{name}_residual"] = table[name] - table[f"{name}_model"]
-    notes += [
-        *fits,
-        f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2",
-    ]
+    notes += [*fits, area_note(parameters)]
     if SPEED.alias in table:
         notes.append(f"speeds are those in an oil of {density_of_oil(parameters):g} kg/m3")
     elif table["viscosity_cSt"].any():

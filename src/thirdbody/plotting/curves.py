@@ -3,13 +3,21 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
-from thirdbody.curves import Condition, condition_key, curves_of
+from thirdbody.curves import (
+    OF_PARTICLES,
+    Condition,
+    colours_and_panels,
+    condition_key,
+    curves_of,
+    variables_over_load,
+)
 from thirdbody.netcdf import Dataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
@@ -80,13 +88,13 @@ class Content:
 class CurveFigure:
     """A figure of curves that differ in one ``parameter``.
 
-    With ``each_surface``, each panel is drawn for every roughness.  Without ``two_body``, two-body contact is
+    Each panel is drawn for every value of the conditions ``each``, with two-body contact.  Without ``two_body``, two-body contact is
     only the reference of areas.  If levels of the parameter [SI] are ``strong``, the others are hairlines.
     """
 
     parameter: str
     contents: tuple[Content, ...]
-    each_surface: bool = False
+    each: tuple[str, ...] = ()
     two_body: bool = True
     strong: tuple[float, ...] = ()
 
@@ -136,11 +144,17 @@ class CurveFigure:
         return draw_panels(panels, key, title, common, newtons_per_load, axes, mark_looks)
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
-        """The content of each panel with its curves, those of one surface if it has one."""
+        """The content of each panel with its curves, those of one surface or combination if it has one."""
+        levels = [
+            sorted({getattr(curve.condition, name) for curve in curves} - {0.0})
+            for name in self.each
+        ]
         for content in self.contents:
-            for surface in range(roughness.size) if self.each_surface else [content.surface]:
-                on = roughness if surface is None else [roughness[surface]]
-                yield content, [curve for curve in curves if curve.condition.roughness in on]
+            on = roughness if content.surface is None else [roughness[content.surface]]
+            shown = [curve for curve in curves if curve.condition.roughness in on]
+            for values in product(*levels):
+                own = dict(zip(self.each, values, strict=True))
+                yield content, [curve for curve in shown if _is_of(own, curve.condition)]
 
     def _panel(self, content, series, own) -> Panel:
         """A panel, whose title has what it shows if others show something else, and its ``own`` conditions."""
@@ -156,29 +170,19 @@ class CurveFigure:
         )
 
 
-ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
-LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
+def _is_of(own, condition) -> bool:
+    """Whether a panel with its ``own`` conditions has a curve; two-body contact has no particles that differ."""
+    differing = [name for name, value in own.items() if getattr(condition, name) != value]
+    return not differing or (condition.is_two_body and {*differing} <= {*OF_PARTICLES})
 
 
 def curve_figure(data: Dataset) -> CurveFigure:
-    """The figure of any ``data``: areas over the load on each surface, also load fractions and film unless
-    all curves are dry; ``ValueError`` if several conditions vary, beside dry and lubricated contact."""
+    """The figure of any ``data``, for each combination of all conditions that vary but one."""
     conditions = [curve.condition for curve in curves_in(data)]
     levels = {axis: {getattr(each, axis) for each in conditions} for axis in Condition._fields}
-    absent = {"viscosity": set(), "particle_diameter": {0.0}, "particle_density": {0.0}}
-    varying = [axis for axis, none in absent.items() if len(levels[axis] - none) > 1]
-    if len(varying) > 1 and len(levels["viscosity"]) == 2 and 0.0 in levels["viscosity"]:
-        varying.remove("viscosity")
-    if len(varying) > 1:
-        raise ValueError(
-            f"{' and '.join(varying)} vary; allowed: one of them beside dry and lubricated "
-            "contact, and any number of roughnesses"
-        )
-    contents = tuple(map(Content, ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED))
-    several_surfaces = len(levels["roughness"]) > 1
-    if varying:
-        return CurveFigure(varying[0], contents, several_surfaces)
-    return CurveFigure("roughness" if several_surfaces else "viscosity", contents)
+    contents = tuple(map(Content, variables_over_load(levels)))
+    parameter, each = colours_and_panels(levels)
+    return CurveFigure(parameter, contents, tuple(each))
 
 
 def _curve_series(content, curves) -> Iterator[Series]:

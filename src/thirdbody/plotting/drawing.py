@@ -1,7 +1,7 @@
 """A drawing: a figure with the data of its panels, and its file."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from io import BytesIO
 from os import PathLike
@@ -12,6 +12,7 @@ from typing import Any
 import matplotlib.style
 from matplotlib.figure import Figure
 
+from thirdbody.curves import MOST_PANELS
 from thirdbody.files import atomic_write
 from thirdbody.plotting.panels import Panel
 from thirdbody.plotting.scales import typeset
@@ -45,6 +46,8 @@ class Drawing(Figure):
 def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: int = 2) -> Drawing:
     """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its title and, if there are
     several, its letter."""
+    if len(panels) > MOST_PANELS:
+        raise ValueError(f"the figure has {len(panels)} panels; allowed: at most {MOST_PANELS}")
     figure = Drawing(figsize=size, layout="constrained")
     figure.panels = [
         replace(panel, letter=ascii_uppercase[place]) for place, panel in enumerate(panels)
@@ -63,4 +66,13 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
     if kind not in FORMATS:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
     with atomic_write(path) as (part,):
-        figure.savefig(part, format=kind, **FORMATS[kind])
+        write_figure(figure, part, kind, FORMATS[kind])
+
+
+def write_figure(
+    figure: Figure, path: str | PathLike, kind: str, options: Mapping[str, Any]
+) -> None:
+    """Draw a figure in memory, then write it: on a full disk matplotlib's writer of PDF hides the error."""
+    drawn = BytesIO()
+    figure.savefig(drawn, format=kind, **options)
+    Path(path).write_bytes(drawn.getvalue())

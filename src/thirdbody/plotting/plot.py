@@ -19,12 +19,9 @@ from numpy.typing import NDArray
 
 from thirdbody.attributes import GIVEN_AS
 from thirdbody.conditions import axis_of, checked_variables
+from thirdbody.curves import LUBRICATED
 from thirdbody.netcdf import OF_THE_FILE, read_plain
-from thirdbody.plotting.curves import (
-    LUBRICATED,
-    curve_figure,
-    draw_panels,
-)
+from thirdbody.plotting.curves import curve_figure, draw_panels
 from thirdbody.plotting.drawing import STYLE, Drawing
 from thirdbody.plotting.marks import range_series, read_turning_points
 from thirdbody.plotting.panels import CURVE, Panel, Series
@@ -61,9 +58,8 @@ def plot(
     over : str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
         the load, in newtons if it was given so, or, where there is one load, the axis with most values.
-        Over the load, one of viscosity, particle diameter and density may vary, in addition to dry and
-        lubricated contact, and any number of roughnesses.  Over another axis, all others may vary: each
-        combination is a curve.
+        Over the load, one of the conditions that vary has colours, and each combination of the others has
+        panels of its own.  Over another axis, each combination of the others is a curve.
     variables : str or sequence of str, optional
         Draw only these of the four quantities.
     turning_points : sequence of mapping, or path, optional

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from importlib.metadata import version
-from itertools import chain
+from itertools import chain, product
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -10,12 +10,18 @@ from typing import Any
 import numpy as np
 
 from thirdbody.core.parameters import Parameters
+from thirdbody.curves import (
+    MOST_PANELS,
+    Condition,
+    colours_and_panels,
+    variables_over_load,
+)
 from thirdbody.messages import format_value
 from thirdbody.paper.configuration.inputs import choose_inputs, uncalibrated_values
 from thirdbody.paper.configuration.schema import read_schema, validate
+from thirdbody.paper.scenes import RELATIVE_DIAMETER, scene_groups
 from thirdbody.plain_yaml import read_yaml
 
-RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
 MOST_POINTS = 3_000_000  # of a scene: while they are solved they fill the memory of a job
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
@@ -73,6 +79,8 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     scenes = {name: shared | scene for name, scene in config["scenes"].items()}
     for name, scene in scenes.items():
         _check_size(name, scene)
+        if not name.startswith("fig"):  # of the paper
+            _check_figure(name, scene)
     try:
         _check_surfaces(config, chosen)
     except ValueError as error:
@@ -108,6 +116,25 @@ def _check_size(name: str, scene: Mapping) -> None:
     if points > MOST_POINTS:
         raise ValueError(
             f"scenes.{name}: the curves and loads have {points:.3g} combinations; allowed: at most {MOST_POINTS:.3g}"
+        )
+
+
+def _check_figure(name: str, scene: Mapping) -> None:
+    """Raise ``ValueError`` for a scene whose figure would have more panels than letters."""
+    groups = scene_groups(scene, 1.0)
+    levels = {axis: {*chain(*(group[axis] for group in groups))} for axis in Condition._fields}
+    _, varied = colours_and_panels(levels)
+    combinations = {
+        values
+        for group in groups
+        for values in product(*(group[axis] for axis in varied))
+        if all(values)
+    }
+    panels = len(combinations) * len(variables_over_load(levels))
+    if panels > MOST_PANELS:
+        raise ValueError(
+            f"scenes.{name}: the figure has {panels} panels, for each combination of {', '.join(varied)}; "
+            f"allowed: at most {MOST_PANELS}"
         )
 
 

@@ -22,7 +22,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     # lubricants, with dry and two-body contact
     "fig04": CurveFigure("viscosity", (RATIO, AREA, SOLID, FILM)),
     # the same on two surfaces
-    "fig05": CurveFigure("viscosity", (SOLID,), each_surface=True),
+    "fig05": CurveFigure("viscosity", (SOLID,), each=("roughness",)),
     # lubricated and dry contact
     "fig06": CurveFigure(
         "particle_diameter",
@@ -50,7 +50,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     "fig10": CurveFigure(
         "diameter_ratio",
         (RATIO, TURNING_POINTS),
-        each_surface=True,
+        each=("roughness",),
         strong=(0.8, 1.0, 1.2, 1.3, 1.5),
     ),
     # how lubricants shift it: over the load and over the film
@@ -61,7 +61,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         (replace(RATIO, surface=0), replace(SOLID, surface=0), replace(RATIO, surface=-1)),
     ),
     # and with other particle densities
-    "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.003),), each_surface=True),
+    "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.003),), each=("roughness",)),
 }
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from thirdbody.paper.figures.captions import Caption
 from thirdbody.paper.figures.printed import ALONG_X, EVERY_LOAD, PRINTED
 from thirdbody.paper.tables import DRAWN_POINTS, write_csv
-from thirdbody.plotting.drawing import FORMATS, Drawing
+from thirdbody.plotting.drawing import FORMATS, Drawing, write_figure
 from thirdbody.plotting.marks import LOCUS, TURNING_POINTS
 from thirdbody.plotting.panels import CURVE, UPRIGHT, Panel, Series
 from thirdbody.variables import AXES, VARIABLES
@@ -37,7 +37,7 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
     for kind, options in FORMATS.items():
         title = {"Title": caption.alternative} if kind == "svg" else {}
         options = options | {"metadata": options["metadata"] | title}
-        drawing.savefig(f"{stem}.{kind}", format=kind, **options)
+        write_figure(drawing, f"{stem}.{kind}", kind, options)
     write_csv(f"{stem}.csv", rows, DRAWN_POINTS)
     Path(f"{stem}.md").write_text(caption.markdown(), encoding="utf-8")
     record = json.dumps(figure_record(drawing.panels, caption), ensure_ascii=False, indent=1)
