@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
@@ -46,11 +47,7 @@ def band(
     ]
     variables = {}
     for name in QUANTITIES:
-        with warnings.catch_warnings():
-            warnings.filterwarnings(
-                "ignore", "All-NaN", RuntimeWarning
-            )  # where no member is solved
-            ends = np.nanquantile([member[name] for member in solved], ENDS, axis=0)
+        ends = _ends([member[name] for member in solved])
         for suffix, fraction, values in zip(SUFFIXES, ENDS, ends, strict=True):
             whole = np.full((len(load), *shown.shape), FILL_FLOAT)
             whole[:, shown] = values
@@ -73,3 +70,14 @@ def band(
         "ensemble": members,
     }
     return PlainDataset(variables, dataset.coords, attributes)
+
+
+def _ends(values: Sequence[NDArray]) -> NDArray:
+    """Both ends of the range of each point over the members that have ``values`` there, nan without any."""
+    members = np.stack(values)
+    ends = np.quantile(members, ENDS, axis=0)
+    partly = np.isnan(members).any(axis=0)  # nanquantile takes one point at a time
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "All-NaN", RuntimeWarning)
+        ends[:, partly] = np.nanquantile(members[:, partly], ENDS, axis=0)
+    return ends
