@@ -13,6 +13,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from thirdbody.curves import row_key
+from thirdbody.paper.tables import TABLES
 from thirdbody.paper.typeset import html, latex
 from thirdbody.variables import AXES, CONDITION_AXES
 
@@ -184,9 +185,12 @@ def _latex_heading(name):
 def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
     """A table of the paper, with printed and recomputed values side by side."""
     lines = [
-        {name: row[name] for name in ("property", "symbol", "unit")}
-        | {name: _range(row, name) for name in ("printed", "recomputed")}
-        | {"verdict": row["verdict"], "remark": row["remark"] or ""}
+        _headed(
+            "paper_table",
+            {name: row[name] for name in ("property", "symbol", "unit")}
+            | {f"{name}_low": _range(row, name) for name in ("printed", "recomputed")}
+            | {"verdict": row["verdict"], "remark": row["remark"] or ""},
+        )
         for row in rows
     ]
     title += ", as printed and recomputed"
@@ -203,20 +207,20 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
     for curve, some, paper in _curves(rows, printed):
         row = some[0]
         load, error = row["load"], row["load_error"]
-        lines.append(
-            curve
-            | {
-                "F_TPCA* [10⁻⁶]": rounded(load / LOAD_UNIT, error / LOAD_UNIT),
-                "F_TPCA* (paper)": _spread(paper, LOAD_UNIT, quantity="turning_point_load"),
-                "F_TPCA [N]": rounded(load * newtons_per_load, error * newtons_per_load),
-                "Aₛₐ,ₜ*": rounded(row["peak_ratio"]),
-                "Aₛₐ,ₜ* (paper)": _spread(paper, quantity=ratio),
-                "Lₛ [%]": rounded(100.0 * row["solid_load_fraction"]),
-                "Lₛ (paper)": _spread(paper, 0.01, quantity=solid),
-                "d [nm]": rounded(row["separation_m"] / 1e-9),
-                "status": _statuses(some),
-            }
-        )
+        texts = {
+            "load": rounded(load / LOAD_UNIT, error / LOAD_UNIT),
+            "normal_load_N": rounded(load * newtons_per_load, error * newtons_per_load),
+            "peak_ratio": rounded(row["peak_ratio"]),
+            "solid_load_fraction": rounded(100.0 * row["solid_load_fraction"]),
+            "separation_m": rounded(row["separation_m"] / 1e-9),
+            "solution_status": _statuses(some),
+        }
+        beside = {
+            "load": _spread(paper, LOAD_UNIT, quantity="turning_point_load"),
+            "peak_ratio": _spread(paper, quantity=ratio),
+            "solid_load_fraction": _spread(paper, 0.01, quantity=solid),
+        }
+        lines.append(curve | _headed("tpca_loads", texts, beside))
     note = f"Each row is a curve. Numbers of the paper are given with their tolerances. {NEWTONS}"
     return [Sheet(title="Turning points of the contact area", note=note, rows=lines)]
 
@@ -293,13 +297,16 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
 def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
     sizes = sorted(abs(row["deviation"]) for row in rows)
     lines = [
-        {
-            "place": row["place"].removesuffix(", section 3.3"),
-            "statement": row["statement"],
-            "printed": _short(f"{row['printed']:.4g}"),
-            "computed": "none" if row["computed"] is None else _short(f"{row['computed']:.4g}"),
-            "deviation": f"{100.0 * row['deviation']:+.1f} %",
-        }
+        _headed(
+            "deviations",
+            {
+                "place": row["place"].removesuffix(", section 3.3"),
+                "statement": row["statement"],
+                "printed": _short(f"{row['printed']:.4g}"),
+                "computed": "none" if row["computed"] is None else _short(f"{row['computed']:.4g}"),
+                "deviation": f"{100.0 * row['deviation']:+.1f} %",
+            },
+        )
         for row in rows
     ]
     note = (
@@ -312,14 +319,17 @@ def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
 
 def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
     lines = [
-        {
-            "taken back": row["departure"],
-            "inputs": row["inputs"] or "",
-            "statements that hold": f"{row['holds']:g} of {row['judged']:g}",
-            "headline": "" if row["headline"] is None else f"{row['headline']:g}",
-            "median deviation": _percent(row["median_deviation"]),
-            "mean deviation": _percent(row["mean_deviation"]),
-        }
+        _headed(
+            "departures",
+            {
+                "departure": row["departure"],
+                "inputs": row["inputs"] or "",
+                "holds": f"{row['holds']:g} of {row['judged']:g}",
+                "headline": "" if row["headline"] is None else f"{row['headline']:g}",
+                "median_deviation": _percent(row["median_deviation"]),
+                "mean_deviation": _percent(row["mean_deviation"]),
+            },
+        )
         for row in rows
     ]
     note = (
@@ -373,6 +383,20 @@ def _curves(rows, printed):
         figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
         cells = {"figures": figures, **_conditions(some[0], CONDITION_AXES)}
         yield cells, some, [number for number in printed if row_key(number) == key]
+
+
+def _headed(
+    table: str, texts: Mapping[str, str], printed: Mapping[str, str] | None = None
+) -> dict[str, str]:
+    """The ``texts`` of columns of a ``table`` under their headings, those ``printed`` in the paper beside them."""
+    line = {}
+    for column in TABLES[table]:
+        if column.name in texts:
+            heading = column.heading or column.name
+            line[heading] = texts[column.name]
+            if printed and column.name in printed:
+                line[f"{heading.partition(' [')[0]} (paper)"] = printed[column.name]
+    return line
 
 
 def _conditions(row, axes) -> dict[str, str]:

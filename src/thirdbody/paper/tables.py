@@ -12,15 +12,17 @@ from thirdbody.files import unreadable
 
 
 class Column(NamedTuple):
-    """A column of a table: its heading, which ends with the SI unit if there is one; the type of
+    """A column of a table: its name, which ends with the SI unit if there is one; the type of
     the Table Schema, ``number`` or ``string``; the SI unit, ``1`` for a pure number and empty for
-    text; its description; and the table in ``tables.csv``."""
+    text; its description; the table in ``tables.csv``; and its heading in the sheet of the table, empty if
+    that is the name."""
 
     name: str
     kind: str
     unit: str
     description: str
     table: str = ""
+    heading: str = ""
 
     def parse(self, text: str) -> float | str | None:
         """The value of a field of a CSV file; None if it is empty."""
@@ -30,7 +32,7 @@ class Column(NamedTuple):
 
 
 with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as file:
-    COLUMNS = [Column(**row) for row in csv.DictReader(file)]
+    COLUMNS = [Column(**row) for row in csv.DictReader(file, restval="")]
 TABLES = {table: list(columns) for table, columns in groupby(COLUMNS, attrgetter("table"))}
 DRAWN_POINTS = TABLES.pop("drawn_points")  # of the CSV file beside each figure
 
