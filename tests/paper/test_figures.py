@@ -602,7 +602,7 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     drawing = plotted(name, datasets, printed=printed[name])
     title = datasets[name].attrs["title"]
     text = caption(name, drawing.panels, title).markdown()
-    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** (A) ")
+    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** {MESSAGES[name]} (A) ")
     assert text.count(MESSAGES[name]) == 1
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)

@@ -56,7 +56,7 @@ def _in_latex(found):
 
 def mathtext(text: str) -> str:
     """A text for matplotlib, with subscripts and powers of ten."""
-    text = SYMBOL.sub(r"$\1_{\2}$", _with_letters(text))
+    text = SYMBOL.sub(r"$\1_{\2}$", ALONE.sub(r"$\1$", _with_letters(text)))
     return POWER.sub(lambda found: "{}10$^{{{}}}$".format(*_power(found)), text)
 
 
