@@ -4,7 +4,6 @@
 import re
 from html import escape
 
-# signs with a meaning in Markdown
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 GREEK = {"sigma": "σ", "eta": "η", "mu": "μ", "nu": "ν"}
 LETTER = re.compile(r"(?<![A-Za-z])(sigma|eta|mu|nu)(?![A-Za-z])")

@@ -42,14 +42,10 @@ class Caption:
         """The title behind the place."""
         return ". ".join(filter(None, (self.place, self.title)))
 
-    @property
-    def text(self) -> str:
-        """All below the title."""
-        return " ".join(filter(None, (self.message, self.shows)))
-
     def markdown(self) -> str:
         """Two paragraphs of Markdown or reStructuredText."""
-        return f"**{markdown_text(self.heading)}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
+        text = " ".join(filter(None, (self.message, self.shows)))
+        return f"**{markdown_text(self.heading)}.** {text}\n\n**Alternative text.** {self.alternative}\n"
 
 
 # figures whose captions do not follow from curves
@@ -184,8 +180,7 @@ MESSAGES = {
     ),
     "fig13": (
         "The paper: on the smoothest surface the density hardly changes the load of the turning "
-        "point; the rougher the surface, the more it rises with the density. The axes of A_sa,t* "
-        "are logarithmic."
+        "point; the rougher the surface, the more it rises with the density."
     ),
 }
 # the middle zone of an axis
