@@ -20,7 +20,7 @@ author = "The thirdbody developers"
 copyright = "2026, the thirdbody developers (code MIT, texts and data CC BY 4.0)"
 release = metadata.version("thirdbody")
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "sphinx.ext.napoleon"]
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
 html_theme = "furo"
@@ -28,7 +28,8 @@ html_title = "thirdbody"
 html_math_renderer = "mathml"
 html_static_path = ["site.css"]
 html_css_files = ["site.css"]
-exclude_patterns = ["_build"]
+templates_path = ["templates"]
+exclude_patterns = ["_build", "templates"]
 
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True

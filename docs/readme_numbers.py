@@ -71,7 +71,7 @@ def failures_block() -> str:
         {
             "place": row["place"].removesuffix(", section 3.3"),
             "statement": row["statement"],
-            "computed": row["computed"],
+            "found": row["finding"],
         }
         for row in failed
     ]

@@ -127,7 +127,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
     assert "ensemble range" in key_of(drawing)
-    assert "Shaded in colour: the range, 5 to 95 %" in caption(name, drawing.panels).text
+    assert "Shaded in colour: the range, 5 to 95 %" in caption(name, drawing.panels).shows
     drawing.draw_without_rendering()
     width, height = drawing.bbox.size
     box = drawing.get_tightbbox().extents * drawing.dpi  # [inches]
@@ -351,7 +351,7 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values[name][places])
     assert meaning in key_of(drawing)
-    assert meaning in caption("fig11", drawing.panels).text
+    assert meaning in caption("fig11", drawing.panels).shows
     assert meaning not in key_of(plotted("fig11", datasets))
 
 
@@ -461,10 +461,10 @@ def test_a_curve_outside_its_own_range_is_told_with_its_distance(datasets):
     data = datasets["fig11"]
     ends = {f"{SOLID}_low": data[SOLID] - 0.2, f"{SOLID}_high": data[SOLID] - 0.03}
     drawing = plotted("fig11", datasets, ensemble_range=xr.Dataset(ends))
-    assert "outside its own range does so by 3 % in B." in caption("fig11", drawing.panels).text
+    assert "outside its own range does so by 3 % in B." in caption("fig11", drawing.panels).shows
     inside = xr.Dataset(ends | {f"{SOLID}_high": data[SOLID]})
     drawing = plotted("fig11", datasets, ensemble_range=inside)
-    assert "outside its own range" not in caption("fig11", drawing.panels).text
+    assert "outside its own range" not in caption("fig11", drawing.panels).shows
 
 
 def test_a_number_printed_up_to_a_load_is_drawn_up_to_it(datasets, printed):
@@ -609,7 +609,7 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     drawing = plotted(name, datasets, printed=printed[name])
     title = datasets[name].attrs["title"]
     text = caption(name, drawing.panels, title).markdown()
-    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** (A) ")
+    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** {MESSAGES[name]} (A) ")
     assert text.count(MESSAGES[name]) == 1
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)

@@ -123,6 +123,6 @@ def test_table_and_figure_show_every_sensitivity_and_say_what_is_missing(subject
     # each in a cell of its own, and its number in it where it is not negligible
     assert len({(one.x.min(), one.y.min()) for one in panel.series}) == len(panel.series)
     assert len(axes.texts) == (np.abs(expected) >= LEAST).sum()
-    assert all("$σ_{s}$/σ" in label.get_text() for label in axes.get_yticklabels())
+    assert all("$σ_{s}$/$σ$" in label.get_text() for label in axes.get_yticklabels())
     decisive = len({*np.argmax(np.abs(expected), axis=1)})
     assert panel.title.lower().startswith(f"{NUMBERS[decisive]} inputs decide")

@@ -8,7 +8,7 @@ from thirdbody.paper.typeset import html, latex, mathtext
 @pytest.mark.parametrize(
     ("text", "page", "figure"),
     [
-        ("x_a/sigma < 1.3", "<i>x</i><sub>a</sub>/<i>σ</i> &lt; 1.3", "$x_{a}$/σ < 1.3"),
+        ("x_a/sigma < 1.3", "<i>x</i><sub>a</sub>/<i>σ</i> &lt; 1.3", "$x_{a}$/$σ$ < 1.3"),
         (
             "A_sa,t* of 5.96e-05",
             "<i>A</i><sub>sa,t</sub>* of 5.96×10<sup>−5</sup>",

@@ -4,7 +4,6 @@
 import re
 from html import escape
 
-# signs with a meaning in Markdown
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 GREEK = {"sigma": "σ", "eta": "η", "mu": "μ", "nu": "ν"}
 LETTER = re.compile(r"(?<![A-Za-z])(sigma|eta|mu|nu)(?![A-Za-z])")
@@ -56,7 +55,7 @@ def _in_latex(found):
 
 def mathtext(text: str) -> str:
     """A text for matplotlib, with subscripts and powers of ten."""
-    text = SYMBOL.sub(r"$\1_{\2}$", _with_letters(text))
+    text = SYMBOL.sub(r"$\1_{\2}$", ALONE.sub(r"$\1$", _with_letters(text)))
     return POWER.sub(lambda found: "{}10$^{{{}}}$".format(*_power(found)), text)
 
 

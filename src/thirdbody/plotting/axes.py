@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import LogLocator, NullLocator
+from matplotlib.ticker import LogLocator, NullFormatter, NullLocator
 
 from thirdbody.plotting.scales import SCALES, ZONES, power_text, typeset
 
@@ -64,7 +64,7 @@ def _in_unit(axis, unit):
 
 
 def _draw_zones(axes, scale, shaded):
-    """The middle regime or mode shaded behind the curves, and the names of all at the right edge."""
+    """The middle regime or mode shaded behind the curves, and the names of all at an edge of their own on the right."""
     low, high = axes.get_ylim()
     limits, names = ZONES[scale.zones]
     if shaded:
@@ -79,6 +79,7 @@ def _draw_zones(axes, scale, shaded):
     named = [(middle, name) for middle, name, height in zones if height > 0.05]
     right = axes.secondary_yaxis("right")
     right.set_yticks(*zip(*named, strict=True))
-    right.yaxis.set_minor_locator(NullLocator())
+    right.set_yticks(limits, minor=True)
+    right.yaxis.set_minor_formatter(NullFormatter())
     right.tick_params(length=0)
     return right

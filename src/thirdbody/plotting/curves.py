@@ -280,7 +280,7 @@ def _draw_panel(axes, panel, newtons_per_load):
         texts = {lines[one]: _name(one.look) for one in panel.of_kind(CURVE) if _name(one.look)}
         width = name_ends(axes, texts)
         if zones is not None and width:
-            zones.tick_params(axis="y", pad=width)
+            zones.spines.right.set_position(("outward", width))
 
 
 def _name(look) -> str:

@@ -55,7 +55,7 @@ def add_key(
     place: dict[str, Any] = {"loc": "outside lower center", "ncols": len(columns)}
     if beside:
         cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
-        place = {"loc": "center", "bbox_to_anchor": cell}
+        place = {"loc": "center right", "bbox_to_anchor": cell}
     text = typeset("\n".join(filter(None, (title, ", ".join(common)))))
     ends = {each: HandlerLine2D(numpoints=2) for each in lines if each.get_marker() == "|"}
     figure.legend(handles=lines, title=text or None, alignment="left", handler_map=ends, **place)

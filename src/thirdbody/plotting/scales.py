@@ -11,6 +11,7 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 LETTERS = str.maketrans("ₐₛₜ", "ast")
 SYMBOL = re.compile(r"([A-Za-zσην])([ₐₛₜ]+(?:,[ₐₛₜ]+)?)(\*?)")
 ALONE = re.compile(r"(?<![\w$])([σην])(?![\w$])")
+ABSENT = {"viscosity": "dry", "particle_diameter": "two-body", "particle_density": "two-body"}
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 
 
@@ -53,9 +54,9 @@ def value_text(parameter: str, value: float) -> str:
 
 
 def note(parameter: str, value: float) -> str:
-    """``value`` [SI] of a condition with its symbol and unit: σ = 300 nm, dry."""
-    if parameter == "viscosity" and value == 0.0:
-        return "dry"
+    """``value`` [SI] of a condition with its symbol and unit: σ = 300 nm, dry, two-body."""
+    if value == 0.0 and parameter in ABSENT:
+        return ABSENT[parameter]
     unit = "" if parameter == "load" else f" {unit_text(parameter)}"
     return f"{CONDITIONS[parameter].sign} = {value_text(parameter, value)}{unit}"
 

@@ -12,6 +12,7 @@ from thirdbody.paper.typeset import markdown_text
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel
 from thirdbody.plotting.scales import (
+    ABSENT,
     SCALES,
     axis_text,
     label,
@@ -41,14 +42,10 @@ class Caption:
         """The title behind the place."""
         return ". ".join(filter(None, (self.place, self.title)))
 
-    @property
-    def text(self) -> str:
-        """All below the title."""
-        return " ".join(filter(None, (self.shows, self.message)))
-
     def markdown(self) -> str:
         """Two paragraphs of Markdown or reStructuredText."""
-        return f"**{markdown_text(self.heading)}.** {self.text}\n\n**Alternative text.** {self.alternative}\n"
+        text = " ".join(filter(None, (self.message, self.shows)))
+        return f"**{markdown_text(self.heading)}.** {text}\n\n**Alternative text.** {self.alternative}\n"
 
 
 # figures whose captions do not follow from curves
@@ -88,8 +85,8 @@ CAPTIONS = {
         title="Verdict on each statement of the paper",
         message=(
             "Each bar has the statements of one figure, or of the conclusions and the abstract, by their "
-            "verdict. Below it are all statements that do not hold, in the order of the paper, with the "
-            "colour of their verdict."
+            "verdict; one that the paper repeats counts each time. Below it are all statements that do not hold, "
+            "in the order of the paper, with the colour of their verdict."
         ),
         alternative=(
             "A stacked bar for each part of the paper with the number of statements of each verdict, and a "
@@ -99,7 +96,8 @@ CAPTIONS = {
     "sensitivity": Caption(
         title="Sensitivity of results to the unprinted inputs",
         message=(
-            "Each column is a result, each row an input. An elasticity is the change of the result in per "
+            "Each column is a result, each row an input. A window is the range of x_a/σ with turning points, from "
+            "its low to its high end. An elasticity is the change of the result in per "
             "cent for one per cent of the input. Inputs stand in the order of their largest elasticity. "
             "Cells without a number are near zero; the table has them all. Colours stop at the ends of the "
             "scale, numbers do not."
@@ -141,7 +139,7 @@ MESSAGES = {
     "fig04": (
         "The paper: below 50 cSt a lubricant changes little; above 70 cSt it carries more of the "
         "load as the load grows, and the slope of the contact area drops where that begins, in B "
-        "at the diamonds."
+        "at the upright line."
     ),
     "fig05": (
         "The paper: on the smoother surface a thin lubricant is enough for mixed lubrication; on "
@@ -173,7 +171,8 @@ MESSAGES = {
     "fig11": (
         "The paper: viscosity shifts the turning point to higher loads once the lubrication is "
         "mixed, but not its height; over the film thickness all curves coincide. In B the "
-        "diamond at 100 % stands for the boundary regime, which the paper names without a number."
+        "diamond at 100 % stands for the boundary regime, which the paper names without a number. In C the "
+        "paper prints between which H_c it draws 70 and 120 cSt, but not at which loads."
     ),
     "fig12": (
         "The paper: on the smoother surface there is no turning point from 50 cSt on, as the "
@@ -181,8 +180,7 @@ MESSAGES = {
     ),
     "fig13": (
         "The paper: on the smoothest surface the density hardly changes the load of the turning "
-        "point; the rougher the surface, the more it rises with the density. The axes of A_sa,t* "
-        "are logarithmic."
+        "point; the rougher the surface, the more it rises with the density."
     ),
 }
 # the middle zone of an axis
@@ -210,12 +208,12 @@ MEANINGS = {
     ),
     printed.PRINTED: "Diamonds: numbers that the paper prints; bars: their tolerances.",
     printed.ALONG_X: (
-        "Upright dashed lines: numbers that the paper prints along x alone, without the height, in the "
-        "colour of their curve if it is one; the bracket around a line is its tolerance."
+        "Upright lines of dashes and dots: numbers that the paper prints along x alone, without the height, "
+        "in the colour of their curve if it is one; the bracket around a line is its tolerance."
     ),
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (
-        "Hexagons: the bends or the crossing of the computed curves for which the dashed line is printed; "
+        "Hexagons: the bends or the crossing of the computed curves for which the line is printed; "
         "outside the bracket the model misses the number."
     ),
     printed.EVERY_LOAD: (
@@ -268,7 +266,9 @@ def _notes(panels) -> list[str]:
     if ours:
         sentences.append(f"Not in the paper: {' and '.join(ours)}.")
     if len({condition.is_dry for condition in conditions}) > 1:
-        sentences.append("Dashed black curves: dry contact.")
+        sentences.append(
+            "Dashed black curves and black names: dry contact; grey names: several curves."
+        )
     sentences += [
         ZONES[zones] for zones in dict.fromkeys(SCALES[panel.y].zones for panel in panels) if zones
     ]
@@ -314,9 +314,9 @@ def _conditions(conditions) -> str:
 def _levels(name, values) -> str:
     if len(values) == 1:
         return note(name, *values)
-    zero = "dry and " if name == "viscosity" else "two-body and "
     listed = ", ".join(value_text(name, value) for value in sorted(values) if value)
-    return f"{'' if all(values) else zero}{AXES[name].sign} = {listed} {unit_text(name)}"
+    absent = "" if all(values) else f"{ABSENT[name]} and "
+    return f"{absent}{AXES[name].sign} = {listed} {unit_text(name)}"
 
 
 def _description(panel) -> str:

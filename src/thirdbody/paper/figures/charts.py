@@ -39,10 +39,7 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Figure:
 def _notes(chart) -> list[str]:
     """The conditions of a panel."""
     held = [axis.name for axis in CONDITION_AXES if axis.name in chart.coords.keys() - chart.dims]
-    values = {name: float(chart[name]) for name in held}
-    if 0.0 in (values.get("particle_diameter"), values.get("particle_density")):
-        return ["without particles"]
-    return [note(name, value) for name, value in values.items()]
+    return [note(name, float(chart[name])) for name in held]
 
 
 def _series(chart, looks) -> Iterator[Series]:

@@ -47,8 +47,8 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
 def figure_record(panels: Iterable[Panel], caption: Caption) -> dict[str, Any]:
     """What the index and the explorer need of a figure: its caption, and for each panel the conditions of its
     curves [SI] and the numbers that the paper prints there."""
-    texts = {"heading": caption.heading, "text": caption.text}
-    return asdict(caption) | texts | {"panels": [*map(_panel_record, panels)]}
+    further = {"heading": caption.heading, "panels": [*map(_panel_record, panels)]}
+    return asdict(caption) | further
 
 
 def _panel_record(panel):

@@ -43,7 +43,7 @@ LOOKS: dict[str, dict[str, Any]] = {
     ALONG_X: {
         "label": "printed along x, with tolerance",
         "color": "black",
-        "linestyle": (0, (3.0, 1.2)),
+        "linestyle": (0, (4.0, 1.0, 1.0, 1.0)),
         "linewidth": 1.3,
         "zorder": 1.7,
     },
@@ -55,7 +55,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 1.7,
     },
     COMPUTED: {
-        "label": "bend or crossing, computed",
+        "label": "the same, computed",
         "linestyle": "none",
         "marker": "H",
         "markersize": 6.0,

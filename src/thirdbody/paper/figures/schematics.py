@@ -123,7 +123,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
             axes.fill(series.x, series.y, zorder=2.5, **series.look)
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
     axes.set_aspect(STRETCH)
-    corner, end = middle - 0.94 * reach, 0.97 * length
+    corner, end = middle - 0.94 * reach, 0.9 * length
     start = end - STRETCH * SCALE
     axes.plot([start, end, end], [corner, corner, corner + SCALE], color="black", linewidth=1.5)
     across, up = f"{STRETCH * SCALE / MICROMETRE:g} µm", f"{SCALE / MICROMETRE:g} µm"
@@ -147,8 +147,9 @@ def _name_parts(axes, section):
         axes.text(0.02, height, name, **look)
     bottom, top = axes.get_ylim()
     middle = 0.5 * (section["upper"] + section["lower"])
-    if section["surfaces_touch"].any():
-        place = np.argmax(section["surfaces_touch"])
+    touching = np.flatnonzero(section["surfaces_touch"])
+    if touching.size:
+        place = touching[np.argmax(middle[touching])]
         beside = 0.3 * length, 0.7 * top
         _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
     x, y, size, carries = (section[name] for name in PARTICLES)
@@ -180,7 +181,7 @@ def _draw_arrows(axes, section):
         axes.text(x, 0.35 * low + 0.65 * d, f" {symbol}", va="center", zorder=4, bbox=BEHIND)
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
-        axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
+        axes.text(0.53 * length, start, "$F_t$", va="top" if start > 0.0 else "bottom")
 
 
 SCHEMATICS: dict[str, Callable[[PlainDataset], Drawing]] = {

@@ -1,5 +1,6 @@
 """Sensitivity to each unprinted input: a heat map of elasticities."""
 
+import re
 import textwrap
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -22,6 +23,7 @@ END = 3.0  # of the colours, beyond which values lie
 LEAST = 0.05  # elasticity whose number is printed
 DARK = 0.45  # lightness of a cell below which its text is white
 LIGHTNESS = (0.299, 0.587, 0.114)  # weights of red, green, blue: ITU-R BT.601
+LETTER = re.compile(r"(?<![\w${])([A-Za-z])(?![\w}])")  # that is a symbol of its own
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])  # of a cell
 NUMBERS = "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"
 
@@ -66,17 +68,15 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
         "Without a value at the default": missing,
     }
     texts = [f"{what}: {'; '.join(each)}." for what, each in notes.items() if each]
-    if texts:
-        text = typeset("\n".join(textwrap.fill(each, LETTERS) for each in texts))
-        figure.supxlabel(text, fontsize=SIZE, x=0.02, ha="left")
+    lines = [textwrap.fill(text.replace(" nm", "\xa0nm"), LETTERS) for text in texts]
+    figure.supxlabel(typeset("\n".join(lines)), fontsize=SIZE, x=0.02, ha="left")
     return figure
 
 
 def _input_name(name, symbol) -> str:
     """An input in words, with its symbol if it has one."""
     words = name.replace("_", " ")
-    typeset_symbol = f"${symbol}$" if len(symbol) == 1 else mathtext(symbol)
-    return f"{words} {typeset_symbol}" if symbol else words
+    return " ".join(filter(None, (words, LETTER.sub(r"$\1$", mathtext(symbol)))))
 
 
 def _weights(rows) -> dict[str, float]:

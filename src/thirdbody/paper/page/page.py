@@ -133,7 +133,7 @@ def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
         "name": name,
         "part": record["place"],
         "title": record["heading"],
-        "caption": record["text"],
+        "caption": record["message"],
         "curves": curves,
         "panels": [
             {**panel, "curves": [curves.index(curve) for curve in panel["curves"]]}

@@ -125,8 +125,7 @@ export function figureView() {
     return panelSpec(panel, shown, engine, { statement, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
-  const published = specs.some(({ ghosts }) => ghosts.length) ? "As published: " : "";
-  return { specs, key, notes, heading: figure.title, caption: published + figure.caption };
+  return { specs, key, notes, heading: figure.title, caption: figure.caption };
 }
 
 function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper } }) {

@@ -98,7 +98,7 @@ function draw() {
   const ranged = specs?.flatMap((spec) => spec.ranged ?? []) ?? [];
   if (ranged.length) inSlices($("charts"), rangeSteps(ranged, draw), () => state.view === "figures", PAUSE);
   showKey(key);
-  const hasNewtons = state.view === "map" || (state.view === "axes" && specs[0].newtonsPerLoad); // captions of figures say it
+  const hasNewtons = state.view !== "axes" || specs[0].newtonsPerLoad;
   $("heading").innerHTML = typeset(heading);
   $("definition").textContent = definition();
   $("notes").innerHTML = typeset([...unusual(), ...notes].join("; "));
