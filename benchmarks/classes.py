@@ -20,6 +20,7 @@ class PointClass(NamedTuple):
 
 
 HEAVIEST = PointClass("lubricated", "three_body", "usual")  # the most expensive of the usual ones
+TIMED = HEAVIEST, HEAVIEST._replace(span="extremes")
 NAMES = ("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes")
 CLASSES = [PointClass(*names) for names in product(*NAMES)]
 # Ends between which conditions are drawn, evenly in their logarithms, SI: F_t [N], nu [m2/s],
