@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from scipy.optimize.elementwise import find_root
 
 import thirdbody as tb
-from benchmarks.points import VARIABLES
+from benchmarks.points import SMALLEST, VARIABLES
 from thirdbody.attributes import model_attribute
 from thirdbody.variables import DIMENSIONS
 
@@ -92,7 +92,7 @@ class ArrayRoots:
                 root = find_root(self._excess_of_solids, (film, far), args=points).x
                 separation = np.where(np.isnan(root) & (film > 0.0), film, root)
                 solid = np.exp(np.minimum(self._excess_of_solids(separation, *points), 0.0))
-                fluid = (1.0 - solid) * (film > 0.0)
+                fluid = np.where(np.isnan(root), 1.0 - solid, 0.0)
             _, summits, particles = self._solids(separation, *points)
             total = np.logaddexp(summits, particles)
             areas = (np.exp(log_area) for log_area in (total, particles - total, summits - total))
@@ -173,9 +173,13 @@ class ArrayRoots:
         weight = np.exp(np.where(t_ > 0.0, -w * (t_ + 0.5 * w), -0.5 * (t_ + w) ** 2))
         weight *= 2.0 * root * width
         ratio = w / first_
-        u = np.clip((ratio - 1.0) / (inputs.plastic_interference_ratio - 1.0), 0.0, 1.0)
+        u = np.clip(
+            (ratio - 1.0) / max(inputs.plastic_interference_ratio - 1.0, SMALLEST), 0.0, 1.0
+        )
         grown = np.pi * (radius * deviation)[..., np.newaxis] * w * (1.0 + 3.0 * u**2 - 2.0 * u**3)
-        done = np.clip(np.log(ratio) / math.log(inputs.plastic_interference_ratio), 0.0, 1.0)
+        done = np.clip(
+            np.log(ratio) / max(math.log(inputs.plastic_interference_ratio), SMALLEST), 0.0, 1.0
+        )
         mean = pressure * (1.0 - (1.0 - inputs.yield_pressure_ratio) * (1.0 - done))
         elastic = 4.0 / 3.0 * np.sqrt(radius * deviation**3)[..., np.newaxis] * w**1.5
         load = (weight * np.where(ratio < 1.0, elastic, mean * grown)).sum(-1)

@@ -57,11 +57,11 @@ def random_conditions(
 def grid_axes(
     kind: PointClass, counts: Mapping[str, int], parameters: tb.Parameters
 ) -> dict[str, NDArray[np.float64]]:
-    """Axes of a grid over the span of a class, with so many values each, on its first roughness."""
+    """Axes of a grid over the span of a class, with so many values each, and all its roughnesses."""
     counts = {"normal_load": counts["load"], **counts}
     spans = SPANS[kind.span].items()
     axes = {name: np.geomspace(*ends, counts[name]) for name, ends in spans}
-    axes = _of_class(kind, axes, np.array(ROUGHNESS[kind.span][:1]), parameters)
+    axes = _of_class(kind, axes, np.array(ROUGHNESS[kind.span]), parameters)
     return {name: np.unique(values) for name, values in axes.items()}
 
 

@@ -3,16 +3,17 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import matplotlib.style
 from matplotlib.figure import Figure
 
-from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing
+from thirdbody.plotting.drawing import STYLE, TWO_COLUMNS, Drawing
 
 HEIGHT = 2.9  # inches
-METHODS = {  # label and marker
-    "library": ("tb.solve, rtol 1e-2 to 1e-11", "o-"),
-    "library_grid": ("tb.grid, rtol 1e-2 to 1e-11", "s-"),
-    "array_roots": ("find_root on arrays", "D"),
-    "nested_roots": ("quad and brentq, a point at a time", "^"),
+METHODS = {  # label, form and size; where two are the same, both are seen
+    "library": ("tb.solve, rtol 1e-2 to 1e-11", "o-", 3.5),
+    "library_grid": ("tb.grid, rtol 1e-2 to 1e-11", "s-", 6.5),
+    "array_roots": ("find_root on arrays", "D", 5.0),
+    "nested_roots": ("quad and brentq, a point at a time", "^", 5.0),
 }
 SPANS = {"usual": "conditions of Table 2", "extremes": "extreme conditions"}
 Rows = Sequence[Mapping[str, Any]]
@@ -27,19 +28,22 @@ def largest_errors(rows: Rows) -> dict[tuple, float]:
     return found
 
 
+@matplotlib.style.context(STYLE, after_reset=True)
 def draw(errors: Rows, times: Rows) -> Figure:
     """The figure, from rows of the tables ``errors`` and ``times``."""
     error = largest_errors(errors)
     figure = Drawing(figsize=(TWO_COLUMNS, HEIGHT), layout="constrained")
     panels = figure.subplots(1, len(SPANS), sharex=True, sharey=True)
     for axes, (span, title) in zip(panels, SPANS.items(), strict=True):
-        for method, (label, form) in METHODS.items():
+        for method, (label, form, size) in METHODS.items():
             here = [row for row in times if (row["method"], row["span"]) == (method, span)]
             axes.loglog(
                 [error[method, row["rtol"], span] for row in here],
                 [row["microseconds_per_point"] for row in here],
                 form,
                 label=label,
+                markersize=size,
+                markerfacecolor="none",
             )
         axes.set_title(title, loc="left")
         axes.set_xlabel("largest true error")

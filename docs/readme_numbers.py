@@ -306,7 +306,7 @@ def accuracy_block() -> str:
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
         + f"\n\nOver all `rtol` `tb.solve` takes {min(every):.2g} to {max(every):.2g} µs a point; `tb.grid` at "
         f"0.001 is {default / coarse:.2g} times as fast as the default. In the same run `find_root` on arrays "
-        f"takes {arrays:.2g} µs a point, `quad` and `brentq` take {plain / 1e3:.2g} ms. A call with "
+        f"takes {arrays / 1e3:.2g} ms a point, `quad` and `brentq` {plain / 1e3:.2g} ms. A call with "
         f"one point takes {one / 1e3:.2g} ms, nearly all of it for calls of numpy on single numbers: put many points "
         f"into one call. There a point on a surface of its own takes {surfaces:.2g} µs, a "
         f"point of a grid that is streamed to a file {stream:.2g} µs. A new process imports the "
