@@ -3,7 +3,7 @@
 # make docs        the documentation as a site, docs/_build/html/index.html
 # make verify      whether all products are as they were made, and the release, if there is one, holds them
 # make test-survival   runs killed, damaged, starved, misconfigured and on a cluster, and the solver against the oracle, at length
-# make accuracy    errors and times of the solver, measured on this machine (some 13 minutes)
+# make accuracy    errors and times of the solver, measured on this machine (some minutes)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
 # make lowest      the unit tests with the oldest dependencies that pyproject.toml allows (needs uv)

@@ -1,6 +1,7 @@
-"""True errors and times of the library and of a plain solver, for each ``rtol`` and class of points.
+"""True errors and times of the library and of plain solvers, for each ``rtol`` and class of points.
 
-Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``) and ``nested_roots`` of ``baselines``.
+Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``), and ``array_roots`` and
+``nested_roots`` of ``baselines``.
 """
 
 import math
@@ -13,11 +14,11 @@ from typing import Any
 import numpy as np
 
 import thirdbody as tb
-from benchmarks.baselines import NestedRoots
+from benchmarks.baselines import ArrayRoots, NestedRoots
 from benchmarks.classes import (
     CLASSES,
-    HEAVIEST,
     MICROSECONDS,
+    TIMED,
     PointClass,
     grid_axes,
     least_seconds,
@@ -38,11 +39,19 @@ def error_rows(
         for method, solve in (("library", _library), ("library_grid", _library_grid)):
             table += _error_rows_of(method, rtol, groups, partial(solve, rtol=rtol))
 
-    def nested(group):
-        with _quiet():
-            return NestedRoots(plain, group.parameters).solve(**group.conditions)
+    for method, solver in _baselines(plain).items():
 
-    return table + _error_rows_of("nested_roots", None, groups, nested)
+        def solve(group, solver=solver):
+            with _quiet():
+                return solver(group.parameters).solve(**group.conditions)
+
+        table += _error_rows_of(method, None, groups, solve)
+    return table
+
+
+def _baselines(plain):
+    """The plain solvers of given parameters, by method."""
+    return {"array_roots": ArrayRoots, "nested_roots": partial(NestedRoots, plain)}
 
 
 def _library(group, rtol):
@@ -108,27 +117,21 @@ def time_rows(
     parameters: tb.Parameters, budget: Mapping[str, Any], plain: ModuleType
 ) -> list[dict[str, Any]]:
     """Processor time of a point, as ``config/accuracy.yaml`` asks for it: rows of the table ``times``."""
-    return [row for kind in CLASSES for row in _time_rows_of(kind, parameters, budget, plain)]
+    return [row for kind in TIMED for row in _time_rows_of(kind, parameters, budget, plain)]
 
 
 def _time_rows_of(kind, parameters, budget, plain):
-    sizes = budget["points"]
-    library = sizes["heaviest"] if kind == HEAVIEST else sizes["others"]
-    axes = grid_axes(kind, budget["grid"], parameters)
-    many, few = (
-        random_conditions(kind, count, parameters) for count in (library, sizes["nested_roots"])
-    )
+    sizes = budget["points"][kind.span]
+    axes = grid_axes(kind, budget["grid"][kind.span], parameters)
+    points = sizes | {"library_grid": math.prod(axis.size for axis in axes.values())}
+    drawn = {method: random_conditions(kind, count, parameters) for method, count in sizes.items()}
     runs = {}
     for rtol in budget["rtol"]:
-        asked = {"parameters": parameters, "rtol": rtol}
-        runs["library", rtol] = partial(tb.solve, **many, **asked)
-        runs["library_grid", rtol] = partial(tb.grid, **axes, **asked, progress=False)
-    runs["nested_roots", None] = partial(NestedRoots(plain, parameters).solve, **few)
-    points = {
-        "library": library,
-        "library_grid": math.prod(axis.size for axis in axes.values()),
-        "nested_roots": sizes["nested_roots"],
-    }
+        asked = {"parameters": parameters, "rtol": rtol, "progress": False}
+        runs["library", rtol] = partial(tb.solve, **drawn["library"], **asked)
+        runs["library_grid", rtol] = partial(tb.grid, **axes, **asked)
+    for method, solver in _baselines(plain).items():
+        runs[method, None] = partial(solver(parameters).solve, **drawn[method])
     with _quiet():
         seconds = least_seconds(runs, budget["rounds"])
     for (method, rtol), time in seconds.items():

@@ -20,6 +20,7 @@ class PointClass(NamedTuple):
 
 
 HEAVIEST = PointClass("lubricated", "three_body", "usual")  # the most expensive of the usual ones
+TIMED = HEAVIEST, HEAVIEST._replace(span="extremes")
 NAMES = ("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes")
 CLASSES = [PointClass(*names) for names in product(*NAMES)]
 # Ends between which conditions are drawn, evenly in their logarithms, SI: F_t [N], nu [m2/s],
@@ -56,11 +57,11 @@ def random_conditions(
 def grid_axes(
     kind: PointClass, counts: Mapping[str, int], parameters: tb.Parameters
 ) -> dict[str, NDArray[np.float64]]:
-    """Axes of a grid over the span of a class, with so many values each, on its first roughness."""
+    """Axes of a grid over the span of a class, with so many values each, and all its roughnesses."""
     counts = {"normal_load": counts["load"], **counts}
     spans = SPANS[kind.span].items()
     axes = {name: np.geomspace(*ends, counts[name]) for name, ends in spans}
-    axes = _of_class(kind, axes, np.array(ROUGHNESS[kind.span][:1]), parameters)
+    axes = _of_class(kind, axes, np.array(ROUGHNESS[kind.span]), parameters)
     return {name: np.unique(values) for name, values in axes.items()}
 
 

@@ -39,7 +39,7 @@ def use_rows(
     asked = {"parameters": parameters, "rtol": rtol}
     drawn = random_conditions(HEAVIEST, max(sizes["calls"], sizes["surfaces"]), parameters)
     points = [dict(zip(drawn, map(float, one), strict=True)) for one in zip(*drawn.values())]
-    axes = grid_axes(HEAVIEST, budget["grid"], parameters)
+    axes = grid_axes(HEAVIEST, budget["grid"][HEAVIEST.span], parameters)
 
     def call_each():
         for point in points[: sizes["calls"]]:

@@ -52,7 +52,7 @@ def grid(
         Inputs of the model, by default the calibrated ones.
     rtol : float, optional
         Requested relative error of every variable [1].  From 1e-3 on, large grids are interpolated
-        over the separation, in a fifth of the time; below, every point is solved individually.
+        over the separation, which is faster; below, every point is solved individually.
     variables : str or collection of str, optional
         Variables of ``Solution`` to compute; ``solution_status`` is always included.
     progress : bool, optional

@@ -1,4 +1,4 @@
-# `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, and targets.
+# `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, their figure, and targets.
 
 ACCURACY = settings["accuracy"]
 MEASURED = [
@@ -86,7 +86,24 @@ rule compare_targets:
         "../scripts/compare_targets.py"
 
 
+rule draw_work_precision:
+    input:
+        errors=ACCURACY_TABLES["errors"],
+        times=ACCURACY_TABLES["times"],
+    output:
+        figure="<results>/accuracy/work_precision.png",
+    log:
+        "<logs>/draw_work_precision.log",
+    params:
+        *MEASURED,
+        *SOFTWARE,
+        file_text(HOME / "workflow/scripts/draw_work_precision.py"),
+    script:
+        "../scripts/draw_work_precision.py"
+
+
 rule accuracy:
     input:
         *ACCURACY_TABLES.values(),
+        "<results>/accuracy/work_precision.png",
         "<results>/accuracy/targets.csv",

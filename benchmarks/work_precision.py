@@ -1,0 +1,52 @@
+"""The work-precision figure: time of a point over the largest true error, of the library and of plain solvers."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import matplotlib.style
+from matplotlib.figure import Figure
+
+from thirdbody.plotting.drawing import STYLE, TWO_COLUMNS, Drawing
+
+HEIGHT = 2.9  # inches
+METHODS = {  # label, form and size; where two are the same, both are seen
+    "library": ("tb.solve, rtol 1e-2 to 1e-11", "o-", 3.5),
+    "library_grid": ("tb.grid, rtol 1e-2 to 1e-11", "s-", 6.5),
+    "array_roots": ("find_root on arrays", "D", 5.0),
+    "nested_roots": ("quad and brentq, a point at a time", "^", 5.0),
+}
+SPANS = {"usual": "conditions of Table 2", "extremes": "extreme conditions"}
+Rows = Sequence[Mapping[str, Any]]
+
+
+def largest_errors(rows: Rows) -> dict[tuple, float]:
+    """Largest true error over all variables and classes, by method, ``rtol`` and span; of rows of ``errors``."""
+    found: dict[tuple, float] = {}
+    for row in rows:
+        key = row["method"], row["rtol"], row["span"]
+        found[key] = max(found.get(key, 0.0), row["largest_error"])
+    return found
+
+
+@matplotlib.style.context(STYLE, after_reset=True)
+def draw(errors: Rows, times: Rows) -> Figure:
+    """The figure, from rows of the tables ``errors`` and ``times``."""
+    error = largest_errors(errors)
+    figure = Drawing(figsize=(TWO_COLUMNS, HEIGHT), layout="constrained")
+    panels = figure.subplots(1, len(SPANS), sharex=True, sharey=True)
+    for axes, (span, title) in zip(panels, SPANS.items(), strict=True):
+        for method, (label, form, size) in METHODS.items():
+            here = [row for row in times if (row["method"], row["span"]) == (method, span)]
+            axes.loglog(
+                [error[method, row["rtol"], span] for row in here],
+                [row["microseconds_per_point"] for row in here],
+                form,
+                label=label,
+                markersize=size,
+                markerfacecolor="none",
+            )
+        axes.set_title(title, loc="left")
+        axes.set_xlabel("largest true error")
+    panels[0].set_ylabel("time a point [µs]")
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    return figure
