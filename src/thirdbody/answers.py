@@ -13,15 +13,15 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from thirdbody.bearings import area_note, hertz_contact, speed_note
+from thirdbody.bearings import hertz_contact
 from thirdbody.conditions import axis_of, check_count, without_warnings
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.lab.comparison import read_runs, solve_runs
+from thirdbody.notes import area_note, range_note, sizes_note, speed_note
 from thirdbody.points import Solution, solve
-from thirdbody.ranges import range_note, ranges, spread
+from thirdbody.ranges import ranges, spread
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
-from thirdbody.sizes import sizes_note
 from thirdbody.variables import FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
 
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other rows

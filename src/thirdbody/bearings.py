@@ -19,11 +19,10 @@ from thirdbody.conditions import (
     OIL_DENSITY,
     checked_number,
     checked_numbers,
-    density_of_oil,
-    entrainment_speed,
 )
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
+from thirdbody.notes import speed_note
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -292,19 +291,6 @@ def _are_of(rig, parameters):
     """Whether the moduli of ``parameters`` are those of a rig, to the digits of Table 1."""
     moduli = parameters.elastic_modulus_surfaces, parameters.elastic_modulus_particle
     return bool(np.allclose(rig.moduli, moduli, rtol=2e-3, atol=0.0))
-
-
-def speed_note(parameters: Parameters) -> str:
-    """The speed that the inputs stand for, in words."""
-    density, speed = density_of_oil(parameters), entrainment_speed(parameters)
-    return (
-        f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {speed:.3g} m/s"
-    )
-
-
-def area_note(parameters: Parameters) -> str:
-    """The area to which loads refer, in words."""
-    return f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2"
 
 
 def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, NDArray]:

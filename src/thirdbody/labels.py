@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from thirdbody.attributes import coordinate_attributes, variable_attributes
 from thirdbody.conditions import from_si
 from thirdbody.core.regimes import FLAG_MEANINGS, STATES, codes_to_name
+from thirdbody.notes import area_note
 from thirdbody.variables import CONDITIONS, NORMAL_LOAD, VARIABLES, decimal
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def _labelled(solution) -> xr.Dataset:
         array = np.asarray(values).astype(np.int8 if name in STATES else float)
         described[name] = dimensions, array, variable_attributes(VARIABLES[name])
     dataset = xr.Dataset(described, coordinates)
-    newtons = dataset["load"].variable * solution.newtons_per_load
+    newtons = dataset["load"].variable * solution.parameters.newtons_per_load
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)
     return dataset.assign_coords(normal_load=newtons)
 
@@ -65,11 +66,13 @@ def labelled_frame(solution: Solution) -> pd.DataFrame:
     headings = {name: column_name(name) for name in solution.variables}
     headings |= solution.keys
     for name, key in solution.keys.items():
-        frame[name] = decimal(from_si(key, frame[name], solution.newtons_per_load))
+        frame[name] = decimal(from_si(key, frame[name], solution.parameters.newtons_per_load))
     headings[NORMAL_LOAD.name] = "load_N"
     if solution.keys["load"] == "load_N":
         frame = frame.drop(columns=NORMAL_LOAD.name)
-    return indexed(frame.rename(columns=headings), solution.index, range(len(frame)))
+    frame = frame.rename(columns=headings)
+    frame.attrs["notes"] = [area_note(solution.parameters)]
+    return indexed(frame, solution.index, range(len(frame)))
 
 
 def column_name(variable: str) -> str:

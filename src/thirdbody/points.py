@@ -20,6 +20,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import NO_FLAG, STATES, codes_to_name, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.inputs import or_calibrated
+from thirdbody.notes import area_note
 from thirdbody.progress import Progress
 from thirdbody.variables import ERROR_BOUND, FLAGS, QUANTITIES, with_table
 
@@ -123,7 +124,7 @@ def solve(
         else {name: pattern.copy(data=array).rename(name) for name, array in values.items()},
         conditions=read.arrays | read.labelled,
         keys=read.keys,
-        newtons_per_load=parameters.newtons_per_load,
+        parameters=parameters,
         index=read.index,
     )
 
@@ -152,8 +153,8 @@ class Solution:
     keys : mapping
         The name of each condition in tables: the one it was given by, for a quantity the one with an
         engineering unit.
-    newtons_per_load : float
-        F_t/F_t* [N].
+    parameters : Parameters
+        The inputs.
     index : pandas.Index, optional
         That of columns of pandas that were given.
     """
@@ -161,7 +162,7 @@ class Solution:
     variables: Mapping[str, Any]
     conditions: Mapping[str, Any]
     keys: Mapping[str, str]
-    newtons_per_load: float
+    parameters: Parameters
     index: pd.Index | None = None
 
     def __getattr__(self, name: str) -> Any:
@@ -215,7 +216,7 @@ class Solution:
         pandas.DataFrame
             Conditions have the names by which they were given, such as ``load_N``, variables those of
             ``Solution``, with the SI unit behind them if they have one: ``separation_m``.  Flags are categories
-            by name, nan where a point has none.  The index is that of the columns of a table, if conditions
+            by name, nan where a point has none.  ``attrs["notes"]`` has A_n.  The index is that of the columns of a table, if conditions
             are such.
 
         Examples
@@ -242,7 +243,7 @@ class Solution:
         shape = next(iter(arrays.values())).shape if arrays else ()
         arrays |= codes_to_name(arrays)
         lines = [f"{name:<28}{_in_words(name, array)}" for name, array in arrays.items()]
-        return "\n".join([f"Solution of shape {shape}", *lines])
+        return "\n".join([f"Solution of shape {shape}", *lines, area_note(self.parameters)])
 
     __str__ = __repr__
 

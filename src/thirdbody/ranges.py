@@ -1,11 +1,9 @@
 """The range of a result: 5 to 95 % over the ensemble of inputs that explain the paper about equally well."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
-
-from thirdbody.core.parameters import Parameters
 
 ENDS = (0.05, 0.95)  # quantiles at the ends of the range over an ensemble
 
@@ -22,10 +20,3 @@ def ranges(name: str, members: list[NDArray]) -> dict[str, NDArray]:
 
     ends = pd.DataFrame(members).quantile(ENDS).to_numpy() if members else ()  # ignores nan
     return dict(zip((f"{name}_low", f"{name}_high"), ends))
-
-
-def range_note(members: Sequence[Parameters]) -> str:
-    """What a range is, once for an answer with ``members`` of the ensemble."""
-    if not members:
-        return "no range: these inputs have no ensemble"
-    return f"ranges are 5 to 95 % over {len(members)} sets of inputs that explain the paper about equally well"

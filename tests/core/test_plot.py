@@ -299,14 +299,21 @@ def test_a_stribeck_curve_is_drawn_over_the_speed():
 
 @pytest.mark.parametrize(
     ("name", "factor", "unit"),
-    [("viscosity", 1e6, "cSt"), ("load", 1.0, "N"), ("solid_load_fraction", 100.0, "percent")],
+    [("viscosity", 1e6, "cSt"), ("solid_load_fraction", 100.0, "percent"), ("load", 1.0, "N")],
 )
-def test_other_units_are_refused(name, factor, unit):
+def test_other_units_are_converted_or_refused(name, factor, unit):
     layer = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
     grid = tb.grid(load=np.geomspace(1e-6, 1e-4, 5), viscosity_cSt=[50, 90], **layer)
     changed = grid.assign({name: (factor * grid[name]).assign_attrs(units=unit)})
-    with pytest.raises(ValueError, match=f"^{name} is in {unit}; allowed: "):
-        tb.plot(changed)
+    if name == "load":
+        with pytest.raises(ValueError, match="^load is in N; allowed: "):
+            tb.plot(changed)
+        return
+    lines = (
+        tb.plot(data, variables="solid_load_fraction").axes[0].lines for data in (grid, changed)
+    )
+    for one, other in zip(*lines, strict=True):
+        np.testing.assert_allclose(one.get_xydata(), other.get_xydata(), rtol=1e-9)
 
 
 @pytest.mark.parametrize("kind", FORMATS)

@@ -9,6 +9,7 @@ import thirdbody as tb
 from thirdbody.core.particles import ParticleLayer
 from thirdbody.curves import Condition
 from thirdbody.netcdf import read_plain, write_dataset
+from thirdbody.notes import sizes_note
 from thirdbody.paper.figures.sections import (
     STRETCH,
     VARIABLES,
@@ -17,7 +18,6 @@ from thirdbody.paper.figures.sections import (
     size_quantiles,
     state_of,
 )
-from thirdbody.sizes import sizes_note
 
 # the s-s, p-s and hybrid modes of figure 2
 DRY = {"load_N": 2.0, "viscosity_cSt": 0, "roughness_nm": 300, "particle_density_per_m2": 1e11}

@@ -4,12 +4,12 @@ import matplotlib.style
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain
+from thirdbody.notes import sizes_note
 from thirdbody.paper.figures.captions import caption
 from thirdbody.paper.figures.files import save
 from thirdbody.paper.figures.schematics import SCHEMATICS
 from thirdbody.paper.figures.sections import VARIABLES, condition_of, panels_of
 from thirdbody.paper.job_log import job
-from thirdbody.sizes import sizes_note
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.schematic

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from thirdbody.bearings import area_note, speed_note, with_oil_density
+from thirdbody.bearings import with_oil_density
 from thirdbody.conditions import (
     checked_number,
     density_of_oil,
@@ -22,8 +22,9 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
 from thirdbody.lab.estimates import MEASURED, fitted_coefficients, measurable
 from thirdbody.lab.reading import read_measured
+from thirdbody.notes import area_note, range_note, speed_note
 from thirdbody.points import Solution, solve
-from thirdbody.ranges import range_note, ranges
+from thirdbody.ranges import ranges
 from thirdbody.variables import CONDITIONS, SPEED, decimal
 
 if TYPE_CHECKING:

@@ -129,8 +129,8 @@ def contact_resistance(
     >>> (1e3 * tb.lab.contact_resistance(points, inputs)).round(1)  # [mohm]
     array([13.8,  2.6])
     """
-    if parameters.newtons_per_load != solution.newtons_per_load:
-        of_both = f"{parameters.newtons_per_load:g} and {solution.newtons_per_load:g} N"
+    if parameters.newtons_per_load != solution.parameters.newtons_per_load:
+        of_both = f"{parameters.newtons_per_load:g} and {solution.parameters.newtons_per_load:g} N"
         raise ValueError(f"A_n E_ss of parameters and solution is {of_both}; allowed: the same")
     resistivity = _checked(resistivity_ohm_m=resistivity_ohm_m)["resistivity_ohm_m"]
     area = solution.total_contact_area * parameters.apparent_area

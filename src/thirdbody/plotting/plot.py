@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from thirdbody.attributes import GIVEN_AS
-from thirdbody.conditions import axis_of, checked_variables
+from thirdbody.conditions import axis_of, checked_variables, numbers_in, unit_of
 from thirdbody.curves import LUBRICATED
 from thirdbody.netcdf import OF_THE_FILE, read_plain
 from thirdbody.plotting.curves import curve_figure, draw_panels
@@ -30,11 +30,11 @@ from thirdbody.plotting.styles import BLUE, Look, level_styles
 from thirdbody.variables import (
     CONDITIONS,
     DIMENSIONS,
-    FLAGS,
     NORMAL_LOAD,
+    NUMBERS,
     SPEED,
     STATUS,
-    VARIABLES,
+    decimal,
 )
 
 
@@ -266,7 +266,7 @@ def _with_all_dimensions(name: str, data: Any) -> xr.Dataset:
         data = data.to_dataset()
     if any(each in variable.attrs for variable in data.variables.values() for each in OF_THE_FILE):
         data = xr.decode_cf(data, decode_times=False)
-    _check_units(data)
+    data = _in_si(data)
     if STATUS not in data:  # not asked for, or a range
         data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
     dimensions = _dimensions(data)
@@ -285,12 +285,22 @@ def _dimensions(data: xr.Dataset) -> list[str]:
     return [*DIMENSIONS, *([SPEED.name] if SPEED.name in data.variables else [])]
 
 
-def _check_units(data):
-    """Raise ``ValueError`` for variables that are no longer in the units in which they are drawn."""
-    for name, variable in (CONDITIONS | VARIABLES | {NORMAL_LOAD.name: NORMAL_LOAD}).items():
+def _in_si(data: xr.Dataset) -> xr.Dataset:
+    """The same data in the units in which they are drawn; ``ValueError`` for a unit of another dimension."""
+    for name, variable in (CONDITIONS | NUMBERS | {NORMAL_LOAD.name: NORMAL_LOAD}).items():
         unit = data[name].attrs.get("units", variable.unit) if name in data else variable.unit
-        if unit != variable.unit and name not in FLAGS:
-            raise ValueError(f"{name} is in {unit}; allowed: {variable.unit}")
+        if unit == variable.unit:
+            continue
+        if not unit_of(name, unit).is_compatible_with(unit_of(name, variable.unit)):
+            raise ValueError(f"{name} is in {unit}; allowed: a unit such as {variable.unit}")
+        values = decimal(numbers_in(name, data[name], variable.unit))
+        converted = data[name].copy(data=values).assign_attrs(units=variable.unit)
+        data = (
+            data.assign_coords({name: converted})
+            if name in data.coords
+            else data.assign({name: converted})
+        )
+    return data
 
 
 def _placed_on_axes(name: str, data: xr.Dataset) -> xr.Dataset:
