@@ -1,6 +1,6 @@
 """Bad configuration is refused in one line, before any job starts, and harms nothing.
 
-What else is refused is in ``unit/test_configuration.py``, which reads files as the Snakefile does.
+What else is refused is in ``tests/paper/test_settings.py``, which reads files as the Snakefile does.
 """
 
 import pytest
@@ -26,7 +26,6 @@ CASES = {
         ("config/claims.yaml", "a readable YAML file"),
     ),
     "no changes": (CONFIG, b"", CHANGES, ("mine.yaml", "a readable YAML file")),
-    "word": (CONFIG, b"", ("--config", "rtol=much"), ("rtol: 'much' is not of type 'number'",)),
 }
 
 

@@ -48,12 +48,17 @@ def remade(workspace):
     return {name for name, stamp in workspace.stamps().items() if before.get(name) != stamp}
 
 
-def jobs_after(workspace, file, change):
-    """Rules of the jobs that the next run would do after a ``change`` of a ``file``, with their wildcards."""
+def dry_run_after(workspace, file, change):
+    """What the next run would do after a ``change`` of a ``file``."""
     workspace.rewrite(file, change)
     asked = workspace.snakemake("--dry-run", "--quiet", "host")  # the profile leaves the counts out
     assert asked.returncode == 0, asked.stdout + asked.stderr
-    counted = asked.stdout.partition("Job stats:\n")[2].partition("\n\n")[0].splitlines()[2:]
+    return asked.stdout
+
+
+def jobs_in(said):
+    """Rules of the jobs in a dry run, with how many there are of each."""
+    counted = said.partition("Job stats:\n")[2].partition("\n\n")[0].splitlines()[2:]
     return {name: int(count) for name, count in map(str.split, counted) if name != "total"}
 
 
@@ -64,29 +69,26 @@ def commented(text):
 PUBLISHED = {"write_index": 1, "write_sums": 1, "all": 1}
 
 
-def test_another_definition_of_a_turning_point_extracts_and_solves_nothing(workspace):
-    jobs = jobs_after(workspace, "src/thirdbody/core/turning_points.py", commented)
+def test_another_definition_of_a_turning_point_extracts_solves_nothing_and_is_named(workspace):
+    file = "src/thirdbody/core/turning_points.py"
+    said = dry_run_after(workspace, file, commented)
+    jobs = jobs_in(said)
     assert jobs["extract_curves"] == 11
     assert jobs["find_windows"] == 1
     assert not jobs.keys() & {"solve_scene", "solve_ensemble", "compute_schematic"}
+    assert set(re.findall(r"(?:before|now): '(\S+) [0-9a-f]{8}'", said)) == {file}
 
 
 def test_another_style_of_one_figure_draws_that_figure(workspace):
-    jobs = jobs_after(workspace, "src/thirdbody/paper/figures/sensitivity.py", commented)
+    jobs = jobs_in(
+        dry_run_after(workspace, "src/thirdbody/paper/figures/sensitivity.py", commented)
+    )
     assert jobs == {"render_sensitivity": 1} | PUBLISHED
 
 
 def test_another_template_of_verdicts_judges_again_and_draws_no_figure(workspace):
-    jobs = jobs_after(workspace, "src/thirdbody/paper/claims/claims.html.j2", commented)
+    jobs = jobs_in(dry_run_after(workspace, "src/thirdbody/paper/claims/claims.html.j2", commented))
     assert jobs == {"judge_claims": 1, "render_claims": 1, "build_explorer": 1} | PUBLISHED
-
-
-def test_the_reason_names_the_file_that_changed(workspace):
-    workspace.rewrite("src/thirdbody/core/turning_points.py", commented)
-    asked = workspace.snakemake("--dry-run", "results/extracted/tpca_loads/fig03.csv")
-    assert asked.returncode == 0, asked.stderr
-    said = re.findall(r"(?:before|now): '(\S+) [0-9a-f]{8}'", asked.stdout + asked.stderr)
-    assert set(said) == {"src/thirdbody/core/turning_points.py"}
 
 
 def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspace):
@@ -103,13 +105,6 @@ def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
     workspace.rewrite("src/thirdbody/paper/claims/paper_tables.py", commented)
     assert remade(workspace) == workspace.products(*PAPER_TABLES, *TABLES_SHOWN)
     assert not workspace.pending()
-
-
-def test_another_film_formula_remakes_curves_and_windows_but_no_table_of_the_paper(workspace):
-    workspace.rewrite("src/thirdbody/core/film.py", commented)
-    pending = workspace.pending()
-    assert pending >= workspace.products(*ALL_CURVES, *WINDOWS, *JUDGED, *SENSITIVITY)
-    assert pending.isdisjoint(workspace.products(*PAPER_TABLES))
 
 
 def test_another_layout_of_tables_writes_them_and_solves_nothing(workspace):
@@ -131,10 +126,9 @@ STATEMENT = ("config/claims.yaml", "0/statement", "Particles matter.")
         (CONFIG, "windows/roughness_nm", [100, 300], SHOWN_WINDOWS),
         (*STATEMENT, (*JUDGED, *PRINTED, *PAGE)),
         (CONFIG, "schematics/fig01/0/load_N", 21.0, FIRST),
-        (CONFIG, "inputs", {"yield_pressure_ratio": 0.41}, ALL),
         (DEFAULT, "inputs/truncation", 1.8, ALL),
     ],
-    ids=["rtol", "windows", "a statement", "a drawing", "an input", "calibrated"],
+    ids=["rtol", "windows", "a statement", "a drawing", "calibrated"],
 )
 def test_another_setting_reruns_what_it_enters(workspace, file, key, value, patterns):
     workspace.put(file, key, value)
@@ -166,9 +160,8 @@ def test_the_library_of_another_checkout_is_refused(workspace):
     assert f"the library is {ROOT / 'src/thirdbody'}; allowed: that of this checkout" in run.stderr
 
 
-@pytest.mark.parametrize("folder", ["my drive", "thirdbody(1)", "a{b}"])
-def test_signs_of_the_shell_in_the_path_of_the_interpreter_are_refused(sources, tmp_path, folder):
-    workspace = sources.copied_to(tmp_path / folder)
+def test_signs_of_the_shell_in_the_path_of_the_interpreter_are_refused(sources, tmp_path):
+    workspace = sources.copied_to(tmp_path / "my drive(1)")
     (workspace.root / ".venv").symlink_to(Path(sys.prefix))
     python = workspace.root / ".venv/bin/python"
     run = workspace.execute(python, "-m", "snakemake", "-n", "-c1")

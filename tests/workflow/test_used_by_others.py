@@ -64,23 +64,6 @@ def loads_in(dataset):
         return opened.dimensions["load"].size
 
 
-def planned(workspace, *arguments):
-    """What a dry run says that is to be done."""
-    asked = workspace.snakemake("--dry-run", *arguments)
-    assert asked.returncode == 0, asked.stdout + asked.stderr
-    return asked.stdout
-
-
-def test_a_module_without_configuration_computes_the_paper(sources, finished, elsewhere):
-    snakefile = sources.root / "Snakefile"
-    wanted = "rules.paper_all.input"
-    module = MODULE.format(snakefile=snakefile, given="", wanted=wanted)
-    write(elsewhere, "workflow/Snakefile", module)
-    assert "results/figures/fig13.svg" in planned(elsewhere)
-    (table,) = made(elsewhere, TABLE)
-    assert table == (finished.root / TABLE).read_bytes()
-
-
 def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, elsewhere):
     snakefile = sources.root / "Snakefile"
     given = 'config: {"load_axis": {"count": 24}}\n    prefix: "contact"'
