@@ -1,7 +1,7 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
 # make docs        the documentation as a site, docs/_build/html/index.html
-# make verify      whether all products are as they were made, and the release, if there is one, holds them
+# make verify      whether all products are as they were made, and all releases whole
 # make test-survival   runs killed, damaged, starved, misconfigured and on a cluster, and the solver against the oracle, at length
 # make accuracy    errors and times of the solver, measured on this machine (some 13 minutes)
 # make lock        renew the locked dependencies (needs uv)
@@ -19,7 +19,9 @@ LOWEST := $(VENV)/lowest
 # what the executor for SLURM needs beside locks/workflow.txt
 SLURM_PLUGIN := snakemake-executor-plugin-slurm snakemake-executor-plugin-slurm-jobstep
 
-RELEASE = results/release/thirdbody-$(shell $(BIN)/python -c "from importlib.metadata import version; print(version('thirdbody'))")
+# of the default run, which must be there, and of named runs
+SUMS = results/SHA256SUMS $(wildcard results/*/SHA256SUMS)
+RELEASES = $(wildcard results/release/*/. results/*/release/*/.)
 
 export PYTHONHASHSEED := 0
 
@@ -71,8 +73,8 @@ $(VENV)/slurm.done: locks/slurm.txt | $(BIN)/python
 	touch $@
 
 verify: $(VENV)/workflow.done
-	cd results && sha256sum --quiet --check SHA256SUMS
-	@if [ -d $(RELEASE) ]; then $(BIN)/python verification/verify.py $(RELEASE) --results results; fi
+	for sums in $(SUMS); do (cd $$(dirname $$sums) && sha256sum --quiet --check SHA256SUMS) || exit 1; done
+	@for release in $(RELEASES); do $(BIN)/python verification/verify.py $$release --packed || exit 1; done
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy
