@@ -1,11 +1,15 @@
 """Solve the interfaces of one schematic and generate random sections through them."""
 
+from dataclasses import replace
+
+from thirdbody.attributes import version_attributes
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition
 from thirdbody.netcdf import write_dataset
 from thirdbody.paper.figures.sections import sections, state_of
 from thirdbody.paper.job_log import job
+from thirdbody.version import Version
 
 
 def solved_state(conditions, parameters):
@@ -21,5 +25,6 @@ with job(snakemake) as output:
     inputs = Parameters(**snakemake.params.parameters)
     states = [solved_state(conditions, inputs) for conditions in snakemake.params.panels]
     computed = sections(figure, states, inputs)
-    write_dataset(computed, output.sections)
+    attributes = computed.attrs | version_attributes(Version(*snakemake.params.version))
+    write_dataset(replace(computed, attrs=attributes), output.sections)
     print(f"{figure}: {len(states)} sections")
