@@ -3,6 +3,7 @@
 # make docs        the documentation as a site, docs/_build/html/index.html
 # make verify      whether all products are as they were made, and all releases whole
 # make test-survival   runs killed, damaged, starved, misconfigured and on a cluster, and the solver against the oracle, at length
+# make release     wheel and sdist in dist/, the archive in results/release/
 # make accuracy    errors and times of the solver, measured on this machine (some 13 minutes)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
@@ -25,7 +26,7 @@ RELEASES = $(wildcard results/release/*/. results/*/release/*/.)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test docs test-survival verify accuracy lock vendor lowest format clean
+.PHONY: reproduce test docs test-survival verify release accuracy lock vendor lowest format clean
 
 D3 := 7.9.0
 VENDOR := src/thirdbody/paper/page/vendor
@@ -75,6 +76,12 @@ $(VENV)/slurm.done: locks/slurm.txt | $(BIN)/python
 verify: $(VENV)/workflow.done
 	for sums in $(SUMS); do (cd $$(dirname $$sums) && sha256sum --quiet --check SHA256SUMS) || exit 1; done
 	@for release in $(RELEASES); do $(BIN)/python verification/verify.py $$release --packed || exit 1; done
+
+release: $(VENV)/workflow.done
+	$(BIN)/snakemake -c$(CORES) release
+	rm -rf dist
+	$(BIN)/python -m hatchling build
+	$(MAKE) verify
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy

@@ -34,7 +34,7 @@ from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
 README = ROOT / "README.md"
-PAGES = README, ROOT / "docs" / "model.md", ROOT / "docs" / "results.md"
+PAGES = README, ROOT / "paper.md", ROOT / "docs" / "model.md", ROOT / "docs" / "results.md"
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 PICTURES = {  # in docs/, copies of figures
