@@ -16,6 +16,7 @@ from typing import NamedTuple
 STORED = Path(__file__).with_suffix(".json")
 REPOSITORY = Path(__file__).resolve().parents[2]
 UNKNOWN = "0+unknown"  # neither git nor the file knows it
+ELSEWHERE = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE")  # what a hook of git sets
 
 
 class Version(NamedTuple):
@@ -87,7 +88,9 @@ def _described(commit: str) -> tuple[str, int]:
 
 
 def _git(*arguments: str) -> str:
-    environment = os.environ | {"GIT_OPTIONAL_LOCKS": "0"}  # nothing is written
+    # of this repository, even in a hook of another; nothing is written
+    environment = {name: value for name, value in os.environ.items() if name not in ELSEWHERE}
+    environment["GIT_OPTIONAL_LOCKS"] = "0"
     command = ["git", *arguments]
     done = subprocess.run(
         command, cwd=REPOSITORY, env=environment, capture_output=True, encoding="utf-8", check=True

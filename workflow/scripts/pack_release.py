@@ -32,7 +32,8 @@ def provenance(archive, name):
         "python": sys.version,
         "version": version.text,
         "commit": version.commit,
-        "packages": dict(sorted((one.name, one.version) for one in distributions())),
+        "packages": dict(sorted((one.name, one.version) for one in distributions()))
+        | {"thirdbody": version.text},
     }
 
 
