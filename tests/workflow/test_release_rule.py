@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from workspace import MINIMAL, ROOT, Workspace
 
+from thirdbody.files import digest
 from thirdbody.paper.archive.citation import Release
 from thirdbody.paper.archive.files import files_in
 
@@ -84,7 +85,9 @@ def test_make_verify_names_a_damaged_file_of_any_release(released, tmp_path, nam
     shutil.copytree(released.parent, place / "release")
     shutil.copytree(ROOT / "verification", tmp_path / "verification")
     (place / "release" / name).write_bytes(b"damaged")
-    (tmp_path / "results" / "SHA256SUMS").touch()
+    (tmp_path / "results" / "SHA256SUMS").write_text(
+        f"{digest(ROOT / 'LICENSE')}  {ROOT / 'LICENSE'}\n"
+    )
     python = f"BIN={Path(sys.executable).parent}"
     make = ["make", "--file", ROOT / "Makefile", "--assume-old", ".venv/workflow.done"]
     done = subprocess.run([*make, "verify", python], cwd=tmp_path, capture_output=True, text=True)
