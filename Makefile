@@ -40,9 +40,13 @@ reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
 
 # one thread of linear algebra a process, as processes share the cores; one process more than cores, as some tests wait
+PYTEST = OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(CORES) + 1)) --dist=loadfile --no-loadscope-reorder
+
+# coverage is that of the library by its own tests
 test: $(VENV)/test.done $(VENV)/slurm.done
 	$(BIN)/snakemake -c$(CORES)
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(CORES) + 1)) --dist=loadfile --no-loadscope-reorder
+	$(PYTEST) --ignore=tests/core --ignore=tests/lab
+	$(PYTEST) --cov tests/core tests/lab
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html
@@ -74,7 +78,7 @@ $(VENV)/slurm.done: locks/slurm.txt | $(BIN)/python
 	touch $@
 
 verify: $(VENV)/workflow.done
-	for sums in $(SUMS); do (cd $$(dirname $$sums) && sha256sum --quiet --check SHA256SUMS) || exit 1; done
+	@for sums in $(SUMS); do (cd $$(dirname $$sums) && sha256sum --quiet --check SHA256SUMS) || exit 1; done
 	@for release in $(RELEASES); do $(BIN)/python verification/verify.py $$release --packed || exit 1; done
 
 release: $(VENV)/workflow.done
