@@ -1,4 +1,5 @@
-# The workflow with its locked packages, for any folder: see README, "In other work".
+# The workflow with its locked packages, for any folder; docs/workflow.md, "In other projects", says how to use it. The context
+# is a copy of the last commit, which knows its version and holds nothing else: git archive HEAD | docker build --tag thirdbody -
 FROM python:3.11.7-slim-bookworm
 COPY . /thirdbody
 RUN cd /thirdbody \

@@ -1,8 +1,9 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
 # make docs        the documentation as a site, docs/_build/html/index.html
-# make verify      whether all products are as they were made, and the release, if there is one, holds them
+# make verify      whether all products are as they were made, and all releases whole
 # make test-survival   runs killed, damaged, starved, misconfigured and on a cluster, and the solver against the oracle, at length
+# make release     wheel and sdist in dist/, the archive in results/release/
 # make accuracy    errors and times of the solver, measured on this machine (some minutes)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
@@ -19,11 +20,13 @@ LOWEST := $(VENV)/lowest
 # what the executor for SLURM needs beside locks/workflow.txt
 SLURM_PLUGIN := snakemake-executor-plugin-slurm snakemake-executor-plugin-slurm-jobstep
 
-RELEASE = results/release/thirdbody-$(shell $(BIN)/python -c "from importlib.metadata import version; print(version('thirdbody'))")
+# of the default run, which must be there, and of named runs
+SUMS = results/SHA256SUMS $(wildcard results/*/SHA256SUMS)
+RELEASES = $(wildcard results/release/*/. results/*/release/*/.)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test docs test-survival verify accuracy lock vendor lowest format clean
+.PHONY: reproduce test docs test-survival verify release accuracy lock vendor lowest format clean
 
 D3 := 7.9.0
 VENDOR := src/thirdbody/paper/page/vendor
@@ -37,9 +40,13 @@ reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
 
 # one thread of linear algebra a process, as processes share the cores; one process more than cores, as some tests wait
+PYTEST = OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(CORES) + 1)) --dist=loadfile --no-loadscope-reorder
+
+# coverage is that of the library by its own tests
 test: $(VENV)/test.done $(VENV)/slurm.done
 	$(BIN)/snakemake -c$(CORES)
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(CORES) + 1)) --dist=loadfile --no-loadscope-reorder
+	$(PYTEST) --ignore=tests/core --ignore=tests/lab
+	$(PYTEST) --cov tests/core tests/lab
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html
@@ -71,8 +78,14 @@ $(VENV)/slurm.done: locks/slurm.txt | $(BIN)/python
 	touch $@
 
 verify: $(VENV)/workflow.done
-	cd results && sha256sum --quiet --check SHA256SUMS
-	@if [ -d $(RELEASE) ]; then $(BIN)/python verification/verify.py $(RELEASE) --results results; fi
+	@for sums in $(SUMS); do (cd $$(dirname $$sums) && sha256sum --quiet --check SHA256SUMS) || exit 1; done
+	@for release in $(RELEASES); do $(BIN)/python verification/verify.py $$release --packed || exit 1; done
+
+release: $(VENV)/workflow.done
+	$(BIN)/snakemake -c$(CORES) release
+	rm -rf dist
+	$(BIN)/python -m hatchling build
+	$(MAKE) verify
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy

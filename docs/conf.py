@@ -3,7 +3,6 @@
 import os
 import sys
 import sysconfig
-from importlib import metadata
 from pathlib import Path
 
 from docutils.nodes import SkipNode
@@ -12,13 +11,15 @@ from latex2mathml.converter import convert
 sys.path.insert(0, str(Path(__file__).parent))
 import configuration_reference
 
+import thirdbody
+
 # where pages find the command `thirdbody`
 os.environ["PATH"] = os.pathsep.join([sysconfig.get_path("scripts"), os.environ["PATH"]])
 
 project = "thirdbody"
 author = "The thirdbody developers"
 copyright = "2026, the thirdbody developers (code MIT, texts and data CC BY 4.0)"
-release = metadata.version("thirdbody")
+release = thirdbody.__version__
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "sphinx.ext.napoleon"]
 myst_enable_extensions = ["colon_fence", "dollarmath"]

@@ -1,4 +1,4 @@
-"""The tables of the page on the configuration, from the schemas and files in ``config/``."""
+"""The tables of the page on the configuration, from its schemas and files."""
 
 from pathlib import Path
 
@@ -6,7 +6,8 @@ import yaml
 
 from thirdbody.core.parameters import BOUNDS
 
-CONFIG = Path(__file__).resolve().parents[1] / "config"
+ROOT = Path(__file__).resolve().parents[1]
+CONFIG, SCHEMAS = ROOT / "config", ROOT / "src/thirdbody/paper/configuration"
 LIMITS = {
     "minimum": "from {}",
     "exclusiveMinimum": "and above {}",
@@ -16,8 +17,8 @@ LIMITS = {
 KINDS = {"array": "list", "object": "mapping", "boolean": "true or false", "string": "text"}
 
 
-def read(name):
-    return yaml.safe_load((CONFIG / name).read_text(encoding="utf-8"))
+def read(path):
+    return yaml.safe_load(path.read_text(encoding="utf-8"))
 
 
 def resolved(schema, document):
@@ -25,7 +26,7 @@ def resolved(schema, document):
     if not isinstance(schema.get("$ref"), str) or "#" not in schema["$ref"]:
         return schema, document
     file, _, pointer = schema["$ref"].partition("#")
-    document = read(file) if file else document
+    document = read(SCHEMAS / file) if file else document
     target = document
     for key in pointer.strip("/").split("/"):
         target = target[key]
@@ -64,7 +65,7 @@ def row(*cells):
 
 def configuration():
     """A row a key of ``config/config.yaml`` and ``config/scenes.yaml``."""
-    schema = read("config.schema.yaml")
+    schema = read(SCHEMAS / "config.schema.yaml")
     text = row("key", "what it is", "allowed") + row("---", "---", "---")
     for place, each in keys(schema, schema):
         text += row(f"`{place}`", each.get("description", ""), allowed(each))
@@ -74,7 +75,7 @@ def configuration():
 def inputs():
     """A row an input of the model."""
     text = row("input", "symbol", "unit", "source", "allowed") + row(*["---"] * 5)
-    for name, entry in read("inputs.yaml").items():
+    for name, entry in read(CONFIG / "inputs.yaml").items():
         bounds = ", ".join(map(str, entry["allowed"])) if "allowed" in entry else BOUNDS[name]
         unit = entry.get("unit", "")
         text += row(f"`{name}`", entry.get("symbol", ""), unit, entry["source"], bounds)

@@ -35,7 +35,7 @@ from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
 README = ROOT / "README.md"
-PAGES = README, ROOT / "docs" / "model.md", ROOT / "docs" / "results.md"
+PAGES = README, ROOT / "paper.md", ROOT / "docs" / "model.md", ROOT / "docs" / "results.md"
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 MEASURED_PICTURE = ROOT / "docs" / "work_precision.png", ACCURACY / "work_precision.png"

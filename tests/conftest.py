@@ -50,8 +50,12 @@ INTERPRETATIONS = {
         **{"elastic_modulus_particle": 2.0e11, "ellipticity": 2.5},
     },
 }
-# what does not apply to data without a place, a time or a name in the table of standard names
-INAPPLICABLE = re.compile(r"(geospatial_\w+|time_coverage_\w+|standard_name)\b")
+# what does not apply to data without a place, a time, an instrument or a name in the table of standard names, and
+# addresses and dates that there are not
+INAPPLICABLE = re.compile(
+    r"(geospatial_\w+|time_coverage_\w+|standard_name|instrument\w*|platform\w*|keywords_vocabulary|program"
+    r"|creator_(institution|url|email)|publisher_\w+|metadata_link|product_version|Attr date_\w+)\b"
+)
 
 
 def pytest_configure(config):

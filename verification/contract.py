@@ -57,7 +57,6 @@ FLAGS = {
 }
 GLOBAL_FIXED = {
     "Conventions": "CF-1.11, ACDD-1.3",
-    "conventions": "CF-1.11, ACDD-1.3",
     "source": "doi:10.3389/fmech.2024.1390335",
     "license": "CC-BY-4.0",
 }

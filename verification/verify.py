@@ -1,6 +1,6 @@
 """Is this archive complete and unchanged, and are its numbers those of the model?
 
-    python verification/verify.py [FOLDER] [--seed N] [--points N] [--results FOLDER] [--sums]
+    python verification/verify.py [FOLDER] [--seed N] [--points N] [--packed] [--sums]
 
 FOLDER is an unpacked archive, by default the one that this program lies in.  Needs Python 3.11,
 numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 sums of all files first, and looks
@@ -236,24 +236,11 @@ def own_module(name):
     return importlib.import_module(name)
 
 
-def check_products(found, results, faults):
-    """The products in ``results`` are those of the archive."""
-    for name in sorted(found):
-        product = results / name.removeprefix("data/")
-        if not is_product(name) or name == CONTENT_SUMS:
-            continue
-        try:
-            if sha256(product) != found[name]:
-                faults.add(product, "is not what was released")
-        except OSError as error:
-            faults.add(product, f"cannot be read ({error.strerror})")
-
-
 def check_packed(folder, found, faults):
     """The packed archive beside ``folder`` is the one on record and holds the same files."""
     packed = packed_beside(folder)
     if sha256(packed) != record_beside(folder)["archive"]["sha256"]:
-        faults.add(packed, "is not the archive that provenance.json names")
+        faults.add(packed, "is not the archive that its provenance names")
     expected = {f"{folder.name}/{name}": name for name in found}
     with zipfile.ZipFile(packed) as archive:
         members = archive.infolist()
@@ -281,10 +268,10 @@ def packed_beside(folder):
 
 
 def record_beside(folder):
-    return read_json(folder.with_name("provenance.json"))
+    return read_json(folder.with_name(f"{folder.name}-provenance.json"))
 
 
-def verify(folder, count, seed, results=None, sums_alone=False):
+def verify(folder, count, seed, packed_too=False, sums_alone=False):
     """``Faults`` of the archive in ``folder``, and what was checked in words."""
     faults = Faults()
     found = read_files(folder, faults)
@@ -299,8 +286,7 @@ def verify(folder, count, seed, results=None, sums_alone=False):
         "data/datasets": lambda: counted.append(check_datasets(folder, found, count, seed, faults)),
     }
     others = {}
-    if results is not None:
-        others[results] = lambda: check_products(found, results, faults)
+    if packed_too:
         others[packed_beside(folder)] = lambda: check_packed(folder, found, faults)
     run_checks(sums | others, faults)
     if not faults and not sums_alone:
@@ -325,7 +311,7 @@ def main(arguments=None):
     )
     parser.add_argument("--seed", type=int, default=2024, help="of the choice of points")
     parser.add_argument("--points", type=int, default=100, help="solved again, in each dataset")
-    parser.add_argument("--results", type=Path, help="folder of products that must be the same")
+    parser.add_argument("--packed", action="store_true", help="compare the file beside it too")
     parser.add_argument("--sums", action="store_true", help="compare the sums of all files alone")
     given = parser.parse_args(arguments)
     warnings.simplefilter("ignore")  # one line is promised
@@ -334,7 +320,7 @@ def main(arguments=None):
         return 1
     archive = given.folder.resolve()
     sys.path[:] = [place for place in sys.path if not Path(place).resolve().is_relative_to(archive)]
-    faults, checked = verify(given.folder, given.points, given.seed, given.results, given.sums)
+    faults, checked = verify(given.folder, given.points, given.seed, given.packed, given.sums)
     name = archive.name
     if not faults:
         say(f"whole: {name}: {checked}")

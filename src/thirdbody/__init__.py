@@ -33,9 +33,9 @@ __all__ = ["__version__", *_MODULES]
 def __getattr__(name: str):
     """Import a public name on first use, so that importing the package is quick."""
     if name == "__version__":
-        from importlib.metadata import version
+        from thirdbody.version import current
 
-        return version("thirdbody")
+        return current().text
     if name not in _MODULES:
         raise AttributeError(f"module 'thirdbody' has no attribute {name!r}")
     from importlib import import_module

@@ -3,7 +3,6 @@
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +14,9 @@ from thirdbody.core.regimes import NO_FLAG
 from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, Variable
 from thirdbody.variables import AXES, DIMENSIONS, NORMAL_LOAD, NUMBERS, STATUS, VARIABLES
 from thirdbody.variables import Variable as Described
+from thirdbody.version import Version, current
 
-# Attributes of a dataset in their order; null if they depend on its content.  The dates are those
-# of the software version, so that the same inputs give the same bytes.
+# Attributes of a dataset in their order; null if they depend on its content or on the version.
 EVERYWHERE = json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8"))
 # Keys of the attribute model_parameters by the names of inputs and of fields of a surface.
 KEYS = EVERYWHERE["model_parameters"]
@@ -66,6 +65,12 @@ def identity(origin: str) -> dict[str, str]:
     return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
 
 
+def version_attributes(version: Version) -> dict[str, str]:
+    """What says which software computed a dataset; its date, so that the same inputs give the same bytes."""
+    known = {"software_version": version.text, "date_created": version.date}
+    return {name: text for name, text in known.items() if text}
+
+
 def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
     """The attribute ``model_parameters`` of a dataset with the coordinates ``roughness`` [m]: a
     flat JSON object, in SI, with lists for values that depend on the roughness."""
@@ -86,9 +91,11 @@ def described_grid(
     title: str = "Three-body contact on a grid",
     request: Mapping | None = None,
     load_key: str = "load",
+    version: Version | None = None,
 ) -> PlainDataset:
     """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes; the load was given by the name ``load_key``.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
+    attributes; the load was given by the name ``load_key``.  Its SHA-256 depends on the parameters, ``rtol`` and
+    ``request``, by default the axes.  The ``version`` is by default that of what runs."""
     variables = {
         name: Variable(
             DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
@@ -110,9 +117,9 @@ def described_grid(
         **EVERYWHERE,
         **identity(json.dumps(configuration, sort_keys=True)),
         "title": title,
-        "software_version": version("thirdbody"),
-        "product_version": version("thirdbody"),
+        **version_attributes(version or current()),
         "rtol": rtol,
         "model_parameters": model_attribute(parameters, axes["roughness"]),
     }
-    return PlainDataset(variables, coordinates, attributes)
+    known = {name: value for name, value in attributes.items() if value is not None}
+    return PlainDataset(variables, coordinates, known)

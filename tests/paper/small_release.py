@@ -77,7 +77,7 @@ def make_release(folder):
     software = software_versions("pyproject.toml")
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
-    stage(place, products, [*SOURCES, *programs], settings, software, release)
+    stage(place, products, [*SOURCES, *programs], settings, software, release, {})
     pack(place, folder / f"{release.full_name}.zip", release.date)
     return place
 

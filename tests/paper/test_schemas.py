@@ -11,6 +11,7 @@ import pytest
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.paper.atlas.chunk import atlas_axes, axis_values
+from thirdbody.paper.configuration import schema
 from thirdbody.paper.configuration.schema import validate
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import AXES
@@ -19,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
 SCHEMAS = {
     path.name.removesuffix(".schema.yaml"): read_yaml(path)
-    for folder in (CONFIG, ROOT / "tests/schemas")
+    for folder in (Path(schema.__file__).parent, ROOT / "tests/schemas")
     for path in sorted(folder.glob("*.schema.yaml"))
 }
 DEVELOPED = {

@@ -465,7 +465,9 @@ def packed_again(folder, add):
         warnings.simplefilter("ignore")  # of names that stand twice
         with zipfile.ZipFile(packed, "a") as archive:
             add(archive)
-    write_json(folder.with_name("provenance.json"), {"archive": {"sha256": digest(packed)}})
+    write_json(
+        folder.with_name(f"{folder.name}-provenance.json"), {"archive": {"sha256": digest(packed)}}
+    )
     return packed
 
 

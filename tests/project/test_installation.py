@@ -113,7 +113,7 @@ def test_each_command_answers_without_an_extra(installed, name):
 def test_the_wheel_has_the_data_that_the_library_needs(installed):
     done = installed(NEEDS_DATA)
     assert done.stderr == ""
-    assert done.stdout == f"{thirdbody.load_parameters()!r} {distribution('thirdbody').version}\n"
+    assert done.stdout == f"{thirdbody.load_parameters()!r} {thirdbody.__version__}\n"
 
 
 @pytest.mark.parametrize("code", LACKING)

@@ -4,12 +4,15 @@ That it is the same bytes wherever it is made is tested by ``survival/test_kille
 """
 
 import json
+import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from workspace import MINIMAL, ROOT, Workspace
 
+from thirdbody.files import digest
 from thirdbody.paper.archive.citation import Release
 from thirdbody.paper.archive.files import files_in
 
@@ -28,10 +31,10 @@ def released(finished, tmp_path_factory):
     return workspace.root / "results" / "release" / NAME
 
 
-def verified_with_products(released):
+def verified(released):
     """Exit code and output of the verification, which leaves the datasets to the tests of products."""
     program = ROOT / "verification" / "verify.py"
-    command = [sys.executable, program, released, "--sums", "--results", released.parents[1]]
+    command = [sys.executable, program, released, "--sums", "--packed"]
     done = subprocess.run(command, capture_output=True, text=True)
     return done.returncode, done.stdout
 
@@ -47,10 +50,11 @@ def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
 
 def test_release_is_one_folder_its_archive_and_the_record(released, tell):
     made = {path.name for path in released.parent.iterdir()}
-    assert made == {NAME, f"{NAME}.zip", "provenance.json"}
-    record = json.loads((released.parent / "provenance.json").read_text(encoding="utf-8"))
+    assert made == {NAME, f"{NAME}.zip", f"{NAME}-provenance.json"}
+    record = released.with_name(f"{NAME}-provenance.json").read_text(encoding="utf-8")
+    record = json.loads(record)
     assert record["archive"]["sha256"] and record["host"] and record["time"] and record["user"]
-    code, line = verified_with_products(released)
+    code, line = verified(released)
     assert code == 0, line
     tell(f"archive: {line.strip()}")
 
@@ -75,14 +79,17 @@ def test_no_damaged_product_is_released(released, tmp_path):
     assert message in run.stdout + run.stderr
 
 
-def test_damaged_products_and_archive_file_are_named(released):
-    results = released.parents[1]
-    names = "datasets/fig03.nc", "tables/table1.csv", "figures/fig08.svg", f"release/{NAME}.zip"
-    contents = {results / name: (results / name).read_bytes() for name in names}
-    for path, content in contents.items():
-        path.write_bytes(content[: len(content) // 2])
-    code, line = verified_with_products(released)
-    for path, content in contents.items():
-        path.write_bytes(content)
-    assert code == 1
-    assert all(name in line for name in names)
+@pytest.mark.parametrize("name", [f"{NAME}/data/tables/table1.csv", f"{NAME}.zip"])
+def test_make_verify_names_a_damaged_file_of_any_release(released, tmp_path, name):
+    place = tmp_path / "results" / "soft"
+    shutil.copytree(released.parent, place / "release")
+    shutil.copytree(ROOT / "verification", tmp_path / "verification")
+    (place / "release" / name).write_bytes(b"damaged")
+    (tmp_path / "results" / "SHA256SUMS").write_text(
+        f"{digest(ROOT / 'LICENSE')}  {ROOT / 'LICENSE'}\n"
+    )
+    python = f"BIN={Path(sys.executable).parent}"
+    make = ["make", "--file", ROOT / "Makefile", "--assume-old", ".venv/workflow.done"]
+    done = subprocess.run([*make, "verify", python], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode != 0
+    assert Path(name).name in done.stdout

@@ -103,7 +103,12 @@ def published(sources, tmp_path, monkeypatch):
     """A git repository of the sources with the tag v1, which git takes for one on GitHub."""
     copy = sources.copied_to(tmp_path / "published")
     person = ("-c", "user.name=tests", "-c", "user.email=tests@localhost")
-    for command in (("init", "--quiet"), ("add", "."), ("commit", "-qm", "all"), ("tag", "v1")):
+    for command in (
+        ("init", "--quiet"),
+        ("add", "."),
+        ("commit", "-qm", "all", "--allow-empty"),
+        ("tag", "v1"),
+    ):
         done = copy.execute("git", *person, *command)
         assert done.returncode == 0, done.stderr
     monkeypatch.setenv("GIT_CONFIG_COUNT", "1")

@@ -50,6 +50,20 @@ class Workspace:
             return skipped(directory, names) | {name for name in names if name in made}
 
         shutil.copytree(ROOT, root, ignore=left_out)
+        if (ROOT / ".git").exists():  # products say the version, which git knows
+            borrowed = [
+                "git",
+                "clone",
+                "--quiet",
+                "--shared",
+                "--no-checkout",
+                ROOT,
+                root / "borrowed",
+            ]
+            subprocess.run(borrowed, check=True)
+            (root / "borrowed" / ".git").rename(root / ".git")
+            (root / "borrowed").rmdir()
+            subprocess.run(["git", "reset", "--quiet"], cwd=root, check=True)
         return cls(root)
 
     def take_products(self) -> None:

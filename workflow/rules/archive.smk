@@ -3,10 +3,8 @@ from thirdbody.paper.archive.citation import Release, software_versions
 from thirdbody.paper.archive.files import source_files
 
 # only the configuration of the paper is archived under the name and version of the project
-try:
-    RELEASE = Release.of("pyproject.toml", "CITATION.cff", settings["is_paper"])
-except ValueError as error:
-    sys.exit(str(error))
+RELEASE = Release.of("pyproject.toml", "CITATION.cff", settings["is_paper"])
+RECORD = f"<results>/release/{RELEASE.full_name}-provenance.json"
 
 RELEASED = ("datasets", "bands", "figures", "tables", "claims", "explorer")
 
@@ -14,7 +12,7 @@ RELEASED = ("datasets", "bands", "figures", "tables", "claims", "explorer")
 rule release:
     input:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
-        provenance="<results>/release/provenance.json",
+        provenance=RECORD,
 
 
 rule stage_release:
@@ -31,6 +29,7 @@ rule stage_release:
         settings={"config": settings["config"], "parameters": settings["parameters"]},
         software=software_versions("pyproject.toml"),
         is_paper=settings["is_paper"],
+        versions=lambda wildcards: {product: version_of(product) for product in COMPUTED_BY},
     script:
         "../scripts/stage_release.py"
 
@@ -40,7 +39,7 @@ rule pack_release:
         sealed=rules.stage_release.output.sealed,
     output:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
-        provenance="<results>/release/provenance.json",
+        provenance=RECORD,
     log:
         "<logs>/pack_release.log",
     localrule: True

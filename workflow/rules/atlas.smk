@@ -29,6 +29,7 @@ rule solve_chunk:
         rtol=ATLAS["rtol"],
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
+        version=lambda wildcards: version_of("atlas"),
     script:
         "../scripts/solve_chunk.py"
 

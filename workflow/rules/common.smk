@@ -9,20 +9,31 @@ from functools import cache
 from hashlib import sha256
 from pathlib import Path
 
-import grimp
+# in one line, before anything else: whether the library is there, and whether it is that of this checkout
+BESIDE = Path(workflow.basedir) / "src/thirdbody"
+INSTALL = f'pip install "{workflow.basedir if BESIDE.is_dir() else "thirdbody"}[workflow]"'
+try:
+    import thirdbody
+except ModuleNotFoundError:
+    sys.exit(f"thirdbody is not installed for {sys.executable}; allowed: {INSTALL}")
+if BESIDE.is_dir() and not BESIDE.samefile(Path(thirdbody.__file__).parent):
+    sys.exit(
+        f"the library is {Path(thirdbody.__file__).parent}; allowed: that of this checkout, by PYTHONPATH=src"
+    )
+try:
+    import grimp
 
-import thirdbody
-from thirdbody.paper.configuration.settings import read_settings
-from thirdbody.plain_yaml import config_directory, read_yaml
+    from thirdbody import version
+    from thirdbody.paper.configuration.settings import read_settings
+    from thirdbody.plain_yaml import config_directory, read_yaml
+except ModuleNotFoundError as missing:
+    sys.exit(f"{missing.name} is not installed for {sys.executable}; allowed: {INSTALL}")
 
 # ---- where files are
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
 HOME = config_directory().parent  # the repository, or the installed package
 LIBRARY = "src/thirdbody/"
-BESIDE = Path(workflow.basedir) / LIBRARY  # the library of this checkout
-if BESIDE.is_dir() and not BESIDE.samefile(PACKAGE):
-    sys.exit(f"the library is {PACKAGE}; allowed: that of this checkout, by PYTHONPATH=src")
 
 # Snakemake does not quote the interpreter of a script
 if not re.fullmatch(r"[\w/.,:@%+~-]+", sys.executable):
@@ -78,8 +89,14 @@ IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cac
 
 
 def sources_of(script):
-    """A text for each file that a script runs: itself, the modules that it imports, all that these import,
-    and the data beside them."""
+    """A text for each file that a script runs."""
+    return sorted(map(file_text, files_of(script)))
+
+
+@cache
+def files_of(script):
+    """The files that a script runs: itself, the modules that it imports, all that these import, and the data
+    beside them."""
     path, imported = HOME / "workflow/scripts" / script, set()
     for statement in ast.walk(ast.parse(path.read_bytes())):
         if isinstance(statement, ast.Import):
@@ -90,8 +107,41 @@ def sources_of(script):
     modules = imported & IMPORTS.modules
     modules = modules.union(*map(IMPORTS.find_upstream_modules, modules))
     packages = {name.rpartition(".")[0] for name in modules}
-    files = {path}.union(*map(module_files, modules | packages))
-    return sorted(map(file_text, files))
+    return {path}.union(*map(module_files, modules | packages))
+
+
+# the scripts that compute the numbers of products
+COMPUTED_BY = {
+    "datasets": ["solve_scene.py"],
+    "bands": ["solve_scene.py", "solve_ensemble.py"],
+    "schematics": ["compute_schematic.py"],
+    "tpca_loads": ["solve_scene.py", "extract_curves.py"],
+    "transitions": ["solve_scene.py", "extract_curves.py"],
+    "tpca_windows": ["find_windows.py"],
+    "sensitivity": ["compute_sensitivities.py"],
+    "table1": ["recompute_paper_tables.py"],
+    "table2": ["recompute_paper_tables.py"],
+    "deviations": ["judge_departures.py"],
+    "departures": ["judge_departures.py"],
+    "index": [
+        *["solve_scene.py", "solve_ensemble.py", "compute_schematic.py", "extract_curves.py"],
+        *["find_windows.py", "compute_sensitivities.py", "recompute_paper_tables.py"],
+        *["judge_claims.py", "judge_departures.py"],
+    ],
+    "atlas": ["solve_chunk.py"],
+    "largest_particle": ["solve_chunk.py", "extract_chart.py"],
+    "least_viscosity": ["solve_chunk.py", "extract_chart.py"],
+}
+
+
+@cache
+def version_of(product):
+    """The version of what computes a product: that of the last commit that changed one of its files. A release
+    has no commits, and stores it."""
+    stored = version.stored_content().get("products", {})
+    files = set().union(*map(files_of, COMPUTED_BY[product]))
+    names = sorted(str(file.relative_to(HOME)) for file in files)
+    return stored.get(product) or list(version.of_files(*names))
 
 
 @cache

@@ -10,6 +10,7 @@ rule solve_scene:
         *sources_of("solve_scene.py"),
         *SOFTWARE,
         scene=lookup(dpath="scenes/{scene}", within=settings),
+        version=version_of("datasets"),
         parameters=settings["parameters"],
     message:
         "Solve the curves of {wildcards.scene}"
@@ -29,6 +30,7 @@ rule solve_ensemble:
         *SOFTWARE,
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
+        version=version_of("bands"),
     message:
         "Solve the curves of {wildcards.scene} for the ensemble"
     script:
@@ -44,6 +46,7 @@ rule compute_schematic:
         *sources_of("compute_schematic.py"),
         *SOFTWARE,
         panels=lookup(dpath="schematics/{schematic}", within=settings),
+        version=version_of("schematics"),
         parameters=settings["parameters"],
     message:
         "Compute the sections of {wildcards.schematic}"

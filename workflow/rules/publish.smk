@@ -1,5 +1,4 @@
 # The index page, the checksums of all products, and the last line of a run.
-from importlib.metadata import version
 
 
 rule write_index:
@@ -20,7 +19,7 @@ rule write_index:
     params:
         *sources_of("write_index.py"),
         titles={figure: settings["scenes"][figure]["title"] for figure in SCENES},
-        version=version("thirdbody"),
+        version=version_of("index")[0],
     message:
         "Write the index page"
     script:

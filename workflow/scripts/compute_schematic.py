@@ -1,5 +1,8 @@
 """Solve the interfaces of one schematic and generate random sections through them."""
 
+from dataclasses import replace
+
+from thirdbody.attributes import version_attributes
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.curves import Condition
@@ -7,6 +10,7 @@ from thirdbody.netcdf import write_dataset
 from thirdbody.paper.figures.sections import sections, state_of
 from thirdbody.paper.job_log import job
 from thirdbody.variables import VARIABLES
+from thirdbody.version import Version
 
 
 def solved_state(conditions, parameters):
@@ -23,5 +27,6 @@ with job(snakemake) as output:
     inputs = Parameters(**snakemake.params.parameters)
     states = [solved_state(conditions, inputs) for conditions in snakemake.params.panels]
     computed = sections(figure, states, inputs)
-    write_dataset(computed, output.sections)
+    attributes = computed.attrs | version_attributes(Version(*snakemake.params.version))
+    write_dataset(replace(computed, attrs=attributes), output.sections)
     print(f"{figure}: {len(states)} sections")

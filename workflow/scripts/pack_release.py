@@ -4,7 +4,6 @@ import getpass
 import json
 import platform
 import socket
-import subprocess
 import sys
 from datetime import UTC, datetime
 from importlib.metadata import distributions
@@ -13,6 +12,7 @@ from pathlib import Path
 from thirdbody.files import digest
 from thirdbody.paper.archive.staging import pack
 from thirdbody.paper.job_log import job
+from thirdbody.version import current
 
 
 def provenance(archive, name):
@@ -21,9 +21,7 @@ def provenance(archive, name):
         user = getpass.getuser()
     except (OSError, KeyError):  # in a container a user may have no name
         user = "unknown"
-    # ends with -dirty if sources were changed
-    command = ["git", "describe", "--always", "--dirty", "--abbrev=40"]
-    described = subprocess.run(command, capture_output=True, text=True, check=False)
+    version = current()
     return {
         "archive": {"name": name, "bytes": archive.stat().st_size, "sha256": digest(archive)},
         "time": datetime.now(UTC).isoformat(timespec="seconds"),
@@ -32,8 +30,10 @@ def provenance(archive, name):
         "system": platform.platform(),
         "processor": platform.machine(),
         "python": sys.version,
-        "commit": described.stdout.strip() or "not in a repository",
-        "packages": dict(sorted((one.name, one.version) for one in distributions())),
+        "version": version.text,
+        "commit": version.commit,
+        "packages": dict(sorted((one.name, one.version) for one in distributions()))
+        | {"thirdbody": version.text},
     }
 
 

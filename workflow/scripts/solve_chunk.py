@@ -5,6 +5,7 @@ import numpy as np
 from thirdbody.core.parameters import Parameters
 from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.paper.job_log import job
+from thirdbody.version import Version
 
 with job(snakemake) as output:
     settings = snakemake.params
@@ -12,4 +13,5 @@ with job(snakemake) as output:
     axes = atlas_axes(settings.axes)
     axes["roughness"] = np.array_split(axes["roughness"], chunks)[number - 1]
     default = Parameters(**settings.parameters)
-    write_chunk(output.chunk, axes, default, settings.ensemble, settings.variables, settings.rtol)
+    asked = settings.ensemble, settings.variables, settings.rtol, Version(*settings.version)
+    write_chunk(output.chunk, axes, default, *asked)

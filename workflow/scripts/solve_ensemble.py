@@ -4,10 +4,12 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain, write_dataset
 from thirdbody.paper.bands import band
 from thirdbody.paper.job_log import job
+from thirdbody.version import Version
 
 with job(snakemake) as output:
     dataset = snakemake.input.dataset
     ensemble = snakemake.params.ensemble
-    solved = band(read_plain(dataset), Parameters(**snakemake.params.parameters), ensemble)
+    inputs, version = Parameters(**snakemake.params.parameters), Version(*snakemake.params.version)
+    solved = band(read_plain(dataset), inputs, ensemble, version)
     write_dataset(solved, output.band)
     print(f"{dataset}: {len(ensemble)} members")

@@ -4,6 +4,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.paper.job_log import job
 from thirdbody.paper.sheets import latex_text, page, readable
 from thirdbody.paper.tables import TABLES, read_csv, write_csv
+from thirdbody.version import Version
 
 with job(snakemake) as output:
     table = snakemake.wildcards.table
@@ -14,5 +15,7 @@ with job(snakemake) as output:
     unit = Parameters(**snakemake.params.parameters).newtons_per_load
     sheets = readable(table, rows, numbers, unit)
     write_csv(output.csv, rows, columns)
-    output.html.write_text(page(sheets), encoding="utf-8")
-    output.tex.write_text(latex_text(table, sheets), encoding="utf-8")
+    version = Version(*snakemake.params.version)
+    made_by = f"thirdbody {version.text} {version.date}".strip()
+    output.html.write_text(page(sheets, made_by), encoding="utf-8")
+    output.tex.write_text(f"% {made_by}\n{latex_text(table, sheets)}", encoding="utf-8")

@@ -149,9 +149,9 @@ def _without_empty(sheet):
     return replace(sheet, rows=[{name: row[name] for name in names} for row in sheet.rows])
 
 
-def page(sheets: Sequence[Sheet]) -> str:
-    """A self-contained HTML page of ``sheets``, one below the other."""
-    return ENVIRONMENT.get_template("sheets.html").render(sheets=sheets)
+def page(sheets: Sequence[Sheet], made_by: str = "") -> str:
+    """A self-contained HTML page of ``sheets``, one below the other, and what it was made by."""
+    return ENVIRONMENT.get_template("sheets.html").render(sheets=sheets, made_by=made_by)
 
 
 def latex_text(table: str, sheets: Sequence[Sheet]) -> str:

@@ -1,4 +1,4 @@
-"""Name, version, date and citation of a release, the same for the same sources."""
+"""Name, version, date and citation of a release, the same for the same commit."""
 
 import re
 import tomllib
@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any, Self
 
 import yaml
+
+from thirdbody.version import current
 
 
 @dataclass(frozen=True)
@@ -22,19 +24,17 @@ class Release:
 
     @classmethod
     def of(cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True) -> Self:
-        """The release described by ``pyproject.toml`` and ``CITATION.cff``; unless the
-        configuration ``is_paper``, its version and title say so.  ``ValueError`` if
-        ``CITATION.cff`` does not have the installed version."""
+        """The release described by ``pyproject.toml`` and ``CITATION.cff``, with the version, date and hash
+        of the commit; unless the configuration ``is_paper``, its version and title say so."""
         name = _read_project(pyproject)["name"]
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
-        if cited["version"] != version(name):
-            raise ValueError(
-                f"{citation}: version is {cited['version']}; allowed: {version(name)}, as installed"
-            )
+        number, date, commit = current()
+        known = {"version": number, "date-released": date, "commit": commit}
+        cited |= {key: value for key, value in known.items() if value}
         if not is_paper:
-            cited["version"] += "+changed"
+            cited["version"] += ".changed" if "+" in number else "+changed"
             cited["title"] += ", with a changed configuration"
-        return cls(name, cited["version"], cited["date-released"], cited)
+        return cls(name, cited["version"], date, cited)
 
     @property
     def full_name(self) -> str:

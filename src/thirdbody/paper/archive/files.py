@@ -21,14 +21,15 @@ def media_type(name: str) -> str:
 
 
 def source_files() -> list[str]:
-    """Sorted paths of the sources in the current folder, the root of the project: all files that
-    git tracks or would track; in an unpacked archive, those that ``.gitignore`` does not name.
-    ``OSError`` if git is not installed, or cannot read the folder."""
-    listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    """Sorted paths of the sources in the current folder, the root of the project: the files that
+    git tracks; in an unpacked archive, those that ``.gitignore`` does not name.  ``OSError`` if git is not
+    installed, or cannot read the folder."""
+    listing = ["ls-files", "-z", "--cached"]
     with tempfile.TemporaryDirectory() as empty:
         if not Path(".git").exists():
             _git("init", "--quiet", "--bare", empty)
-            listing = [f"--git-dir={empty}", "--work-tree=.", *listing]
+            git = [f"--git-dir={empty}", "--work-tree=."]
+            listing = [*git, *listing, "--others", "--exclude-standard"]
         names = _git(*listing).split("\0")
     return sorted({name for name in names if name and Path(name).is_file()})
 

@@ -22,9 +22,11 @@ from thirdbody.paper.archive.citation import Release
 from thirdbody.paper.archive.crate import KINDS, METADATA, crate
 from thirdbody.paper.archive.descriptions import data_package, describe_content
 from thirdbody.paper.archive.files import files_in, render, render_json, write_json
+from thirdbody.version import current
 
 LICENCES = ("LICENSE", "LICENSE-DATA")
 VERIFICATION = "verification/"
+VERSION = "src/thirdbody/version.json"
 DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
 UNIX = 3  # code of the system with these modes
@@ -37,13 +39,20 @@ def stage(
     settings: Mapping[str, Any],
     software: dict[str, str],
     release: Release,
+    versions: Mapping[str, Sequence[str]],
 ) -> None:
     """Fill the folder of a release, from the root of the repository: copy the files, describe them,
     and add checksums, ``tagmanifest-sha256.txt`` last.
 
     ``products`` are files in the folders ``KINDS`` of ``results/``, ``settings`` the content of
-    ``configuration/``, by file name; ``software`` are the versions of the packages used.
+    ``configuration/``, by file name; ``software`` are the versions of the packages used, ``versions`` those of the
+    sources of each kind of product, which the sources cannot tell without their repository.
+    ``ValueError`` if the version of the release is not known.
     """
+    if not release.date:
+        raise ValueError(
+            f"the version is {release.version}; allowed: a repository, or a copy made by git archive or a release"
+        )
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
     for path in map(Path, products):
@@ -52,6 +61,8 @@ def stage(
         _copy(source, data / "source" / source)
         if source.startswith(VERIFICATION):
             _copy(source, folder / source)
+    stored = {"version": current().text, "date": release.date, "commit": current().commit}
+    write_json(data / "source" / VERSION, stored | {"products": versions})
     for licence in LICENCES:
         _copy(licence, data / licence)
     content_sha256 = run_path(f"{VERIFICATION}content_hash.py")["content_sha256"]

@@ -21,6 +21,7 @@ from thirdbody.grids import Axes
 from thirdbody.netcdf import declare
 from thirdbody.paper.atlas.surfaces import QUANTILES, solve_surface
 from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, FLAGS
+from thirdbody.version import Version
 
 SAFE_DIGITS = 2  # written in addition to the requested ones
 APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own
@@ -56,19 +57,20 @@ def write_chunk(
     members: Sequence[Mapping[str, Any]],
     kept: Collection[str],
     rtol: float,
+    version: Version | None = None,
 ) -> None:
     """Solve some surfaces of the atlas for all inputs, and write the results part by part.
 
     ``axes`` are those of ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs of
     each member of the ensemble that differ from the default, SI; the quantities ``kept`` are stored
-    at each point for the default.
+    at each point for the default.  The ``version`` of the software is by default that of what runs.
     """
     members = members or [{}]  # without an ensemble, only the default
     ensemble = [replace(default, **member) for member in members]
     sets = list(dict.fromkeys([default, *ensemble]))
     weights = [ensemble.count(each) for each in sets]
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
-        described = _described(axes, default, members, kept, rtol)
+        described = _described(axes, default, members, kept, rtol, version)
         variables = declare(file, described, _storage(described, kept, rtol))
         for indices in np.ndindex(*(axes[name].size for name in APART)):
             place = {name: slice(index, index + 1) for name, index in zip(APART, indices)}
@@ -97,12 +99,12 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
     }
 
 
-def _described(axes, default, members, kept, rtol) -> xr.Dataset:
+def _described(axes, default, members, kept, rtol, version) -> xr.Dataset:
     """Coordinates, attributes and empty variables of the file."""
     shape = [axis.size for axis in axes.values()]
     empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in (*kept, *FLAGS)}
     loads = {"load": axes["load"] / default.newtons_per_load}
-    described = described_grid({**axes, **loads}, empty, default, rtol).to_xarray()
+    described = described_grid({**axes, **loads}, empty, default, rtol, version=version).to_xarray()
     # the normal loads as given, without rounding
     described["normal_load"].values[:] = axes["load"]
     quantiles = {"units": "1", "long_name": "fraction of the ensemble below"}

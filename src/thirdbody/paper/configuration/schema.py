@@ -1,6 +1,6 @@
 """Validation of what users write by the JSON Schema of each kind of file in ``config/``.
 
-A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two additional keywords:
+A file ``<kind>.schema.yaml`` beside this module is a JSON Schema (draft 2020-12) with two additional keywords:
 ``rules``, names of functions of ``thirdbody.paper.configuration.rules``, which are called if the document
 is otherwise valid; and ``allowed``, words for messages where those of jsonschema are not clear
 enough.  Definitions in ``conditions.schema.yaml`` serve all files.
@@ -10,6 +10,7 @@ import math
 from collections.abc import Mapping
 from functools import cache
 from numbers import Integral, Real
+from pathlib import Path
 from typing import Any
 
 from jsonschema import Draft4Validator, Draft202012Validator, ValidationError
@@ -20,7 +21,7 @@ from referencing.jsonschema import DRAFT202012
 
 from thirdbody.messages import format_value
 from thirdbody.paper.configuration import rules
-from thirdbody.plain_yaml import config_directory, read_yaml
+from thirdbody.plain_yaml import read_yaml
 
 LONGEST = 500  # letters of a message
 
@@ -28,7 +29,7 @@ LONGEST = 500  # letters of a message
 @cache
 def read_schema(kind: str) -> dict:
     """The JSON Schema of one kind of file (cached: do not modify)."""
-    return read_yaml(config_directory() / f"{kind}.schema.yaml")
+    return read_yaml(Path(__file__).with_name(f"{kind}.schema.yaml"))
 
 
 def _is_finite_number(_checker, value) -> bool:

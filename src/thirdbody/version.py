@@ -1,0 +1,108 @@
+"""The version of this software, as git knows it.
+
+In a repository git is asked when it is needed, so that an editable installation says the commit that runs.  Elsewhere
+``version.json`` says it: ``git archive`` fills in the commit, and whoever builds a wheel, an sdist or a release
+writes the version.  hatchling reads the version here too, so this module imports only the standard library.
+"""
+
+import json
+import os
+import re
+import subprocess
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+STORED = Path(__file__).with_suffix(".json")
+REPOSITORY = Path(__file__).resolve().parents[2]
+UNKNOWN = "0+unknown"  # neither git nor the file knows it
+ELSEWHERE = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE")  # what a hook of git sets
+
+
+class Version(NamedTuple):
+    """The version (PEP 440), date (ISO 8601) and hash of a commit; the last two are empty if they are unknown."""
+
+    text: str
+    date: str = ""
+    commit: str = ""
+
+
+def current() -> Version:
+    """The version of what runs."""
+    return _of_repository() or _stored()
+
+
+def of_files(*paths: str) -> Version:
+    """The version of the last commit that changed one of some files, with their paths in the repository;
+    without a repository, the version of what runs."""
+    return _of_repository(*paths) or _stored()
+
+
+def stored_content() -> dict:
+    """What ``version.json`` says."""
+    return json.loads(STORED.read_text(encoding="utf-8"))
+
+
+@cache
+def _stored() -> Version:
+    content = stored_content()
+    if "version" in content:
+        return Version(content["version"], content["date"], content["commit"])
+    if content["commit"].startswith("$"):  # a copy that git archive did not make
+        return Version(UNKNOWN)
+    commit = content["commit"]
+    return Version(_numbered(content["tag"], 0, commit), content["date"], commit)
+
+
+@cache
+def _of_repository(*paths: str) -> Version | None:
+    if not (REPOSITORY / ".git").exists():
+        return None
+    try:
+        last = _git("log", "-1", "--no-show-signature", "--format=%H %cs", "--", *paths)
+        # new files alone have no commit yet
+        commit, date = (last or _git("log", "-1", "--no-show-signature", "--format=%H %cs")).split()
+        edited, new = _changed_files()
+        is_changed = any(path in edited | new for path in paths) if paths else bool(edited)
+        return Version(_numbered(*_described(commit), commit, is_changed), date, commit)
+    except (OSError, subprocess.CalledProcessError, ValueError):  # no git, or no commit
+        return None
+
+
+@cache
+def _changed_files() -> tuple[set[str], set[str]]:
+    """Files that differ from the last commit, and files that git does not know."""
+    lines = _git("status", "--porcelain", "--no-renames", "--untracked-files=all", "-z").split("\0")
+    new = {line[3:] for line in lines if line.startswith("??")}
+    return {line[3:] for line in lines if line} - new, new
+
+
+@cache
+def _described(commit: str) -> tuple[str, int]:
+    """What ``git describe`` says of a commit, and the number of commits before it if there is no tag."""
+    tags = ("--tags", "--match=v[0-9]*", "--exclude=*[!v0-9.]*")  # v0.1.0
+    try:
+        return _git("describe", "--long", *tags, commit), 0
+    except subprocess.CalledProcessError:
+        return "", int(_git("rev-list", "--count", commit))
+
+
+def _git(*arguments: str) -> str:
+    # of this repository, even in a hook of another; nothing is written
+    environment = {name: value for name, value in os.environ.items() if name not in ELSEWHERE}
+    environment["GIT_OPTIONAL_LOCKS"] = "0"
+    command = ["git", *arguments]
+    done = subprocess.run(
+        command, cwd=REPOSITORY, env=environment, capture_output=True, encoding="utf-8", check=True
+    )
+    return done.stdout.rstrip("\n")
+
+
+def _numbered(described: str, distance: int, commit: str, is_changed: bool = False) -> str:
+    """The version of a tag, or the next minor version with the number of commits since the tag."""
+    found = re.fullmatch(r"v(\d+)\.(\d+)([\d.]*?)(?:-(\d+)-g\w+)?", described)
+    major, minor, rest, since = found.groups(default="0") if found else ("0", "0", "", distance)
+    if found and since == "0" and not is_changed:
+        return f"{major}.{minor}{rest}"
+    edited = ".dirty" if is_changed else ""
+    return f"{major}.{int(minor) + 1}.0.dev{since}+g{commit[:7]}{edited}"

@@ -1,0 +1,85 @@
+"""The version is that of the commit that runs, wherever the sources are."""
+
+import io
+import runpy
+import shutil
+import subprocess
+import tarfile
+from pathlib import Path
+
+import pytest
+
+import thirdbody.version
+
+PLACE = Path("src/thirdbody")
+PERSON = ("-c", "user.name=tests", "-c", "user.email=tests@localhost")
+
+
+class Repository:
+    """A repository with the module of the version, and other files."""
+
+    def __init__(self, root):
+        self.root = root
+        (root / PLACE).mkdir(parents=True)
+        for name in ("version.py", "version.json"):
+            shutil.copyfile(Path(thirdbody.version.__file__).with_name(name), root / PLACE / name)
+        shutil.copyfile(Path(__file__).parents[2] / ".gitattributes", root / ".gitattributes")
+        self.git("init", "--quiet")
+        self.commit("film.py")
+
+    def git(self, *arguments):
+        done = subprocess.run(["git", *PERSON, *arguments], cwd=self.root, capture_output=True)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    def commit(self, name):
+        """Commit a change of a file; the first digits of the commit."""
+        with open(self.root / name, "a") as file:
+            file.write("changed\n")
+        self.git("add", ".")
+        self.git("commit", "--quiet", "--message", name)
+        return self.git("rev-parse", "HEAD").decode()[:7]
+
+
+def asked(root, *paths):
+    """The version that the module at ``root`` says, in a fresh process as it were."""
+    module = runpy.run_path(str(root / PLACE / "version.py"))
+    return (module["of_files"](*paths) if paths else module["current"]()).text
+
+
+@pytest.fixture
+def repository(tmp_path):
+    return Repository(tmp_path / "repository")
+
+
+def test_it_counts_commits_since_the_last_tag_and_says_what_is_not_committed(repository):
+    commit = repository.commit("page.py")
+    assert asked(repository.root) == f"0.1.0.dev2+g{commit}"
+    repository.git("tag", "v0.1.0")
+    assert asked(repository.root) == "0.1.0"
+    commit = repository.commit("page.py")
+    assert asked(repository.root) == f"0.2.0.dev1+g{commit}"
+    (repository.root / "film.py").write_text("edited")
+    assert asked(repository.root) == f"0.2.0.dev1+g{commit}.dirty"
+
+
+def test_that_of_files_stays_until_one_of_them_changes(repository):
+    before = asked(repository.root, "film.py")
+    repository.commit("page.py")
+    (repository.root / "page.py").write_text("edited")
+    assert asked(repository.root, "film.py") == before != asked(repository.root)
+    commit = repository.commit("film.py")
+    assert asked(repository.root, "film.py", "page.py") == f"0.1.0.dev3+g{commit}"
+    (repository.root / "new.py").touch()
+    assert asked(repository.root, "film.py", "new.py") == f"0.1.0.dev3+g{commit}.dirty"
+
+
+def test_an_export_says_its_commit_and_another_copy_that_it_does_not_know(repository, tmp_path):
+    repository.git("tag", "v0.1.0")
+    commit = repository.commit("page.py")
+    export = io.BytesIO(repository.git("archive", "HEAD"))
+    with tarfile.open(fileobj=export) as files:
+        files.extractall(tmp_path / "export", filter="data")
+    assert asked(tmp_path / "export") == f"0.2.0.dev1+g{commit}"
+    shutil.copytree(repository.root / "src", tmp_path / "copy" / "src")
+    assert asked(tmp_path / "copy") == thirdbody.version.UNKNOWN
