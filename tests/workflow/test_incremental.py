@@ -1,5 +1,6 @@
 """A change is followed by what depends on it, and by nothing else."""
 
+import csv
 import os
 import re
 import sys
@@ -177,3 +178,27 @@ def test_what_is_missing_is_made_again_with_what_is_made_from_it(workspace):
     for name in ("datasets/fig05.nc", "figures/fig07.svg", "tables/table2.tex"):
         (workspace.root / "results" / name).unlink()
     assert workspace.pending() == expected | {f"tables/table2.{kind}" for kind in KINDS}
+
+
+def test_statements_of_ones_own_are_judged_apart_from_those_of_the_paper(workspace):
+    own = """
+- id: rig
+  place: our test rig
+  statement: At this load the solids carry three quarters of it.
+  quote: our notebook
+  kind: value
+  quantity: solid_load_fraction
+  conditions: {viscosity_cSt: 90, particle_diameter_nm: 500, roughness_nm: 300, particle_density_per_m2: 1.0e+11, load: 1.62e-5}
+  published: 0.75
+  tolerance: {absolute: 0.05, reason: scatter of the measurements}
+"""
+    (workspace.root / "config/mine.yaml").write_text(own)
+    before = workspace.stamps()
+    run = workspace.snakemake("results/claims/mine.csv")
+    assert run.returncode == 0, run.stderr
+    (row,) = csv.DictReader((workspace.root / "results/claims/mine.csv").open())
+    assert row["verdict"] == "holds" and abs(float(row["value"]) - 0.766) < 1e-3
+    assert {name: workspace.stamps()[name] for name in before} == before
+    workspace.rewrite("config/mine.yaml", lambda text: text.replace("load:", "load_N:"))
+    refused = workspace.snakemake("results/claims/mine.csv")
+    assert refused.returncode != 0 and "load_N" in refused.stderr

@@ -41,6 +41,27 @@ rule judge_claims:
         "../scripts/judge_claims.py"
 
 
+# statements of one's own, in config/NAME.yaml: snakemake -c2 results/claims/NAME.csv; those of the paper are counted alone
+rule judge_own_claims:
+    output:
+        table="<results>/claims/{name}.csv",
+    log:
+        "<logs>/judge_own_claims/{name}.log",
+    wildcard_constraints:
+        name="(?!claims\\b)\\w+",
+    params:
+        *sources_of("judge_own_claims.py"),
+        *SOFTWARE,
+        lambda wildcards: settings_text(f"{CONFIG}/{wildcards.name}.yaml", list),
+        claims=f"{CONFIG}/{{name}}.yaml",
+        newtons=settings["calibration"]["newtons"],
+        parameters=settings["parameters"],
+    message:
+        "Judge the statements of {wildcards.name}"
+    script:
+        "../scripts/judge_own_claims.py"
+
+
 # printed numbers beside computed ones, and the verdicts with departures from the print taken back
 rule judge_departures:
     output:
