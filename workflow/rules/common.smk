@@ -82,6 +82,24 @@ if (
 # on a full disk, lines that do not fit into Snakemake's log are dropped
 logging.raiseExceptions = False
 
+FILES_NAMED = 3  # in the reason of a job; a first run would name all files of the workflow
+
+
+def in_a_line(record):
+    """Whether a record of Snakemake is to be printed: not that jobs are selected, and reasons with few files."""
+    clauses = getattr(record, "reason", None) or ""
+    shortened = []
+    for clause in filter(None, clauses.split("; ")):
+        what, _, files = clause.partition(": ")
+        first, others = files.split(", ")[:FILES_NAMED], files.split(", ")[FILES_NAMED:]
+        named = ", ".join(first) + (f" and {len(others)} more" if others else "")
+        shortened.append(f"{what}: {named}" if files else what)
+    record.reason = "; ".join(shortened)
+    return not str(record.msg).startswith(("Select jobs to execute", "Execute "))
+
+
+logging.getLogger("snakemake.logging").addFilter(in_a_line)
+
 # ---- what a job depends on, as parameters of its rule: Snakemake names the text that has changed
 
 SOFTWARE = settings["software"]
