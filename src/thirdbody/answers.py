@@ -7,6 +7,7 @@ or have the same state.  ``attrs`` has a title, notes, and whether what was aske
 """
 
 import math
+import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -22,12 +23,13 @@ from thirdbody.notes import area_note, range_note, sizes_note, speed_note
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import ranges, spread
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
-from thirdbody.variables import FLAGS, QUANTITIES, STATUS, STATUS_MEANINGS, VARIABLES
+from thirdbody.variables import FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
 
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other rows
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
 INVALID = "outside_film_formula", "area_exceeded"  # statuses of changes that are left out
 DIGITS = 4
+WIDTH = 80  # letters of a line of text
 LAYER = "particle_diameter_nm", "roughness_nm", "particle_density_per_m2"
 COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
 Conditions = Mapping[str, Any]
@@ -201,8 +203,11 @@ def table_text(table: pd.DataFrame) -> str:
         shown["quantity"] = shown["quantity"].str.ljust(shown["quantity"].str.len().max())
         text = shown.to_string(index=False, justify="left")
     rows = [line.rstrip() for line in text.splitlines()]
-    notes = [f"  {note}" for note in table.attrs["notes"]]
-    return "\n".join([table.attrs["title"], "", *rows, "", *notes])
+    notes = [
+        textwrap.fill(note, WIDTH, initial_indent="  ", subsequent_indent="    ")
+        for note in table.attrs["notes"]
+    ]
+    return "\n".join([textwrap.fill(table.attrs["title"], WIDTH), "", *rows, "", *notes])
 
 
 def _with_ranges(solutions: Sequence[Solution], names: Iterable[str]) -> pd.DataFrame:
@@ -226,7 +231,7 @@ def _row(name, value, of_members) -> dict:
     """The row of a variable, or of a state by its name."""
     variable = VARIABLES[name]
     unit = "nm" if name == "separation" else "" if name in FLAGS else variable.unit
-    symbol = "" if name == STATUS else variable.symbol
+    symbol = "" if name in FLAGS else variable.symbol
     row = {"name": name, "symbol": symbol, "quantity": variable.label, "unit": unit}
     if name in FLAGS:
         same = sum(member == value for member in of_members)
