@@ -304,7 +304,7 @@ def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
                 "statement": row["statement"],
                 "printed": _short(f"{row['printed']:.4g}"),
                 "computed": "none" if row["computed"] is None else _short(f"{row['computed']:.4g}"),
-                "deviation": f"{100.0 * row['deviation']:+.1f} %",
+                "deviation": f"{100.0 * row['deviation']:+.1f} %".replace("-0.0", "0.0"),
             },
         )
         for row in rows

@@ -114,12 +114,15 @@ class Claim:
         except NotReached as short:
             (lack,) = short.args
             text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
+            condition = (
+                "the condition, which the paper draws" if self.must_be_reached else "the condition"
+            )
             found = Verdict(
                 computed=text,
                 distance=distance,
                 deviation=np.nan,
                 tested=self.must_be_reached,
-                finding=f"No load of the paper meets the condition; the nearest misses it by {lack:.3g}.",
+                finding=f"No load of the paper meets {condition}; the nearest misses it by {lack:.3g}.",
             )
         return self._if_visible(found, evidence) if self.source == "turning_point" else found
 

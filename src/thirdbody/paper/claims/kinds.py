@@ -197,17 +197,13 @@ class Ordering(Claim):
         gaps = [sign * gap for gap in self.gaps(evidence)]
         against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
         text = f"in order, apart by up to {apart:.3g}"
-        finding = f"the curves of {NAMES[self.quantity]} are in this order"
         distance = size(max(apart, 0.0), self.relative)
+        finding = f"neighbouring curves of {NAMES[self.quantity]} are up to {distance} apart in this order"
         if against > ROUNDING:
             text = (
                 f"with the order by up to {max(apart, 0.0):.3g}, against it by up to {against:.3g}"
             )
-            finding += (
-                f" up to {distance} apart, and against it by up to {size(against, self.relative)}"
-            )
-        else:
-            finding += f", and up to {distance} apart"
+            finding += f", and elsewhere up to {size(against, self.relative)} in the opposite one"
         return self.missed(text, np.max([against, 2.0 * self.step - apart]), sentence(finding))
 
 

@@ -207,6 +207,7 @@ def claims_html(report: Report) -> str:
     parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
     reasons = {claim.id: claim.reason for claim in report.claims}
+    asides = {claim.id: claim.aside for claim in report.claims}
     limits = {claim.id: claim.limit for claim in report.claims}
     template = ENVIRONMENT.get_template("claims.html.j2")
     return template.render(
@@ -215,6 +216,7 @@ def claims_html(report: Report) -> str:
         groups=groups,
         findings=_findings(report),
         reasons=reasons,
+        asides=asides,
         limits=limits,
     )
 
