@@ -88,7 +88,7 @@ def solved_by_the_library(inputs, conditions, load):
     return SOLUTION_STATUSES[int(flags[0])], int(flags[1]), int(flags[2]), *values
 
 
-def solved_by_the_page(explorer, points, names=QUANTITIES):
+def solved_by_the_page(explorer, points, names=(*QUANTITIES,)):
     """The same of the page's own script, in the browser."""
     asked = [(inputs.as_dict(), conditions, load) for inputs, conditions, load in points]
     rows = explorer.open().run(SOLVED_IN_THE_PAGE, asked, names)

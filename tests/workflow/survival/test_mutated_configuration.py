@@ -11,7 +11,6 @@ from harm import LONG
 from workspace import ROOT
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.configuration import schema
 from thirdbody.paper.configuration.settings import read_settings
 from thirdbody.paper.scenes import scene_groups
 
@@ -95,7 +94,6 @@ def in_folder(tmp_path, monkeypatch):
     """A folder with the configuration alone."""
     shutil.copytree(ROOT / "config", tmp_path / "config")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(schema, "config_directory", lambda: tmp_path / "config")
     return tmp_path
 
 
