@@ -34,7 +34,6 @@ TABLES = [
     "deviations",
     "departures",
 ]
-CHARTS = ["largest_particle", "least_viscosity"]  # of the atlas
 FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_KINDS = ["csv", "html", "tex"]
 

@@ -263,7 +263,7 @@ def identified_block() -> str:
 
 # method, rtol, whom it serves
 CHOICES = (
-    ("library_grid", 1e-3, "maps, design charts, sweeps of 10⁸ points, the atlas"),
+    ("library_grid", 1e-3, "maps, sweeps of 10⁸ points, the atlas"),
     (
         "library",
         1e-9,

@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.core.turning_points import PROMINENCE, film_turning_points, turning_points
-from thirdbody.core.windows import WindowSearch, swept_windows, turning_point_windows
+from thirdbody.core.turning_points import PROMINENCE, turning_points
+from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.curves import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -109,32 +109,6 @@ def test_a_maximum_among_unsolved_points_is_not_invented(parameters, loads):
     assert np.isnan(turning_points(separation, *conditions, parameters).load).all()
 
 
-def test_films_together_have_the_turning_points_that_their_curves_have(interpretation, loads):
-    diameters = np.append(np.geomspace(60.0, 1200.0, 25), 0.0) * NANOMETRE
-    solids = curves(0.0, diameters)[1:]
-    separation = tb.solve(
-        load=loads[:, None, None],
-        viscosity=VISCOSITIES[:, None],
-        particle_diameter=diameters,
-        roughness=300e-9,
-        particle_density=DENSITY,
-        parameters=interpretation,
-        rtol=1e-6,
-        variables=["separation"],
-    ).separation
-    together = film_turning_points(separation, VISCOSITIES, *solids, interpretation, 1e-6)
-    assert together.exists.any() and not together.exists[:, -1].any()
-    for film, viscosity in enumerate(VISCOSITIES):
-        conditions = curves(viscosity, diameters)
-        alone = turning_points(separation[:, film], *conditions, interpretation, 1e-6)
-        there = together.exists[film]
-        assert np.array_equal(there, alone.exists)
-        for name in ("load", "peak_ratio", "solid_load_fraction", "separation", "prominence"):
-            one, other = (getattr(each, name) for each in (together, alone))
-            assert_allclose(one[film][there], other[there], rtol=1e-4, err_msg=name)
-        assert np.isnan(together.load[film][~there]).all()
-
-
 @pytest.fixture
 def window_over(parameters, loads):
     """Function that searches the window of a surface over ratios of sizes to the roughness."""
@@ -171,15 +145,10 @@ def test_without_a_turning_point_there_is_no_window(window_over):
     assert all(np.isnan([window.low, window.low_error, window.high, window.high_error]))
 
 
-def test_of_many_sweeps_the_longest_runs_are_the_windows():
-    high, low, none = 0.08, 0.0, np.nan
-    sweeps = [
-        [low, high, high, low, high, low],  # two runs
-        [high, high, low, high, low, low],  # one that begins beyond the sweep
-        [low, low, none, low, none, low],  # none
-        [low, none, high, high, high, high],  # one that ends beyond it
-        [-high, high, high, high, -high, low],  # beside maxima beyond the loads
-    ]
-    starts, ends = swept_windows(np.arange(1.0, 7.0), np.transpose(sweeps))
-    assert np.allclose(starts, [1.5, 1.0, np.nan, 2.5, 1.75], equal_nan=True)
-    assert np.allclose(ends, [3.5, 2.5, np.nan, 6.0, 4.25], equal_nan=True)
+@pytest.mark.parametrize(("first", "ends"), [(0.3, (0.417, 1.176)), (1.15, (1.325, 1.467))])
+def test_of_two_runs_of_sizes_the_longer_is_the_window(parameters, first, ends):
+    sizes = dict(spread_ratio=0.4, truncation=4.0, participation=0.5)
+    inputs = replace(parameters, elastic_depth_ratio=2.875, **sizes)
+    search = WindowSearch(np.arange(first, 2.5, 0.05), prominence=0.002)
+    (window,) = turning_point_windows(search, [500e-9], 1e12, (1e-6, 1e-2), inputs)
+    assert_allclose([window.low, window.high], ends, atol=1e-3)

@@ -7,9 +7,8 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
-from thirdbody.paper.atlas.catalogue import chart_panels, chart_rows, open_atlas
+from thirdbody.paper.atlas.catalogue import open_atlas
 from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
-from thirdbody.paper.atlas.surfaces import quantiles
 from thirdbody.variables import DIMENSIONS
 
 RTOL = 1e-3
@@ -81,72 +80,6 @@ def test_probabilities_are_shares_of_the_members_at_the_same_normal_load(atlas, 
             share = np.mean([each[flag].values == index for each in grids], axis=0)
             found = atlas[f"{state}_probability"].values
             assert (np.abs(found - share) > 1e-9).mean() < 2e-3, state
-
-
-@pytest.mark.parametrize("viscosity", [0.0, 5e-6])
-def test_turning_points_are_those_of_the_library(atlas, members, viscosity):
-    at = dict(viscosity=viscosity, roughness=2e-7, particle_density=1e11)
-    sizes = atlas["particle_diameter"].values[1:]
-    each = [tb.turning_point(parameters=one, particle_diameter=sizes, **at) for one in members]
-    loads = np.array([one["load"].where(one["exists"]) for one in each])
-    found = atlas.sel(at, method="nearest").isel(particle_diameter=slice(1, None))
-    np.testing.assert_allclose(found["turning_point_load"], loads[0], rtol=2 * RTOL)
-    share = np.isfinite(loads).mean(axis=0)
-    assert 0.0 < share.mean() < 1.0
-    np.testing.assert_allclose(found["turning_point_probability"], share)
-    expected = quantiles(loads)
-    np.testing.assert_allclose(found["turning_point_load_range"], expected, rtol=2 * RTOL)
-
-
-def test_windows_are_those_of_the_library_between_the_sizes(atlas, defaults):
-    at = dict(viscosity=0.0, roughness=3e-7, particle_density=1e11)
-    found = atlas.sel(at, method="nearest")
-    window = tb.turning_window(parameters=defaults, roughness=3e-7, particle_density_per_m2=1e11)
-    assert float(found["turning_point_window_low"]) == pytest.approx(window["low"].item(), rel=0.03)
-    assert float(found["turning_point_window_high"]) == pytest.approx(
-        window["high"].item(), rel=0.03
-    )
-
-
-RATIO = "particle_contact_area_ratio"
-LIMITS = {
-    "largest_particle_diameter": (RATIO, 0.95, "particle_diameter", 50e-9, 1000e-9),
-    "least_viscosity": ("solid_load_fraction", 0.9, "viscosity", 5e-6, 150e-6),
-}
-
-
-@pytest.mark.parametrize("name", LIMITS)
-def test_limits_are_the_first_crossings(atlas, defaults, name):
-    variable, level, along, *between = LIMITS[name]
-    found = atlas[name].sel(roughness=2e-7).load()
-    points = found.stack(point=found.dims).isel(point=slice(None, None, 2))
-    given = {each: points[each].values for each in found.dims if each != "load"}
-    given |= {"load_N": points["load"].values * defaults.newtons_per_load, "roughness": 2e-7}
-    search = {"between": tuple(between), "parameters": defaults}
-    crossings = tb.find(variable, level, along, **search, **given)
-    first = crossings[along].groupby(level=0).first().reindex(range(points.size)).to_numpy()
-    known = np.isfinite(points.values) & (points.values > 0.0) & np.isfinite(first)
-    assert known.sum() > 20
-    np.testing.assert_allclose(points.values[known], first[known], rtol=0.05)
-    # beyond the axis nothing is crossed: at its first value it is passed already, or it never is
-    assert np.isnan(first[np.isinf(points.values) | (points.values == 0.0)]).mean() > 0.95
-
-
-def test_charts_read_the_atlas(atlas):
-    charts = {
-        "load_N": [0.04, 80],
-        "roughness_nm": [100, 300],
-        "largest_particle": [{"viscosity_cSt": 0, "particle_density_per_m2": 1e11}],
-    }
-    (panel,) = chart_panels(atlas, "largest_particle", charts)
-    assert panel["limit"].dims == ("load", "roughness")
-    rows = list(chart_rows([panel], charts["load_N"]))
-    assert len(rows) == 4
-    at = atlas.isel(load=-1, viscosity=0, particle_density=1).sel(roughness=3e-7)
-    assert rows[-1]["limit"] == float(at["largest_particle_diameter"])
-    assert rows[-1]["high"] == float(at["largest_particle_diameter_range"][-1])
-    assert rows[-1]["roughness_m"] == 3e-7 and rows[-1]["load_N"] == 80
-    assert {row["solution_status"] for row in rows} == {"converged"}
 
 
 def test_a_damaged_chunk_is_named(written, tmp_path):

@@ -13,7 +13,6 @@ import thirdbody as tb
 from thirdbody.curves import Condition, condition_key
 from thirdbody.paper.claims.between_curves import BEND, area_slope
 from thirdbody.paper.claims.claims import load_claims, printed_rows
-from thirdbody.paper.figures import charts
 from thirdbody.paper.figures.captions import MESSAGES, caption
 from thirdbody.paper.figures.curves import CURVE_FIGURES, plot
 from thirdbody.paper.figures.files import SUFFIXES, figure_record, save, write_wide
@@ -636,25 +635,3 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
     body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
     assert body.count("<strong>") == 2
-
-
-def test_a_chart_draws_what_is_within_the_atlas():
-    never = np.inf
-    limit = np.array([[3e-7, 4e-7, never, never, never], [0.0, 5e-7, 6e-7, np.nan, never]])
-    load = np.geomspace(1e-7, 1e-4, 5)
-    values = {"limit": (("roughness", "load"), limit)}
-    values["range"] = ("quantile", "roughness", "load"), [0.9 * limit, limit, 1.1 * limit]
-    axes = {"load": load, "roughness": [1e-7, 3e-7], "normal_load": ("load", 4e5 * load)}
-    axes |= {"viscosity": 0.0, "particle_density": 1e11}
-    computed = xr.Dataset(values, axes, {"ends": np.array([2e-8, 1e-6])})
-    computed = computed.transpose("quantile", "load", "roughness")
-    empty = computed.assign(limit=computed["limit"] + np.inf, range=computed["range"] * np.nan)
-    drawing = charts.plot("largest_particle_diameter", [computed, empty])
-    panel = drawing.panels[0]
-    for curve, values in zip(panel.of_kind(CURVE), ([3e-7, 4e-7], [5e-7, 6e-7]), strict=True):
-        np.testing.assert_allclose(curve.y[np.isfinite(curve.y)], values)
-    outline = panel.of_kind(BAND)[-1]
-    assert outline.name == "sigma = 300 nm"
-    assert outline.y.min() == pytest.approx(4.5e-7) and outline.y.max() == pytest.approx(6.6e-7)
-    first, second = drawing.axes
-    assert first.get_xlim() == second.get_xlim() and second.get_ylim() == (2e-8, 1e-6)

@@ -85,15 +85,6 @@ def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
     assert (row["Aₛₐ,ₜ* ↑ 0.05 [N]"], row["Aₛₐ,ₜ* ↓ 0.05 [N]"]) == ("0.200", "9.00")
 
 
-def test_a_limit_says_how_to_take_it():
-    row = {name: CURVE[name] for name in CURVE if name != "particle_diameter_m"}
-    row |= {"load_N": 1.0, "limit": 3e-7, "low": 2e-7, "high": 4e-7}
-    rows = [row | {"solution_status": "converged"}]
-    rows.append(row | {"load_N": 9.0, "solution_status": "area_exceeded"})
-    (sheet,) = readable("largest_particle", rows, (), NEWTONS)
-    assert cells(sheet)[0][-2:] == ["300 (200 to 400)", "300 (200 to 400), area exceeded"]
-
-
 def test_sensitivities_are_inputs_by_results():
     common = {"output": "turning_point_load", "quantity": "", "level": None} | OTHER
     given = [("mean_ratio", -3.4567, 1e-6), ("truncation", 0.001, 1e-6), ("", None, None)]

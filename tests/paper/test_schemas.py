@@ -97,16 +97,12 @@ def test_each_departure_is_from_the_default():
 
 
 @pytest.mark.parametrize("atlas", ATLASES)
-def test_charts_lie_on_the_axes_of_the_atlas(atlas):
+def test_the_axes_of_the_atlas_increase(atlas):
     axes = {key: axis_values(axis) for key, axis in atlas["axes"].items()}
     for axis in atlas["axes"].values():
         assert axis["from"] < axis["to"]
         assert all(value == 0 or axis["from"] <= value <= axis["to"] for value in axis["also"])
     assert atlas["chunks"] <= len(axes["roughness_nm"])
-    for chart, panels in atlas["charts"].items():
-        for panel in panels:
-            shown = panel if isinstance(panel, dict) else {chart: panel}
-            assert all(float(f"{value:.12g}") in axes[key] for key, value in shown.items())
     for values in atlas_axes(atlas["axes"]).values():
         assert all(before < after for before, after in pairwise(values))
     assert atlas_axes(atlas["axes"]).keys() == AXES.keys()

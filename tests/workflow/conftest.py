@@ -67,10 +67,10 @@ def _finish(workspace):
 
 
 @pytest.fixture(scope="session")
-def charted(made_once):
+def atlas_run(made_once):
     """The repository after a run of the atlas that was killed when two chunks were there, and went
     on; and when the products were written that the kill left."""
-    workspace = made_once("charted", _make_atlas)
+    workspace = made_once("atlas_run", _make_atlas)
     return workspace, json.loads((workspace.root / KEPT).read_text(encoding="utf-8"))
 
 

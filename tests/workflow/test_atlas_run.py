@@ -4,47 +4,35 @@ import csv
 import json
 import re
 
-import pytest
 import yaml
 from workspace import ROOT
 
 import thirdbody as tb
 from thirdbody.paper.atlas.catalogue import open_atlas
-from thirdbody.paper.tables import TABLES, read_csv
 
 SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
-CHARTS = "largest_particle", "least_viscosity"
 CHUNKS = [f"{number}-of-{SETTINGS['chunks']}" for number in range(1, SETTINGS["chunks"] + 1)]
 # the library notes by a name of its own to how many digits it has rounded
 WRITTEN_BY_NETCDF = re.compile(
     r"attribute \w+:_QuantizeGranularBitRoundNumberOfSignificantDigits\b"
 )
-PRODUCTS = {
-    *(f"atlas/chunks/{chunk}.nc" for chunk in CHUNKS),
-    *(f"extracted/{chart}/all.csv" for chart in CHARTS),
-    *(
-        f"figures/{chart}.{kind}"
-        for chart in CHARTS
-        for kind in ("svg", "pdf", "png", "csv", "md", "json")
-    ),
-    *(f"tables/{chart}.{kind}" for chart in CHARTS for kind in ("csv", "html", "tex")),
-}
+PRODUCTS = {f"atlas/chunks/{chunk}.nc" for chunk in CHUNKS}
 
 
-def test_what_was_solved_before_the_kill_is_not_solved_again(charted):
-    workspace, kept = charted
-    chunks = {file: stamp for file, stamp in kept.items() if file in PRODUCTS and "chunks" in file}
+def test_what_was_solved_before_the_kill_is_not_solved_again(atlas_run):
+    workspace, kept = atlas_run
+    chunks = {file: stamp for file, stamp in kept.items() if file in PRODUCTS}
     assert 2 <= len(chunks) < len(CHUNKS)
     first = min(chunks, key=chunks.get)
     assert workspace.stamps()[first] == chunks[first]
 
 
-def test_it_makes_its_products_and_no_others(charted):
-    assert set(charted[0].stamps()) == PRODUCTS
+def test_it_makes_its_products_and_no_others(atlas_run):
+    assert set(atlas_run[0].stamps()) == PRODUCTS
 
 
-def test_every_condition_is_solved_for_every_member(charted):
-    root = charted[0].root
+def test_every_condition_is_solved_for_every_member(atlas_run):
+    root = atlas_run[0].root
     with open_atlas(root / "results" / "atlas" / "chunks") as atlas:
         assert atlas["solution_status"].size == 9 * 4 * 6 * 3 * 2
         assert (atlas["solution_status"].values >= 0).all()
@@ -56,25 +44,12 @@ def test_every_condition_is_solved_for_every_member(charted):
         assert float(row["max_rss"]) < 1000
 
 
-def test_cf_and_acdd_find_nothing_but_what_the_library_writes(findings_in, charted, tmp_path):
+def test_cf_and_acdd_find_nothing_but_what_the_library_writes(findings_in, atlas_run, tmp_path):
     """In a chunk, and in all chunks together."""
-    atlas = charted[0].root / "results" / "atlas"
+    atlas = atlas_run[0].root / "results" / "atlas"
     with open_atlas(atlas / "chunks") as whole:
         whole.to_netcdf(tmp_path / "whole.nc")
     for path in (atlas / "chunks" / f"{CHUNKS[1]}.nc", tmp_path / "whole.nc"):
         found = findings_in(path)
         assert [text for text in found["CF"] if not WRITTEN_BY_NETCDF.match(text)] == []
         assert found["ACDD"] == []
-
-
-@pytest.mark.parametrize("chart", CHARTS)
-def test_a_chart_is_drawn_and_has_a_table(charted, chart):
-    results = charted[0].root / "results"
-    drawn = (results / "figures" / f"{chart}.csv").read_text(encoding="utf-8")
-    rows = read_csv(results / "tables" / f"{chart}.csv", TABLES[chart])
-    panels = len(SETTINGS["charts"][chart])
-    assert len(rows) == panels * len(SETTINGS["charts"]["roughness_nm"])
-    finite = [row for row in rows if 0.0 < row["limit"] < float("inf")]
-    assert all(f"{row['limit']:.10g}" in drawn for row in finite)
-    assert all(row["low"] <= row["median"] <= row["high"] for row in rows)
-    assert "1 N" in (results / "tables" / f"{chart}.html").read_text(encoding="utf-8")

@@ -1,11 +1,7 @@
 # The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves some of the roughnesses
-# for all inputs; everything else is read from its file.  An interruption loses only the running chunks.
+# for all inputs.  An interruption loses only the running chunks.
 
 ATLAS = settings["atlas"]
-
-
-wildcard_constraints:
-    chart="|".join(CHARTS),
 
 
 scattergather:
@@ -34,37 +30,6 @@ rule solve_chunk:
         "../scripts/solve_chunk.py"
 
 
-rule extract_chart:
-    input:
-        chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
-    output:
-        rows="<results>/extracted/{chart}/all.csv",
-    log:
-        "<logs>/extract_chart/{chart}.log",
-    params:
-        *sources_of("extract_chart.py"),
-        *SOFTWARE,
-        charts=ATLAS["charts"],
-    script:
-        "../scripts/extract_chart.py"
-
-
-rule render_chart:
-    input:
-        chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
-        style=STYLE,
-    output:
-        **figure_files("{chart}", "Atlas"),
-    log:
-        "<logs>/render_chart/{chart}.log",
-    params:
-        *sources_of("render_chart.py"),
-        charts=ATLAS["charts"],
-    script:
-        "../scripts/render_chart.py"
-
-
 rule atlas:
     input:
-        expand("<results>/figures/{chart}.{kind}", chart=CHARTS, kind=FIGURE_KINDS),
-        expand("<results>/tables/{chart}.{kind}", chart=CHARTS, kind=TABLE_KINDS),
+        gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),

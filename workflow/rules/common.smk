@@ -147,8 +147,6 @@ COMPUTED_BY = {
         *["judge_claims.py", "judge_departures.py"],
     ],
     "atlas": ["solve_chunk.py"],
-    "largest_particle": ["solve_chunk.py", "extract_chart.py"],
-    "least_viscosity": ["solve_chunk.py", "extract_chart.py"],
 }
 
 

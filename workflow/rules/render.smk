@@ -99,7 +99,7 @@ rule write_table:
     log:
         "<logs>/write_table/{table}.log",
     wildcard_constraints:
-        table="|".join([*TABLES, *CHARTS]),
+        table="|".join(TABLES),
     params:
         *sources_of("write_table.py"),
         version=lambda wildcards: version_of(wildcards.table),

@@ -30,7 +30,6 @@ from thirdbody.core.solve import DEFAULT_RTOL
 PROMINENCE = 0.02
 # tolerance of d over that of the load: relative changes of F_t* are up to t^2 times those of d
 SEPARATION_MARGIN = 1e-3
-SAMPLES = 60  # separations between which the maxima under all films are sought
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,83 +68,40 @@ def turning_points(
     ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, nan without
     solution; they only bracket the maxima.  The conditions have the shape (curves,) [m2/s, m, m, m-2].
     """
-    ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
-    solids = particle_diameter, roughness, particle_density
-    maxima = _turning_points(separation, ends, viscosity[np.newaxis], *solids, parameters, rtol)
-    inside = maxima.prominence[0] > 0.0
-    return TurningPoints(
-        **{name: np.where(inside, values[0], np.nan) for name, values in vars(maxima).items()}
-    )
-
-
-def film_turning_points(
-    separation: NDArray,
-    viscosity: NDArray,
-    particle_diameter: NDArray,
-    roughness: NDArray,
-    particle_density: NDArray,
-    parameters: Parameters,
-    rtol: float = DEFAULT_RTOL,
-) -> TurningPoints:
-    """Find the turning points of the same solids under every film: arrays of shape (films, solids).
-
-    The maxima, at the same separations for all films, are found once.  ``separation``, shape (loads,
-    films, solids), gives the ends of the curves; ``viscosity`` [m2/s] has the shape (films,), the others
-    (solids,).  ``prominence`` is as in ``ratio_maxima``; other fields are nan without a turning point.
-    """
-    first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
-    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), SAMPLES)
-    viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
-    solids = particle_diameter, roughness, particle_density
-    maxima = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
-    columns = {
-        name: np.where(maxima.exists, values, np.nan) for name, values in vars(maxima).items()
-    }
-    return TurningPoints(**columns | {"prominence": maxima.prominence})
-
-
-def _turning_points(
-    separation, ends, viscosity, diameter, roughness, density, parameters, rtol
-) -> TurningPoints:
-    """The most prominent maximum of each solid under each film, for ``separation`` [separations, solids],
-    ``ends`` and ``viscosity`` [films, solids]: arrays of shape (films, solids)."""
-    most_prominent = TurningPoints(
-        **{field.name: np.full(viscosity.shape, np.nan) for field in fields(TurningPoints)}
-    )
-    three_body = np.flatnonzero(has_particles(diameter, density))
+    found = {field.name: np.full(viscosity.shape, np.nan) for field in fields(TurningPoints)}
+    three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
     if three_body.size == 0:
-        return most_prominent
+        return TurningPoints(**found)
     solids = Contact.of(
-        diameter[three_body], roughness[three_body], density[three_body], parameters, rtol
+        particle_diameter[three_body],
+        roughness[three_body],
+        particle_density[three_body],
+        parameters,
+        rtol,
     )
-    ends = tuple(end[:, three_body] for end in ends)
+    separation = separation[:, three_body]
+    ends = np.fmax.reduce(separation), np.fmin.reduce(separation)
     solid, peak, width, prominence = ratio_maxima(
-        solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
+        solids, separation, ends, SEPARATION_MARGIN * rtol
     )
-    film, maximum = np.nonzero(np.isfinite(prominence))
+    inside = np.flatnonzero(prominence > 0.0)
     # the index of the most prominent maximum of each curve
-    curve, height = film * three_body.size + solid[maximum], prominence[film, maximum]
-    order = np.lexsort((-height, curve))
-    best = order[np.unique(curve[order], return_index=True)[1]]
-    film, maximum = film[best], maximum[best]
-    curve = three_body[solid[maximum]]
-    contacts, separation = solids.take(solid[maximum]), peak[maximum]
-    load, fraction, steepest = load_at(
-        contacts, viscosity[film, curve], roughness[curve], separation
-    )
-    error = load * (steepest * width[maximum] + rtol)
-    ratio, height = particle_ratio(contacts, separation), prominence[film, maximum]
+    order = inside[np.lexsort((-prominence[inside], solid[inside]))]
+    best = order[np.unique(solid[order], return_index=True)[1]]
+    curve = three_body[solid[best]]
+    contacts = solids.take(solid[best])
+    load, fraction, steepest = load_at(contacts, viscosity[curve], roughness[curve], peak[best])
     at_maxima = TurningPoints(
         load=load,
-        load_error=error,
-        peak_ratio=ratio,
+        load_error=load * (steepest * width[best] + rtol),
+        peak_ratio=particle_ratio(contacts, peak[best]),
         solid_load_fraction=fraction,
-        separation=separation,
-        prominence=height,
+        separation=peak[best],
+        prominence=prominence[best],
     )
     for name, values in vars(at_maxima).items():
-        getattr(most_prominent, name)[film, curve] = values
-    return most_prominent
+        found[name][curve] = values
+    return TurningPoints(**found)
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
@@ -155,9 +111,9 @@ def ratio_maxima(
     """Find the maxima of A_sa,t* over the separation, to ``rtol`` d.
 
     ``separation`` d [m], shape (separations, curves), decreases from row to row, nan without solution;
-    ``ends``, shape (..., curves), are d [m] at the first and last load.  Returns the curve of each maximum,
-    its d* [m], a bound on the error of d*, and its prominence [1], shape (..., maxima); outside the curve
-    this is minus the excess over the end, so that it passes through 0 at the end.
+    ``ends``, shape (curves,), are d [m] at the first and last load.  Returns the curve of each maximum, its
+    d* [m], a bound on the error of d*, and its prominence [1]; outside the curve this is minus the excess
+    over the end, so that it passes through 0 at the end.
     """
     falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
@@ -180,7 +136,7 @@ def ratio_maxima(
 def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
     """Prominence of maxima (curve, d [m], A_sa,t*), given the minima and the ends [m]."""
     curve, extremum, ratio = maxima
-    first, last = ends[..., curve]
+    first, last = ends[:, curve]
     before, after = ratio - particle_ratio(solids.take(curve), np.stack([first, last]))
     before = np.where(extremum < first, before, -np.abs(before))
     after = np.where(extremum > last, after, -np.abs(after))

@@ -86,15 +86,6 @@ def turning_point_windows(
     ]
 
 
-def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArray]:
-    """Find the ends [1] of the windows of many sweeps over ``ratios``, x_a/sigma [1], at once: nan without a
-    window; ``prominence``, shape (ratios, ...), is from ``film_turning_points``."""
-    columns = ratios.reshape(-1, *[1] * (prominence.ndim - 1))
-    margins = _margin_over_least(prominence)
-    _, _, (low, high) = _ends_of_longest_runs(np.broadcast_to(columns, margins.shape), margins)
-    return low, high
-
-
 def _ends_of_longest_runs(ratios, margins):
     """The longest run of positive ``margins``: the ratios at its ends, their outer neighbours, and the
     interpolated zeros between them; shape (2, ...) each."""
@@ -114,7 +105,7 @@ def _ends_of_longest_runs(ratios, margins):
     return inner, outer, inner + fraction * (outer - inner)
 
 
-def _margin_over_least(prominence, least=PROMINENCE):
+def _margin_over_least(prominence, least):
     """Signed square root of the prominence, nearly linear in x_a/sigma, minus the root of the least; nan
     counts as 0."""
     height = np.where(np.isnan(prominence), 0.0, prominence)

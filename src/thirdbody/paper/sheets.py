@@ -272,28 +272,6 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
     return [Sheet(title=title, note=note, rows=_pivoted(cells))]
 
 
-def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> list[Sheet]:
-    """A design chart: one column per load, with the ensemble range in brackets; ``below`` and
-    ``beyond`` are the texts for limits outside the ends of the axis ``limited``."""
-    outside = {0.0: below, math.inf: beyond}
-    held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
-    cells = []
-    for row in rows:
-        limit, *ends = (
-            outside.get(row[name]) or rounded(float(AXES[limited].from_si(row[name])))
-            for name in ("limit", "low", "high")
-        )
-        texts = f"{limit} ({' to '.join(dict.fromkeys(ends))})", _statuses([row])
-        cells.append(
-            (_conditions(row, held), f"{row['load_N']:g} N", ", ".join(filter(None, texts)))
-        )
-    note = (
-        "At the load of each column, with the range, 5 to 95 % of the calibrated ensemble, in "
-        f"brackets. none, all: of the {limited.replace('_', ' ')} values in the atlas."
-    )
-    return [Sheet(title=title, note=note, rows=_pivoted(cells))]
-
-
 def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
     sizes = sorted(abs(row["deviation"]) for row in rows)
     lines = [
@@ -351,16 +329,6 @@ READABLE: dict[str, Callable[..., list[Sheet]]] = {
     "sensitivity": _sensitivities,
     "deviations": _deviations,
     "departures": _departures,
-    "largest_particle": partial(
-        _chart,
-        "Largest particles that avoid the particle-surface mode [nm]",
-        *("particle_diameter", "none", "all"),
-    ),
-    "least_viscosity": partial(
-        _chart,
-        "Least viscosity that leaves boundary lubrication [cSt]",
-        *("viscosity", "all", "none"),
-    ),
 }
 
 

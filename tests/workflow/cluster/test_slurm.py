@@ -99,7 +99,7 @@ def test_the_bytes_are_those_of_one_machine(cluster, fresh, finished):
 
 @long
 def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_interpretation_and_seed(
-    cluster, charted, calibrated, sources, tmp_path
+    cluster, atlas_run, calibrated, sources, tmp_path
 ):
     there = calibrated.copied_to(tmp_path / "thirdbody")
     for name in (*MADE_BY_RUNS, "config/calibrated"):
@@ -114,7 +114,7 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_interpretation_and_s
     wanted |= {"sample_inputs": 2, "summarise_inputs": 1}
     for rule, jobs in wanted.items():
         assert cluster.submitted(rule, but=before) == jobs
-    for here, name in [(calibrated, adopted), *((charted[0], chunk) for chunk in chunks)]:
+    for here, name in [(calibrated, adopted), *((atlas_run[0], chunk) for chunk in chunks)]:
         assert (there.root / name).read_bytes() == (here.root / name).read_bytes(), name
 
 

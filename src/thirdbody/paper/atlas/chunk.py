@@ -1,37 +1,37 @@
 """One file of the atlas: some surfaces, in the layout of every dataset, with the ensemble."""
 
-import csv
 import json
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import netCDF4
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from thirdbody.attributes import described_grid
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.core.state import type_of
-from thirdbody.grids import Axes
+from thirdbody.grids import Axes, grid
 from thirdbody.netcdf import declare
-from thirdbody.paper.atlas.surfaces import QUANTILES, solve_surface
-from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, FLAGS
+from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, FLAGS, STATUS
 from thirdbody.version import Version
 
 SAFE_DIGITS = 2  # written in addition to the requested ones
 APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own
-QUANTILE = "quantile"
+# what is in a regime, and in a mode
+KINDS = {"lubrication_regime": "lubrication", "contact_mode": "contact"}
+STATES = {  # the variables with the fraction of the members in each regime and mode
+    f"{state}_probability": (flag, state) for flag in KINDS for state in FLAGS[flag].meanings
+}
 COMMENT = (
     "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. "
     "Each member of the ensemble is solved at the same normal_load, which is another F_t* where its "
-    "apparent area differs; turning_point_load is F_t* of each member's own area. ensemble gives what "
-    "differs from the default in each member, by the names of config/inputs.yaml, SI. A probability is "
-    "the fraction of the members; a _range has quantiles of those members that have a value."
+    "apparent area differs. ensemble gives what differs from the default in each member, by the names "
+    "of config/inputs.yaml, SI. A probability is the fraction of the members."
 )
 
 
@@ -75,14 +75,36 @@ def write_chunk(
         for indices in np.ndindex(*(axes[name].size for name in APART)):
             place = {name: slice(index, index + 1) for name, index in zip(APART, indices)}
             part = {name: axis[place.get(name, slice(None))] for name, axis in axes.items()}
-            for name, values in solve_surface(part, sets, weights, kept, rtol).items():
-                index = (place.get(each, slice(None)) for each in variables[name].dimensions)
-                variables[name][tuple(index)] = values
+            index = tuple(place.get(name, slice(None)) for name in DIMENSIONS)
+            for name, values in _solved(part, sets, weights, kept, rtol).items():
+                variables[name][index] = values
+
+
+def _solved(
+    axes: Axes,
+    sets: Sequence[Parameters],
+    weights: Sequence[int],
+    kept: Collection[str],
+    rtol: float,
+) -> dict[str, NDArray]:
+    """Variables of the atlas by name: those ``kept`` and the flags for the first of the ``sets`` of
+    inputs, and how many members are in each regime and mode, each set as often as its weight."""
+    names = [*kept, *FLAGS]
+    values: dict[str, NDArray] = {}
+    for parameters, weight in zip(sets, weights, strict=True):
+        own = {**axes, "load": axes["load"] / parameters.newtons_per_load}
+        solved = grid(parameters=parameters, rtol=rtol, variables=names, progress=False, **own)
+        if not values:
+            values = {name: solved[name].values for name in names}
+            values |= {name: np.zeros(solved[STATUS].shape, np.int16) for name in STATES}
+        for name, (flag, state) in STATES.items():
+            values[name] += weight * (solved[flag].values == FLAGS[flag].meanings.index(state))
+    return values
 
 
 def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
     """Storage of variables: a chunk for each part, with the known digits."""
-    lengths = {**described.sizes, **dict.fromkeys(APART, 1)}
+    lengths = [1 if name in APART else described.sizes[name] for name in DIMENSIONS]
     rounding = {
         "significant_digits": math.ceil(-math.log10(rtol)) + SAFE_DIGITS,
         "quantize_mode": "GranularBitRound",
@@ -92,10 +114,10 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
             "zlib": True,
             "complevel": 1,
             "shuffle": name in kept,  # groups the zeros of omitted digits
-            "chunksizes": [lengths[each] for each in variable.dims],
+            "chunksizes": lengths,
             **(rounding if name in kept else {}),
         }
-        for name, variable in described.data_vars.items()
+        for name in described.data_vars
     }
 
 
@@ -107,34 +129,18 @@ def _described(axes, default, members, kept, rtol, version) -> xr.Dataset:
     described = described_grid({**axes, **loads}, empty, default, rtol, version=version).to_xarray()
     # the normal loads as given, without rounding
     described["normal_load"].values[:] = axes["load"]
-    quantiles = {"units": "1", "long_name": "fraction of the ensemble below"}
-    described = described.assign_coords({QUANTILE: (QUANTILE, QUANTILES, quantiles)})
-    for name, dimensions, attributes in _findings(len(members)):
-        sizes = [described.sizes[each] for each in dimensions]
-        kind = np.int16 if "scale_factor" in attributes else float
-        described[name] = dimensions, np.broadcast_to(np.zeros((), kind), sizes), attributes
+    for name, (flag, state) in STATES.items():
+        attributes = {
+            "units": "1",
+            "symbol": "none",
+            "long_name": f"probability of {state.replace('_', '-')} {KINDS[flag]} over the ensemble",
+            "coverage_content_type": "modelResult",
+            "scale_factor": 1.0 / len(members),  # stored as counts
+        }
+        described[name] = DIMENSIONS, np.broadcast_to(np.zeros((), np.int16), shape), attributes
     ends = (AXES["roughness"].from_si(end) for end in axes["roughness"][[0, -1]])
     return described.assign_attrs(
         title=f"Atlas of three-body contact, roughness {' to '.join(f'{e:.4g} nm' for e in ends)}",
         comment=f"{described.attrs['comment']}. {COMMENT}",
         ensemble=json.dumps([dict(member) for member in members]),
     )
-
-
-def _findings(members: int) -> Iterator[tuple[str, tuple[str, ...], dict[str, Any]]]:
-    """Name, dimensions and attributes of the results of ``solve_surface``: the rows of
-    ``chunk.csv``, and the range of each that is not a fraction; fractions are stored as counts."""
-    limits = {"particle_limit": PARTICLE_LIMIT, "boundary_limit": BOUNDARY_LIMIT}
-    with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    for row in rows:
-        name, without = row.pop("name"), row.pop("without").split()
-        dimensions = tuple(each for each in DIMENSIONS if each not in without)
-        attributes = {key: text.format(**limits) for key, text in row.items() if text}
-        attributes["coverage_content_type"] = "modelResult"
-        if name.endswith("_probability"):
-            yield name, dimensions, attributes | {"scale_factor": 1.0 / members}
-        else:
-            ranged = {"long_name": f"{attributes['long_name']}: quantiles of the ensemble"}
-            yield name, dimensions, attributes
-            yield f"{name}_range", (QUANTILE, *dimensions), attributes | ranged

@@ -104,30 +104,6 @@ CAPTIONS = {
         ),
         alternative="A heat map with a number in each cell that is not negligible.",
     ),
-    "largest_particle": Caption(
-        title="Largest particles that avoid the particle-surface mode",
-        message=(
-            "Below the curve summits have at least 5 % of the contact area (A_sa,t* = 0.95 on "
-            "the curve). Shaded: range, 5 to 95 %, over the ensemble at the same normal load. "
-            "Where a curve or its range ends, the limit is outside the sizes of the atlas."
-        ),
-        alternative=(
-            "One panel for each viscosity and particle density: a diameter over the normal load, "
-            "a curve with a shaded range for each roughness."
-        ),
-    ),
-    "least_viscosity": Caption(
-        title="Least viscosity out of boundary lubrication",
-        message=(
-            "Above the curve the film carries more than a tenth of the load (L_s = 0.90 on the "
-            "curve). Shaded: range of 5 to 95 % over the ensemble at the same normal load. Where "
-            "a curve or its range ends, the limit is outside the viscosities of the atlas."
-        ),
-        alternative=(
-            "One panel for each particle diameter and density: a viscosity over the normal load, "
-            "a curve with a shaded range for each roughness."
-        ),
-    ),
 }
 # what the paper concludes from a figure of curves
 MESSAGES = {
