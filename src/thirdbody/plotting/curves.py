@@ -27,10 +27,11 @@ from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_heig
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
-from thirdbody.plotting.styles import HAIRLINE, Look, curve_styles
+from thirdbody.plotting.styles import HAIRLINE, TWO_BODY, Look, curve_styles
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
+UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
 
 
 def curves_in(
@@ -253,8 +254,9 @@ def draw_panels(
 def _draw_panel(axes, panel, newtons_per_load):
     """The series of a panel, and the scales of its axes."""
     lines, bars = {}, []
+    unseen = UNSEEN * panel.least or -np.inf
     for series in _some_ranges(panel.of_kind(marks.BAND)):
-        outline = np.column_stack((series.x, np.maximum(series.y, panel.least or -np.inf)))
+        outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in panel.series:
         if series.drawn_as == UPRIGHT:
@@ -263,7 +265,7 @@ def _draw_panel(axes, panel, newtons_per_load):
             if series.tolerance:
                 axes.axvspan(*series.tolerance[0], **series.tolerance_look)
         elif series.drawn_as == LINE:
-            y = np.maximum(series.y, panel.least or -np.inf)
+            y = np.maximum(series.y, unseen)
             (lines[series],) = axes.plot(series.x, y, **series.look)
             if series.tolerance and series.x.size > 1:
                 axes.fill_between(series.x, *series.tolerance[1], **series.tolerance_look)
@@ -277,17 +279,21 @@ def _draw_panel(axes, panel, newtons_per_load):
     keep_apart(axes, points)
     hide_bars(axes, list(zip(points, bars, strict=True)))
     if panel.x in ("load", "normal_load"):
-        texts = {lines[one]: _name(one.look) for one in panel.of_kind(CURVE) if _name(one.look)}
-        width = name_ends(axes, texts)
+        named = {lines[one]: one for one in panel.of_kind(CURVE) if _name(one)}
+        texts = {line: _name(one) for line, one in named.items()}
+        dry = [line for line, one in named.items() if one.curve and one.curve.is_dry]
+        width = name_ends(axes, texts, dry)
         if zones is not None and width:
             zones.spines.right.set_position(("outward", width))
 
 
-def _name(look) -> str:
-    """The level of a curve, written at its end; hairlines and two-body contact have no name."""
-    text = look.get("label", "").lstrip("_").split(", ")[-1]
-    is_level = text[:1].isdigit() or text == "dry"
-    return typeset(text) if is_level and look.get("linewidth") != HAIRLINE["linewidth"] else ""
+def _name(series) -> str:
+    """The level of a curve, written at its end; hairlines have no name."""
+    text = series.look.get("label", "").lstrip("_")
+    text = "none" if text == TWO_BODY else text
+    is_level = text[:1].isdigit() or text in ("dry", "none")
+    is_strong = series.look.get("linewidth") != HAIRLINE["linewidth"]
+    return typeset(text) if is_level and is_strong else ""
 
 
 def _some_ranges(ranges):
