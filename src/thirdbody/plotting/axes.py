@@ -47,6 +47,7 @@ def set_scales(
         upper = axes.secondary_xaxis("top", functions=ends)
         upper.xaxis.set_major_formatter("{x:g} N")
         upper.xaxis.set_minor_locator(NullLocator())
+        upper.set_zorder(1.0)  # ticks are seen on zones and strips
         upper.set_in_layout(False)  # the title leaves room for it
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
     return zones

@@ -52,7 +52,7 @@ def name_ends(axes: Axes, texts: Mapping[Line2D, str], dry: Collection[Line2D] =
             fontsize=NAME_SIZE,
             ha="right" if at_left else "left",
             va="center",
-            arrowprops=TO_END,
+            arrowprops=TO_END | {"relpos": (float(at_left), 0.5)},
             annotation_clip=False,
         )
         names.append(name)

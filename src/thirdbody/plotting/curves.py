@@ -21,7 +21,7 @@ from thirdbody.curves import (
 from thirdbody.netcdf import Dataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
-from thirdbody.plotting.crowding import hide_bars, keep_apart, name_ends
+from thirdbody.plotting.crowding import NAME_SIZE, hide_bars, keep_apart, name_ends
 from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
@@ -31,6 +31,9 @@ from thirdbody.plotting.styles import HAIRLINE, TWO_BODY, Look, curve_styles
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
+SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
+NEARLY = 1.02  # of the ends of strips that touch, as their ratio
+BESIDE = -1.0, 0.0  # from an upright line to its name [points]
 UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
 
 
@@ -225,7 +228,13 @@ def draw_panels(
     panel, they are drawn there, and the key is in the last of them; otherwise on a new figure."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
-    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    looks = (
+        look
+        for panel in panels
+        for series in panel.series
+        for look in (series.look, series.tolerance_look)
+    )
+    labels = {look.get("label") for look in looks}
     drawn = [look for look in mark_looks.values() if look.get("label") in labels - {None}]
     groups = [group for group in (*key, drawn) if group]
     if len(axes):
@@ -259,18 +268,14 @@ def _draw_panel(axes, panel, newtons_per_load):
         outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in panel.series:
-        if series.drawn_as == UPRIGHT:
-            for x in series.x:
-                axes.axvline(x, **series.look)
-            if series.tolerance:
-                axes.axvspan(*series.tolerance[0], **series.tolerance_look)
-        elif series.drawn_as == LINE:
+        if series.drawn_as == LINE:
             y = np.maximum(series.y, unseen)
             (lines[series],) = axes.plot(series.x, y, **series.look)
             if series.tolerance and series.x.size > 1:
                 axes.fill_between(series.x, *series.tolerance[1], **series.tolerance_look)
             elif series.tolerance:
                 bars += axes.plot(*series.tolerance, **series.tolerance_look)
+    _draw_uprights(axes, panel)
     zones = set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
     peaks = marks.TURNING_POINTS, marks.SLIGHT
     stars = [line for series, line in lines.items() if series.kind in peaks]
@@ -285,6 +290,57 @@ def _draw_panel(axes, panel, newtons_per_load):
         width = name_ends(axes, texts, dry)
         if zones is not None and width:
             zones.spines.right.set_position(("outward", width))
+
+
+def _draw_uprights(axes, panel):
+    """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap stand
+    above each other."""
+    has_ends = panel.x in ("load", "normal_load")  # which have the names
+    names = {} if has_ends else {one.curve: _name(one) for one in panel.of_kind(CURVE)}
+    upright = [one for one in panel.series if one.drawn_as == UPRIGHT]
+    drawn: list[Series] = []
+    lanes: list[list] = []
+    for series in upright:
+        if any(_is_same(series, one) for one in drawn):
+            continue
+        drawn.append(series)
+        for x in series.x:
+            axes.axvline(x, **series.look)
+        if series.curve in names:
+            axes.annotate(
+                names[series.curve],
+                (series.x[0], 0.98),
+                BESIDE,
+                xycoords=axes.get_xaxis_transform(),
+                textcoords="offset points",
+                color=series.look["color"],
+                fontsize=NAME_SIZE,
+                ha="right",
+                rotation=90,
+                va="top",
+            )
+        if series.tolerance:
+            free = (lane for lane in lanes if not any(_overlap(series, one) for one in lane))
+            lane = next(free, None)
+            if lane is None:
+                lanes.append(lane := [])
+            lane.append(series)
+    for place, lane in enumerate(lanes):
+        heights = place / len(lanes), (place + 1) / len(lanes)
+        for series in lane:
+            axes.axvspan(*series.tolerance[0], *heights, **series.tolerance_look)
+
+
+def _is_same(series, other) -> bool:
+    """Whether two upright lines are of the same number, printed with more or with fewer digits."""
+    is_like = series.look.get("label") == other.look.get("label")
+    return is_like and bool(np.isclose(series.x[0], other.x[0], rtol=SAME, atol=0.0))
+
+
+def _overlap(series, other) -> bool:
+    """Whether two strips overlap or nearly touch."""
+    (low, high), (first, last) = (each.tolerance[0] for each in (series, other))
+    return bool(low < NEARLY * last and first < NEARLY * high)
 
 
 def _name(series) -> str:

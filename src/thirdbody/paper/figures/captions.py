@@ -136,7 +136,7 @@ MESSAGES = {
     "fig03": (
         "The paper: as the load grows, contact with particles larger than 300 nm passes from the "
         "p-s through the hybrid to the s-s mode, and its area rises to that of two-body contact, "
-        "which is the largest."
+        "which is the largest. Where the curves here differ, the verdicts on the statements say so."
     ),
     "fig04": (
         "The paper: below 50 cSt a lubricant changes little; above 70 cSt it carries more of the "
@@ -159,11 +159,12 @@ MESSAGES = {
     "fig08": (
         "The paper: in the p-s mode the contact area grows with the roughness, near the s-s mode "
         "it falls; on the roughest surface the area ratio of particles rises and then falls, "
-        "which is the turning point of the contact area."
+        "which is the turning point of the contact area. Where the curves here differ, the verdicts on "
+        "the statements say so."
     ),
     "fig09": (
         "The paper: particles of about 250 to 400 nm, 0.83 to 1.33 times σ, have a turning "
-        "point, where the brackets in D show what counts as about; larger ones enter the p-s "
+        "point, where the strips in D show what counts as about; larger ones enter the p-s "
         "mode at low loads."
     ),
     "fig10": (
@@ -182,7 +183,8 @@ MESSAGES = {
     ),
     "fig13": (
         "The paper: on the smoothest surface the density hardly changes the load of the turning "
-        "point; the rougher the surface, the more it rises with the density."
+        "point; the rougher the surface, the more it rises with the density. Where the curves here "
+        "differ, the verdicts on the statements say so."
     ),
 }
 # the middle zone of an axis
@@ -210,12 +212,13 @@ MEANINGS = {
     printed.PRINTED: "Diamonds: numbers that the paper prints; bars: their tolerances.",
     printed.ALONG_X: (
         "Upright lines of dashes and dots: numbers that the paper prints along x alone, without the height, "
-        "in the colour of their curve if it is one; the bracket around a line is its tolerance."
+        "in the colour of their curve if it is one; the strip around a line is its tolerance; "
+        "strips that would overlap stand above each other."
     ),
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (
         "Hexagons: the bends or the crossing of the computed curves for which the line is printed; "
-        "outside the bracket the model misses the number."
+        "outside the strip the model misses the number."
     ),
     printed.EVERY_LOAD: (
         "Level lines with a stroke at each end: numbers that the paper prints for every load; strips: "
