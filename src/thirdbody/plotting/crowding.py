@@ -31,8 +31,8 @@ def name_ends(axes: Axes, texts: Mapping[Line2D, str], dry: Collection[Line2D] =
     base = axes.get_xaxis_transform() if at_left else axes.transAxes
     shift = (-LEADER if at_left else LEADER) / 72.0
     beside = base + ScaledTranslation(shift, 0.0, axes.figure.dpi_scale_trans)
-    groups.sort(key=_height)
-    ends = [*map(_height, groups)]
+    groups.sort(key=lambda group: np.mean([height for *_, height in group]))
+    ends = [float(np.mean([height for *_, height in group])) for group in groups]
     compares_media = 0 < len(dry) < len(texts)
     names = []
     for group, end, height in zip(groups, ends, _spread(ends), strict=True):
@@ -86,11 +86,6 @@ def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
             groups.append([place])
     order = list(texts)
     return [sorted(group, key=lambda place: order.index(place[0])) for group in groups]
-
-
-def _height(group) -> float:
-    """Mean height of the ends of a group of lines."""
-    return float(np.mean([height for *_, height in group]))
 
 
 def _joined(texts) -> str:

@@ -33,7 +33,8 @@ MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
 NEARLY = 1.02  # of the ends of strips that touch, as their ratio
-BESIDE = -1.0, 0.0  # from an upright line to its name [points]
+# of the name of an upright line
+NAME_LOOK: Look = {"fontsize": NAME_SIZE, "rotation": 90, "ha": "right", "va": "top"}
 UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
 
 
@@ -228,13 +229,8 @@ def draw_panels(
     panel, they are drawn there, and the key is in the last of them; otherwise on a new figure."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
-    looks = (
-        look
-        for panel in panels
-        for series in panel.series
-        for look in (series.look, series.tolerance_look)
-    )
-    labels = {look.get("label") for look in looks}
+    every = [series for panel in panels for series in panel.series]
+    labels = {look.get("label") for one in every for look in (one.look, one.tolerance_look)}
     drawn = [look for look in mark_looks.values() if look.get("label") in labels - {None}]
     groups = [group for group in (*key, drawn) if group]
     if len(axes):
@@ -297,34 +293,22 @@ def _draw_uprights(axes, panel):
     above each other."""
     has_ends = panel.x in ("load", "normal_load")  # which have the names
     names = {} if has_ends else {one.curve: _name(one) for one in panel.of_kind(CURVE)}
-    upright = [one for one in panel.series if one.drawn_as == UPRIGHT]
     drawn: list[Series] = []
     lanes: list[list] = []
-    for series in upright:
-        if any(_is_same(series, one) for one in drawn):
+    for series in panel.series:
+        if series.drawn_as != UPRIGHT or any(_is_same(series, one) for one in drawn):
             continue
         drawn.append(series)
         for x in series.x:
             axes.axvline(x, **series.look)
         if series.curve in names:
-            axes.annotate(
-                names[series.curve],
-                (series.x[0], 0.98),
-                BESIDE,
-                xycoords=axes.get_xaxis_transform(),
-                textcoords="offset points",
-                color=series.look["color"],
-                fontsize=NAME_SIZE,
-                ha="right",
-                rotation=90,
-                va="top",
-            )
+            look = {**NAME_LOOK, "transform": axes.get_xaxis_transform()}
+            look["color"] = series.look["color"]
+            axes.text(series.x[0], 0.98, names[series.curve], **look)
         if series.tolerance:
-            free = (lane for lane in lanes if not any(_overlap(series, one) for one in lane))
-            lane = next(free, None)
-            if lane is None:
-                lanes.append(lane := [])
-            lane.append(series)
+            taken = [any(_overlap(series, one) for one in lane) for lane in (*lanes, [])]
+            lanes += [[]] if all(taken[:-1]) else []
+            lanes[taken.index(False)].append(series)
     for place, lane in enumerate(lanes):
         heights = place / len(lanes), (place + 1) / len(lanes)
         for series in lane:

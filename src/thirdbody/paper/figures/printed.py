@@ -67,15 +67,9 @@ LOOKS: dict[str, dict[str, Any]] = {
 # a bar with a stroke across each end, and a strip of a number that lacks an ordinate
 BAR = {"linewidth": 1.4, "markersize": 5.0, "markeredgewidth": 1.2, "zorder": 3.0}
 STRIP = {"facecolor": "#FBEFD0", "edgecolor": "#B8923A", "linewidth": 0.6, "zorder": 0.6}
-STRIP["label"] = "tolerance of a printed line"
-LOOKS["strip"] = {
-    "label": STRIP["label"],
-    "linestyle": "none",
-    "marker": "s",
-    "markersize": 8.0,
-    "markerfacecolor": STRIP["facecolor"],
-    "markeredgecolor": STRIP["edgecolor"],
-}
+STRIP |= {"label": "tolerance of a printed line"}
+SQUARE = {"label": STRIP["label"], "linestyle": "none", "marker": "s", "markersize": 8.0}
+LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": "#B8923A"}
 ALL_LOOKS = LOOKS | marks.LOOKS
 
 SOLID = "solid_load_fraction"
