@@ -88,7 +88,7 @@ CAPTIONS = {
         message=(
             "Each bar has the statements of one figure, or of the conclusions and the abstract, by their "
             "verdict; one that the paper repeats counts each time. Below it are all statements that do not hold, "
-            "in the order of the paper, with the colour of their verdict."
+            "in the order of the paper, with their verdicts."
         ),
         alternative=(
             "A stacked bar for each part of the paper with the number of statements of each verdict, and a "
@@ -136,7 +136,7 @@ MESSAGES = {
     "fig03": (
         "The paper: as the load grows, contact with particles larger than 300 nm passes from the "
         "p-s through the hybrid to the s-s mode, and its area rises to that of two-body contact, "
-        "which is the largest. Where the curves here differ, the verdicts on the statements say so."
+        "which is the largest."
     ),
     "fig04": (
         "The paper: below 50 cSt a lubricant changes little; above 70 cSt it carries more of the "
@@ -159,8 +159,7 @@ MESSAGES = {
     "fig08": (
         "The paper: in the p-s mode the contact area grows with the roughness, near the s-s mode "
         "it falls; on the roughest surface the area ratio of particles rises and then falls, "
-        "which is the turning point of the contact area. Where the curves here differ, the verdicts on "
-        "the statements say so."
+        "which is the turning point of the contact area."
     ),
     "fig09": (
         "The paper: particles of about 250 to 400 nm, 0.83 to 1.33 times σ, have a turning "
@@ -183,10 +182,12 @@ MESSAGES = {
     ),
     "fig13": (
         "The paper: on the smoothest surface the density hardly changes the load of the turning "
-        "point; the rougher the surface, the more it rises with the density. Where the curves here "
-        "differ, the verdicts on the statements say so."
+        "point; the rougher the surface, the more it rises with the density."
     ),
 }
+DIFFERENCES = (
+    "Where the curves differ from what the paper says, the verdicts on its statements say so."
+)
 # the middle zone of an axis
 ZONES = {
     "contact_mode": (
@@ -238,10 +239,11 @@ def caption(
     from its ``panels``.  ``notes`` are further sentences on what is shown."""
     if name in CAPTIONS:
         return replace(CAPTIONS[name], shows=" ".join(notes))
+    differences = [DIFFERENCES] if name in MESSAGES else []
     return Caption(
         place=f"Figure {int(name.removeprefix('fig'))}" if name in MESSAGES else "",
         title=" ".join(title.split()),
-        shows=" ".join([*_notes(panels), *notes]),
+        shows=" ".join([*_notes(panels), *notes, *differences]),
         message=MESSAGES.get(name, ""),
         alternative=" ".join(map(_description, panels)),
     )
