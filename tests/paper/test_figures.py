@@ -242,6 +242,27 @@ def test_curves_are_named_beside_their_ends(name, datasets):
         assert box.x0 > last or box.x1 < first
 
 
+@pytest.mark.parametrize("name", ["fig06", "fig07", "fig08"])
+def test_a_name_is_of_dry_or_of_lubricated_curves(name, datasets):
+    figure = plotted(name, datasets)
+    for axes, panel in zip(figure.axes, figure.panels, strict=True):
+        names = {text.get_text(): text.get_color() for text in axes.texts}
+        assert {text.startswith("dry ") for text in names} == {True, False}
+        for text, colour in names.items():
+            assert text.startswith("dry ") == (colour == "black"), (panel.letter, text)
+
+
+def test_values_below_a_logarithmic_axis_are_not_drawn(datasets):
+    figure = plotted("fig13", datasets)
+    for axes, panel in zip(figure.axes, figure.panels, strict=True):
+        curves = panel.of_kind(CURVE)
+        unseen = np.concatenate([curve.y < panel.least for curve in curves])
+        drawn = np.concatenate([line.get_ydata() for line in axes.lines[: len(curves)]])
+        assert unseen.any() and (drawn[unseen] < axes.get_ylim()[0]).all()
+        text = caption("fig13", figure.panels).shows
+        assert f"Values below {panel.least:g} are not drawn" in text
+
+
 @pytest.mark.parametrize("name", PANELS)
 def test_type_is_at_least_7_points(name, datasets, printed):
     figure = plotted(name, datasets, printed=printed[name])
@@ -375,7 +396,12 @@ def test_turning_points_and_windows_are_marked(datasets, printed):
     assert points and over.of_kind(LOCUS)
     (ends,) = last.of_kind(WINDOW)
     assert ends.x.tolist() == [0.9, 1.2]
-    assert "printed along x, with tolerance" in key_of(drawing)
+    assert {"printed along x", "tolerance of a printed line"} <= {*key_of(drawing)}
+    # 0.83 and 0.8333 are one number; strips of others do not cover each other
+    strips = [strip.get_bbox() for strip in drawing.axes[3].patches]
+    assert len(strips) == 4 and len({strip.x0 for strip in strips}) == 4
+    inside = [strip.padded(-1e-3) for strip in strips]
+    assert not any(one.overlaps(two) for one in inside for two in inside if one is not two)
     assert "fig09-window" in [series.name for series in last.of_kind(ALONG_X)]
     left_out = points[len(points) // 2]
     some = [point for point in points if point is not left_out]

@@ -73,6 +73,10 @@ def test_particles_that_reach_into_the_elastic_zone_carry_load(given, some):
     # so does one that is drawn between both surfaces
     assert (section["particle_carries_load"] >= reaches).all()
     assert reaches.any() == some and not reaches.all()
+    # and no other is drawn in the zone
+    top = section["particle_height"] + 0.5 * section["particle_size"]
+    in_zone = top > section["separation"] - section["elastic_depth"]
+    assert section["particle_carries_load"][in_zone].all()
 
 
 def test_a_file_keeps_every_digit_in_the_same_bytes_every_time(parameters, tmp_path):

@@ -40,13 +40,14 @@ def set_scales(
         top = limits.y1 if 0.0 < limits.y1 < 0.5 and not over_sizes else 1.0
         axes.set_ylim(-0.08 * top, 1.08 * top)
         if least:
-            axes.set(yscale="log", ylim=(least, 1.3))
+            axes.set(yscale="log", ylim=(least, 1.4))
         zones = _draw_zones(axes, SCALES[y], shaded=not over_sizes)
     if x == "load" and newtons_per_load is not None:
         ends = lambda load: load * newtons_per_load, lambda newtons: newtons / newtons_per_load
         upper = axes.secondary_xaxis("top", functions=ends)
         upper.xaxis.set_major_formatter("{x:g} N")
         upper.xaxis.set_minor_locator(NullLocator())
+        upper.set_zorder(1.0)  # ticks are seen on zones and strips
         upper.set_in_layout(False)  # the title leaves room for it
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
     return zones

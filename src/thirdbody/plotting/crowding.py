@@ -1,6 +1,6 @@
 """What keeps a panel readable: names at the ends of curves, and one mark where several would coincide."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,13 +16,14 @@ LINE, TOP = 0.058, 1.02  # distance and highest place of names, in heights of a 
 NAME_SIZE = 7.0  # of names [points]
 LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
 TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 1}
-SEVERAL = "0.3"  # colour of a name of several curves
+SEVERAL = "0.25"  # colour of a name of several curves
 
 
-def name_ends(axes: Axes, texts: Mapping[Line2D, str]) -> float:
+def name_ends(axes: Axes, texts: Mapping[Line2D, str], dry: Collection[Line2D] = ()) -> float:
     """Write ``texts`` beside the ends of their lines, where more ends are apart: right of the panel, or left of
-    the curves, in room that the axis gains.  Returns the width taken right of the panel [points]."""
-    right, left = (_groups(axes, texts, end) for end in (-1, 0))
+    the curves, in room that the axis gains.  ``dry`` lines share no name with others.  Returns the width taken
+    right of the panel [points]."""
+    right, left = (_groups(axes, texts, end, dry) for end in (-1, 0))
     at_left = len(left) > len(right)
     groups = left if at_left else right
     if not 1 < len(groups) <= MOST_NAMES:
@@ -30,13 +31,19 @@ def name_ends(axes: Axes, texts: Mapping[Line2D, str]) -> float:
     base = axes.get_xaxis_transform() if at_left else axes.transAxes
     shift = (-LEADER if at_left else LEADER) / 72.0
     beside = base + ScaledTranslation(shift, 0.0, axes.figure.dpi_scale_trans)
+    groups.sort(key=lambda group: np.mean([height for *_, height in group]))
     ends = [float(np.mean([height for *_, height in group])) for group in groups]
+    compares_media = 0 < len(dry) < len(texts)
     names = []
     for group, end, height in zip(groups, ends, _spread(ends), strict=True):
         colours = {line.get_color() for line, *_ in group}
+        is_dry = group[0][0] in dry
+        if colours == {"black"} and not is_dry:  # black names are of dry contact
+            colours = {SEVERAL}
+        text = _joined(texts[line] for line, *_ in group)
         x = group[0][1] if at_left else 1.0
         name = axes.annotate(
-            _joined(texts[line] for line, *_ in group),
+            f"dry {text}" if is_dry and compares_media and text != "dry" else text,
             (x, end),
             (x, height),
             xycoords=base,
@@ -45,7 +52,7 @@ def name_ends(axes: Axes, texts: Mapping[Line2D, str]) -> float:
             fontsize=NAME_SIZE,
             ha="right" if at_left else "left",
             va="center",
-            arrowprops=TO_END,
+            arrowprops=TO_END | {"relpos": (float(at_left), 0.5)},
             annotation_clip=False,
         )
         names.append(name)
@@ -59,7 +66,7 @@ def name_ends(axes: Axes, texts: Mapping[Line2D, str]) -> float:
     return 0.0
 
 
-def _groups(axes, texts, end) -> list[list[tuple[Line2D, float, float]]]:
+def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
     """Lines whose first or last points coincide, from the lowest on: each with its x, and its height in the panel."""
     places = []
     for line in texts:
@@ -70,8 +77,11 @@ def _groups(axes, texts, end) -> list[list[tuple[Line2D, float, float]]]:
             places.append((line, known[end][0], float(height)))
     groups: list[list[tuple[Line2D, float, float]]] = []
     for place in sorted(places, key=lambda place: place[2]):
-        if groups and place[2] - groups[-1][0][2] < COINCIDE:
-            groups[-1].append(place)
+        for group in groups:
+            is_near = place[2] - group[0][2] < COINCIDE
+            if is_near and (place[0] in dry) == (group[0][0] in dry):
+                group.append(place)
+                break
         else:
             groups.append([place])
     order = list(texts)

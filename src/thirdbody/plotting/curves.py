@@ -21,16 +21,21 @@ from thirdbody.curves import (
 from thirdbody.netcdf import Dataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
-from thirdbody.plotting.crowding import hide_bars, keep_apart, name_ends
+from thirdbody.plotting.crowding import NAME_SIZE, hide_bars, keep_apart, name_ends
 from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
-from thirdbody.plotting.styles import HAIRLINE, Look, curve_styles
+from thirdbody.plotting.styles import HAIRLINE, TWO_BODY, Look, curve_styles
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
+SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
+NEARLY = 1.02  # of the ends of strips that touch, as their ratio
+# of the name of an upright line
+NAME_LOOK: Look = {"fontsize": NAME_SIZE, "rotation": 90, "ha": "right", "va": "top"}
+UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
 
 
 def curves_in(
@@ -224,7 +229,8 @@ def draw_panels(
     panel, they are drawn there, and the key is in the last of them; otherwise on a new figure."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
-    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    every = [series for panel in panels for series in panel.series]
+    labels = {look.get("label") for one in every for look in (one.look, one.tolerance_look)}
     drawn = [look for look in mark_looks.values() if look.get("label") in labels - {None}]
     groups = [group for group in (*key, drawn) if group]
     if len(axes):
@@ -253,22 +259,19 @@ def draw_panels(
 def _draw_panel(axes, panel, newtons_per_load):
     """The series of a panel, and the scales of its axes."""
     lines, bars = {}, []
+    unseen = UNSEEN * panel.least or -np.inf
     for series in _some_ranges(panel.of_kind(marks.BAND)):
-        outline = np.column_stack((series.x, np.maximum(series.y, panel.least or -np.inf)))
+        outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in panel.series:
-        if series.drawn_as == UPRIGHT:
-            for x in series.x:
-                axes.axvline(x, **series.look)
-            if series.tolerance:
-                axes.axvspan(*series.tolerance[0], **series.tolerance_look)
-        elif series.drawn_as == LINE:
-            y = np.maximum(series.y, panel.least or -np.inf)
+        if series.drawn_as == LINE:
+            y = np.maximum(series.y, unseen)
             (lines[series],) = axes.plot(series.x, y, **series.look)
             if series.tolerance and series.x.size > 1:
                 axes.fill_between(series.x, *series.tolerance[1], **series.tolerance_look)
             elif series.tolerance:
                 bars += axes.plot(*series.tolerance, **series.tolerance_look)
+    _draw_uprights(axes, panel)
     zones = set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
     peaks = marks.TURNING_POINTS, marks.SLIGHT
     stars = [line for series, line in lines.items() if series.kind in peaks]
@@ -277,17 +280,60 @@ def _draw_panel(axes, panel, newtons_per_load):
     keep_apart(axes, points)
     hide_bars(axes, list(zip(points, bars, strict=True)))
     if panel.x in ("load", "normal_load"):
-        texts = {lines[one]: _name(one.look) for one in panel.of_kind(CURVE) if _name(one.look)}
-        width = name_ends(axes, texts)
+        named = {lines[one]: one for one in panel.of_kind(CURVE) if _name(one)}
+        texts = {line: _name(one) for line, one in named.items()}
+        dry = [line for line, one in named.items() if one.curve and one.curve.is_dry]
+        width = name_ends(axes, texts, dry)
         if zones is not None and width:
             zones.spines.right.set_position(("outward", width))
 
 
-def _name(look) -> str:
-    """The level of a curve, written at its end; hairlines and two-body contact have no name."""
-    text = look.get("label", "").lstrip("_").split(", ")[-1]
-    is_level = text[:1].isdigit() or text == "dry"
-    return typeset(text) if is_level and look.get("linewidth") != HAIRLINE["linewidth"] else ""
+def _draw_uprights(axes, panel):
+    """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap stand
+    above each other."""
+    has_ends = panel.x in ("load", "normal_load")  # which have the names
+    names = {} if has_ends else {one.curve: _name(one) for one in panel.of_kind(CURVE)}
+    drawn: list[Series] = []
+    lanes: list[list] = []
+    for series in panel.series:
+        if series.drawn_as != UPRIGHT or any(_is_same(series, one) for one in drawn):
+            continue
+        drawn.append(series)
+        for x in series.x:
+            axes.axvline(x, **series.look)
+        if series.curve in names:
+            look = {**NAME_LOOK, "transform": axes.get_xaxis_transform()}
+            look["color"] = series.look["color"]
+            axes.text(series.x[0], 0.98, names[series.curve], **look)
+        if series.tolerance:
+            taken = [any(_overlap(series, one) for one in lane) for lane in (*lanes, [])]
+            lanes += [[]] if all(taken[:-1]) else []
+            lanes[taken.index(False)].append(series)
+    for place, lane in enumerate(lanes):
+        heights = place / len(lanes), (place + 1) / len(lanes)
+        for series in lane:
+            axes.axvspan(*series.tolerance[0], *heights, **series.tolerance_look)
+
+
+def _is_same(series, other) -> bool:
+    """Whether two upright lines are of the same number, printed with more or with fewer digits."""
+    is_like = series.look.get("label") == other.look.get("label")
+    return is_like and bool(np.isclose(series.x[0], other.x[0], rtol=SAME, atol=0.0))
+
+
+def _overlap(series, other) -> bool:
+    """Whether two strips overlap or nearly touch."""
+    (low, high), (first, last) = (each.tolerance[0] for each in (series, other))
+    return bool(low < NEARLY * last and first < NEARLY * high)
+
+
+def _name(series) -> str:
+    """The level of a curve, written at its end; hairlines have no name."""
+    text = series.look.get("label", "").lstrip("_")
+    text = "none" if text == TWO_BODY else text
+    is_level = text[:1].isdigit() or text in ("dry", "none")
+    is_strong = series.look.get("linewidth") != HAIRLINE["linewidth"]
+    return typeset(text) if is_level and is_strong else ""
 
 
 def _some_ranges(ranges):

@@ -46,7 +46,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "dashes": (2.5, 1.2),
         "zorder": 2.9,
     },
-    WINDOW: {"label": "limits of turning points", "color": "C5", "linewidth": 1.8},
+    WINDOW: {"label": "computed limits of turning points", "color": "C5", "linewidth": 1.8},
     BAND: {"label": "ensemble range", "color": "#C3DEDD", "linewidth": 6.0},  # a tint, not grey
 }
 LOOKS |= {

@@ -23,6 +23,7 @@ BLUE = "#0072B2"  # of a single curve of an interface, or of the model
 # colours of levels, whatever colours a reader sees.
 DRY = {"color": "black", "linestyle": (0, (4.0, 2.5)), "linewidth": 1.0, "zorder": 2.6}
 DRY_TWO_BODY = {"color": "black", "linestyle": (0, (1.0, 1.6)), "linewidth": 1.6, "zorder": 2.6}
+TWO_BODY = "none (two-body)"  # label of a level
 HAIRLINE = {"linewidth": 0.4, "marker": "None"}  # of levels between the strong ones
 
 
@@ -102,4 +103,4 @@ def _level_text(condition, parameter):
         return value_text(parameter, level)
     if parameter == "viscosity":
         return "dry, two-body" if condition.is_two_body else "dry"
-    return "none (two-body)"
+    return TWO_BODY

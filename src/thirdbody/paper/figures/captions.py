@@ -55,11 +55,13 @@ CAPTIONS = {
         title="A lubricated interface with third-body particles",
         message=(
             "The load F_t is carried by summits of both surfaces, by particles, and by the lubricant. "
-            "The tint is the elastic zone h_e of Eqs. 4 and 5 below the mean plane of surface 1: in the "
-            "model every particle that reaches into it carries load, also one that does not touch surface 1 "
-            "here. Such particles are dark, others pale. Dashed lines are the mean planes. Surfaces and "
-            "sizes are drawn from the distributions of the model, at the separation d computed for the "
-            "load F_t."
+            "Dark particles carry load, pale ones do not: in the model a particle carries load if its "
+            "diameter exceeds d - y - h_e, wherever it lies on the roughness, where y is the height of the "
+            "plane on which all particles rest in the model; here also if it is drawn between both "
+            "surfaces. The tint is the elastic zone h_e of Eqs. 4 and 5, below the mean plane of surface 1; "
+            "of the random sections one is shown with no pale particle in it. Dashed lines are the mean "
+            "planes. Surfaces and sizes are drawn from the distributions of the model, at the separation d "
+            "computed for the load F_t."
         ),
         alternative=(
             "A cut through two rough surfaces, one above the other, with lubricant and round particles in "
@@ -72,8 +74,8 @@ CAPTIONS = {
         title="The three contact modes",
         message=(
             "At the same load, in the s-s mode (A) summits carry it, in the p-s mode (B) particles, in the "
-            "hybrid mode (C) both. Dark particles, which reach into the tinted zone h_e, carry load, as in "
-            "Figure 1; pale ones, the specks in A, do not. Surfaces and sizes are drawn from the "
+            "hybrid mode (C) both. Dark particles carry load, by the rule of Figure 1; pale ones, the specks "
+            "in A, do not. The tint is the elastic zone h_e. Surfaces and sizes are drawn from the "
             "distributions of the model, at the separation d computed for the load F_t."
         ),
         alternative=(
@@ -86,7 +88,7 @@ CAPTIONS = {
         message=(
             "Each bar has the statements of one figure, or of the conclusions and the abstract, by their "
             "verdict; one that the paper repeats counts each time. Below it are all statements that do not hold, "
-            "in the order of the paper, with the colour of their verdict."
+            "in the order of the paper, with their verdicts."
         ),
         alternative=(
             "A stacked bar for each part of the paper with the number of statements of each verdict, and a "
@@ -137,7 +139,7 @@ MESSAGES = {
     ),
     "fig09": (
         "The paper: particles of about 250 to 400 nm, 0.83 to 1.33 times σ, have a turning "
-        "point, where the brackets in D show what counts as about; larger ones enter the p-s "
+        "point, where the strips in D show what counts as about; larger ones enter the p-s "
         "mode at low loads."
     ),
     "fig10": (
@@ -159,15 +161,17 @@ MESSAGES = {
         "point; the rougher the surface, the more it rises with the density."
     ),
 }
+DIFFERENCES = (
+    "Where the curves differ from what the paper says, the verdicts on its statements say so."
+)
 # the middle zone of an axis
 ZONES = {
     "contact_mode": (
-        "Shaded zone: the hybrid mode, A_sa,t* from 0.05 to 0.95; above it is the p-s mode, "
-        "below it the s-s mode."
+        "the hybrid mode, A_sa,t* from 0.05 to 0.95, above it the p-s mode, below it the s-s mode"
     ),
     "lubrication_regime": (
-        "Shaded zone: mixed lubrication (M.L.), L_s from 3 to 90 %; above it is boundary (B.L.), "
-        "below it full-film lubrication (F.L.)."
+        "mixed lubrication (M.L.), L_s from 3 to 90 %, above it boundary (B.L.), below it full-film "
+        "lubrication (F.L.)"
     ),
 }
 # the marks that the key of a figure of curves names
@@ -185,12 +189,13 @@ MEANINGS = {
     printed.PRINTED: "Diamonds: numbers that the paper prints; bars: their tolerances.",
     printed.ALONG_X: (
         "Upright lines of dashes and dots: numbers that the paper prints along x alone, without the height, "
-        "in the colour of their curve if it is one; the bracket around a line is its tolerance."
+        "in the colour of their curve if it is one; the strip around a line is its tolerance; "
+        "strips that would overlap stand above each other."
     ),
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (
         "Hexagons: the bends or the crossing of the computed curves for which the line is printed; "
-        "outside the bracket the model misses the number."
+        "outside the strip the model misses the number."
     ),
     printed.EVERY_LOAD: (
         "Level lines with a stroke at each end: numbers that the paper prints for every load; strips: "
@@ -210,10 +215,11 @@ def caption(
     from its ``panels``.  ``notes`` are further sentences on what is shown."""
     if name in CAPTIONS:
         return replace(CAPTIONS[name], shows=" ".join(notes))
+    differences = [DIFFERENCES] if name in MESSAGES else []
     return Caption(
         place=f"Figure {int(name.removeprefix('fig'))}" if name in MESSAGES else "",
         title=" ".join(title.split()),
-        shows=" ".join([*_notes(panels), *notes]),
+        shows=" ".join([*_notes(panels), *notes, *differences]),
         message=MESSAGES.get(name, ""),
         alternative=" ".join(map(_description, panels)),
     )
@@ -240,15 +246,27 @@ def _notes(panels) -> list[str]:
     sentences += _outside(panels)
     ours = [panel.letter for panel in panels if OURS in panel.title]
     if ours:
-        sentences.append(f"Not in the paper: {' and '.join(ours)}.")
+        sentences.append(f"Not in the paper: {_listed(ours)}.")
     if len({condition.is_dry for condition in conditions}) > 1:
         sentences.append(
-            "Dashed black curves and black names: dry contact; grey names: several curves."
+            "Dashed black curves and black names: dry contact; grey names: several lubricated curves, or "
+            "one without particles."
         )
-    sentences += [
-        ZONES[zones] for zones in dict.fromkeys(SCALES[panel.y].zones for panel in panels) if zones
+    leasts = {panel.least for panel in panels} - {0.0}
+    sentences += [f"Values below {least:g} are not drawn." for least in leasts]
+    letters: dict[str, list[str]] = {}
+    for panel in panels:
+        if panel.x != "diameter_ratio":  # where it is not shaded
+            letters.setdefault(SCALES[panel.y].zones, []).append(panel.letter)
+    shaded = [
+        f"in {_listed(letters[zones])} {text}" for zones, text in ZONES.items() if zones in letters
     ]
-    return sentences
+    return sentences + ([f"Shaded zone: {'; '.join(shaded)}."] if shaded else [])
+
+
+def _listed(texts) -> str:
+    """Texts as in a sentence: A, B and C."""
+    return " and ".join(filter(None, (", ".join(texts[:-1]), texts[-1])))
 
 
 def _outside(panels) -> list[str]:

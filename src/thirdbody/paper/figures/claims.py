@@ -71,6 +71,8 @@ def _draw_bars(axes: Axes, rows: Sequence[Mapping], parts: Sequence[str]) -> lis
 
 
 def _sentence(row) -> list[str]:
-    """The lines of a statement with its place."""
+    """The lines of a statement with its place and verdict."""
     place = row["place"].partition(", section")[0]
-    return textwrap.wrap(f"{place}: {row['statement']}", LETTERS, break_on_hyphens=False)
+    return textwrap.wrap(
+        f"{place}, {row['verdict']}: {row['statement']}", LETTERS, break_on_hyphens=False
+    )

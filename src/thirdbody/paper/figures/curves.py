@@ -61,7 +61,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         (replace(RATIO, surface=0), replace(SOLID, surface=0), replace(RATIO, surface=-1)),
     ),
     # and with other particle densities
-    "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.003),), each=("roughness",)),
+    "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
 
 

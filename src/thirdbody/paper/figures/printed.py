@@ -41,7 +41,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 2.9,
     },
     ALONG_X: {
-        "label": "printed along x, with tolerance",
+        "label": "printed along x",
         "color": "black",
         "linestyle": (0, (4.0, 1.0, 1.0, 1.0)),
         "linewidth": 1.3,
@@ -64,10 +64,13 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 3.2,
     },
 }
-ALL_LOOKS = LOOKS | marks.LOOKS
-# a bar with a stroke across each end, and a bracket or strip of a number that lacks an ordinate
+# a bar with a stroke across each end, and a strip of a number that lacks an ordinate
 BAR = {"linewidth": 1.4, "markersize": 5.0, "markeredgewidth": 1.2, "zorder": 3.0}
 STRIP = {"facecolor": "#FBEFD0", "edgecolor": "#B8923A", "linewidth": 0.6, "zorder": 0.6}
+STRIP |= {"label": "tolerance of a printed line"}
+SQUARE = {"label": STRIP["label"], "linestyle": "none", "marker": "s", "markersize": 8.0}
+LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": "#B8923A"}
+ALL_LOOKS = LOOKS | marks.LOOKS
 
 SOLID = "solid_load_fraction"
 # panels over the load for numbers that are not variables: loads, and values at a turning point
@@ -167,6 +170,7 @@ def _along_x(row, curves=()) -> Series:
         name=row["id"],
         x=np.array([row["value"]]),
         y=nothing[:1],
+        curve=curves[0].condition if len(curves) == 1 else None,
         look=LOOKS[kind] | (_colour(curves) if curves else {}),
         drawn_as=UPRIGHT,
         tolerance=(np.array([row["low"], row["high"]]), nothing),

@@ -19,7 +19,7 @@ MICROMETRE = 1e-6
 SCALE = 0.5e-6  # height of the scale bar [m]
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
-PARTICLE = "particle under load"
+PARTICLE = "particles under load"
 # titles of the modes in the order of the panels of figure 2
 MODE_TITLES = {
     "surface_surface": "s-s mode",
@@ -84,6 +84,7 @@ def plot_modes(data: PlainDataset) -> Drawing:
     for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
         _draw_section(axes, panel, section, MODES_SHAPE)
         _name_parts(axes, section)
+    _draw_height(figure.axes[0], 0.06, *_elastic_zone(figure.axes[0], sections[0]), "$h_e$")
     figure.supxlabel(typeset(f"{', '.join(common)}; {STRETCHED}"), fontsize="medium")
     return figure
 
@@ -112,8 +113,6 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
     if section["viscosity"] > 0.0:
         axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
-    reached = section["separation"] - section["elastic_depth"]
-    axes.axhspan(max(reached, middle - reach), section["separation"], **LOOKS["elastic zone"])
     for series in panel.series:
         if series.name in edges:
             axes.fill_between(series.x, series.y, edges[series.name], **series.look)
@@ -123,6 +122,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
             axes.fill(series.x, series.y, zorder=2.5, **series.look)
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
     axes.set_aspect(STRETCH)
+    axes.axhspan(*_elastic_zone(axes, section), **LOOKS["elastic zone"])
     corner, end = middle - 0.94 * reach, 0.9 * length
     start = end - STRETCH * SCALE
     axes.plot([start, end, end], [corner, corner, corner + SCALE], color="black", linewidth=1.5)
@@ -140,7 +140,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
 
 
 def _name_parts(axes, section):
-    """Names on the drawing, with lines to the lubricant, a contact of summits and the largest particle under load."""
+    """Names on the drawing, with lines to the lubricant, a contact of summits and the largest of the particles under load."""
     position, length = section["position"], section["position"][-1]
     for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
         look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
@@ -166,6 +166,7 @@ def _name_parts(axes, section):
 def _point_at(axes, text, place, beside):
     look = {"ha": "center", "va": "center", "arrowprops": LEADER, "zorder": 4}
     axes.annotate(text, place, beside, **look)
+    axes.plot(*place, "o", color=LEADER["color"], markersize=2.2, zorder=4)
 
 
 def _draw_arrows(axes, section):
@@ -174,14 +175,24 @@ def _draw_arrows(axes, section):
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
     bottom, top = axes.get_ylim()
-    reached = max(d - section["elastic_depth"], bottom)
-    for place, low, symbol in ((0.02, 0.0, "$d$"), (0.06, reached, "$h_e$")):
-        x = place * length
-        axes.annotate("", (x, low), (x, d), arrowprops=SEPARATION)
-        axes.text(x, 0.35 * low + 0.65 * d, f" {symbol}", va="center", zorder=4, bbox=BEHIND)
+    _draw_height(axes, 0.02, 0.0, d, "$d$")
+    _draw_height(axes, 0.06, *_elastic_zone(axes, section), "$h_e$")
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
         axes.text(0.53 * length, start, "$F_t$", va="top" if start > 0.0 else "bottom")
+
+
+def _elastic_zone(axes, section) -> tuple[float, float]:
+    """Lower and upper end of the elastic zone, as far as it is seen."""
+    d = section["separation"]
+    return max(d - section["elastic_depth"], axes.get_ylim()[0]), d
+
+
+def _draw_height(axes, place, low, high, symbol):
+    """An arrow from ``low`` to ``high`` with its symbol, at a ``place`` in widths of the panel."""
+    x = place * axes.get_xlim()[1]
+    axes.annotate("", (x, low), (x, high), arrowprops=SEPARATION, zorder=5)
+    axes.text(x, 0.35 * low + 0.65 * high, f" {symbol}", va="center", zorder=4, bbox=BEHIND)
 
 
 SCHEMATICS: dict[str, Callable[[PlainDataset], Drawing]] = {

@@ -2,8 +2,9 @@
 
 The surfaces are Gaussian, the particles follow the size distribution of the model, and the mean
 planes are at the solved separation.  Lengths are as in the model; on paper heights are stretched, and
-particles, which are drawn round, touch the surfaces as they are drawn.  Those that touch both or reach
-into the elastic zone h_e carry load.  The seed is fixed.  A section is a mapping by the names of
+particles, which are drawn round, touch the surfaces as they are drawn.  Those that touch both, or are
+large enough by Eqs. 4 and 5, carry load; sections are chosen where no other reaches into the elastic
+zone h_e.  The seed is fixed.  A section is a mapping by the names of
 ``VARIABLES``, and ``position`` along it; its state has the condition and the solution.
 """
 
@@ -123,21 +124,26 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
     position = np.linspace(0.0, length, POINTS)
     mode = CONTACT_MODES[state["contact_mode"]]
     summits, held = TOUCHING[mode]
+    depth = parameters.elastic_depth_ratio * state["particle_diameter"]
+    least = _least_size(state, depth, parameters)
     for _ in range(ATTEMPTS):
         lower, upper = _surfaces(state, parameters, position, summits, random)
         touches = lower > upper
         particles = _particles(state, parameters, position, lower, upper, held, random)
+        touching = particles["particle_carries_load"].astype(bool)
+        carries = touching | (particles["particle_size"] > least)
+        top = particles["particle_height"] + 0.5 * particles["particle_size"]
+        in_zone = top > state["separation"] - depth
         if (
             touches.any() == bool(summits)
-            and particles["particle_carries_load"].any() == bool(held)
+            and touching.any() == bool(held)
+            and carries[in_zone].all()  # where free ones lie is no matter in the model
             and _are_apart(particles, position[touches], length)
         ):
+            particles["particle_carries_load"] = carries.astype(np.int8)
             middle = 0.5 * (lower + upper)
             lower, upper = np.where(touches, middle, [lower, upper])
             lines = dict(zip(LINES, (lower, upper, touches.astype(np.int8)), strict=True))
-            depth = parameters.elastic_depth_ratio * state["particle_diameter"]
-            reaches = particles["particle_size"] > _least_size(state, depth, parameters)
-            particles["particle_carries_load"] |= reaches.astype(np.int8)
             return {**state, "elastic_depth": depth, "position": position, **lines, **particles}
     raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
 
