@@ -78,7 +78,7 @@ const KEY = {
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   levels: { text: "printed, at every load", color: "var(--ink)", kind: "level", hasEnds: true },
-  windows: { text: "limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
+  windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
   limits: { text: "printed along x alone (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit", isUpright: true },
   ranges: { text: "range, 5 to 95 %", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
