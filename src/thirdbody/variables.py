@@ -12,6 +12,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.core import names
 from thirdbody.core.regimes import FLAG_MEANINGS
 
 
@@ -231,7 +232,7 @@ CONDITION_AXES = tuple(AXES.values())[1:]  # all but the load
 
 QUANTITIES = _by_name(
     Variable(
-        name="total_contact_area",
+        name=names.TOTAL_CONTACT_AREA,
         symbol="A_t*",
         label="total real contact area over apparent area",
         equation="5",
@@ -240,16 +241,16 @@ QUANTITIES = _by_name(
         is_logarithmic=True,
     ),
     Variable(
-        name="particle_contact_area_ratio",
+        name=names.PARTICLE_CONTACT_AREA_RATIO,
         symbol="A_sa,t*",
         label="contact area of particles over total real contact area",
         equation="10",
         title="Contact area ratio of particles",
         axis="$A_{sa,t}^*$",
-        zones="contact_mode",
+        zones=names.CONTACT_MODE,
     ),
     Variable(
-        name="surface_contact_area_ratio",
+        name=names.SURFACE_CONTACT_AREA_RATIO,
         symbol="A_ss,t*",
         label="contact area of summits over total real contact area",
         equation="10",
@@ -257,7 +258,7 @@ QUANTITIES = _by_name(
         axis="$A_{ss,t}^*$",
     ),
     Variable(
-        name="solid_load_fraction",
+        name=names.SOLID_LOAD_FRACTION,
         symbol="L_s",
         label="fraction of the load carried by the solids",
         equation="9",
@@ -265,10 +266,10 @@ QUANTITIES = _by_name(
         axis="$L_s$ (%)",
         shown_unit="%",
         scale=0.01,
-        zones="lubrication_regime",
+        zones=names.LUBRICATION_REGIME,
     ),
     Variable(
-        name="fluid_load_fraction",
+        name=names.FLUID_LOAD_FRACTION,
         symbol="L_f",
         label="fraction of the load carried by the fluid",
         equation="9",
@@ -278,7 +279,7 @@ QUANTITIES = _by_name(
         scale=0.01,
     ),
     Variable(
-        name="separation",
+        name=names.SEPARATION,
         symbol="d",
         unit="m",
         label="mean separation of the two surfaces",
@@ -289,7 +290,7 @@ QUANTITIES = _by_name(
         scale=1e-9,
     ),
     Variable(
-        name="film_thickness",
+        name=names.FILM_THICKNESS,
         symbol="H_c",
         label="central film thickness over ball radius",
         equation="7",
@@ -300,7 +301,7 @@ QUANTITIES = _by_name(
     ),
 )
 
-STATUS = "solution_status"  # the flag that qualifies all other variables
+STATUS = names.SOLUTION_STATUS  # the flag that qualifies all other variables
 STATUS_MEANINGS = {
     "converged": "the equations hold to the error asked for",
     "outside_film_formula": "the film carries more than a thousandth of the load where Eq. 7 has no meaning: "
@@ -313,13 +314,13 @@ STATUS_MEANINGS = {
 }
 FLAGS = _by_name(
     Variable(
-        name="lubrication_regime",
+        name=names.LUBRICATION_REGIME,
         symbol="L_s",
         label="lubrication regime",
         equation="section 3.1",
     ),
     Variable(
-        name="contact_mode",
+        name=names.CONTACT_MODE,
         symbol="A_sa,t*",
         label="contact mode",
         equation="section 3.2",
@@ -343,7 +344,7 @@ NORMAL_LOAD = Variable(
     is_logarithmic=True,
 )
 ERROR_BOUND = Variable(
-    name="error_bound",
+    name=names.ERROR_BOUND,
     label="bound on the relative error of every variable",
     comment="of numbers above 2.2e-308, below which float64 loses digits",
 )
@@ -369,7 +370,7 @@ DERIVED = _by_name(
         symbol="A_sa,t*",
         title="Where turning points occur",
         axis="$A_{sa,t}^*$ at the turning point",
-        zones="contact_mode",
+        zones=names.CONTACT_MODE,
     ),
 )
 
@@ -396,10 +397,10 @@ def with_table(documented: Documented) -> Documented:
     if inspect.isfunction(documented):
         signature = inspect.signature(documented)
         *others, _ = signature.parameters.values()
-        names = [
+        given = [
             inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None)
             for axis in CONDITIONS.values()
             for name in (axis.name, axis.alias)
         ]
-        vars(documented)["__signature__"] = signature.replace(parameters=[*names, *others])
+        vars(documented)["__signature__"] = signature.replace(parameters=[*given, *others])
     return documented

@@ -30,5 +30,5 @@ What curves have:
 - ``transitions``: loads at which the regime or mode changes, between points of a curve.
 - ``crossings``: where any variable crosses a level along any condition.
 
-``logarithms``, ``interpolation`` and ``bracketing`` have the arithmetic that several of these use.
+``names`` has the names of the variables; ``logarithms``, ``interpolation`` and ``bracketing`` have the arithmetic that several of these use.
 """

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.core.bracketing import bracketed_roots
+from thirdbody.core.names import ERROR_BOUND, SOLUTION_STATUS
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 
@@ -94,7 +95,7 @@ class _Excess:
     def solved(self, query, values, callback=None):
         """Variables by name, of queries at values of the axis."""
         points = {name: column[query] for name, column in self.others.items()} | {self.axis: values}
-        variables = {*self.names, "error_bound", "solution_status"}
+        variables = {*self.names, ERROR_BOUND, SOLUTION_STATUS}
         return solve_points(points, self.parameters, self.rtol, variables, callback)
 
     def everywhere(self, samples):
@@ -113,9 +114,9 @@ class _Excess:
     def certain_sign(self, limit, query, log_value):
         """The sign, 0 where the error of the variable may be larger; and the status."""
         excess, solved = self.at(limit, query, log_value)
-        margin = solved["error_bound"] * np.abs(excess + self.levels[limit, query])
+        margin = solved[ERROR_BOUND] * np.abs(excess + self.levels[limit, query])
         sign = np.where(np.abs(excess) > margin, np.sign(excess), 0.0)
-        return sign, solved["solution_status"]
+        return sign, solved[SOLUTION_STATUS]
 
 
 def _brackets(excess, samples):

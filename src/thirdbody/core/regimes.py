@@ -7,6 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.core.names import (
+    CONTACT_MODE,
+    LUBRICATION_REGIME,
+    PARTICLE_CONTACT_AREA_RATIO,
+    SOLID_LOAD_FRACTION,
+    SOLUTION_STATUS,
+)
+
 BOUNDARY_LIMIT = 0.90  # of L_s
 FULL_FILM_LIMIT = 0.03  # of L_s
 PARTICLE_LIMIT = 0.95  # of A_sa,t*
@@ -82,18 +90,18 @@ class SolutionStatus(State):
 
 
 STATES = {
-    "lubrication_regime": LubricationRegime,
-    "contact_mode": ContactMode,
-    "solution_status": SolutionStatus,
+    LUBRICATION_REGIME: LubricationRegime,
+    CONTACT_MODE: ContactMode,
+    SOLUTION_STATUS: SolutionStatus,
 }
 # states by code; -1 is the last, if there is one
 _BY_CODE = {name: np.array([*states], object) for name, states in STATES.items()}
 # the quantity and level of each limit, the flag that changes there, and its states below and above
 LIMITS = (
-    ("solid_load_fraction", BOUNDARY_LIMIT, "lubrication_regime", "mixed", "boundary"),
-    ("solid_load_fraction", FULL_FILM_LIMIT, "lubrication_regime", "full_film", "mixed"),
-    ("particle_contact_area_ratio", PARTICLE_LIMIT, "contact_mode", "hybrid", "particle_surface"),
-    ("particle_contact_area_ratio", SURFACE_LIMIT, "contact_mode", "surface_surface", "hybrid"),
+    (SOLID_LOAD_FRACTION, BOUNDARY_LIMIT, LUBRICATION_REGIME, "mixed", "boundary"),
+    (SOLID_LOAD_FRACTION, FULL_FILM_LIMIT, LUBRICATION_REGIME, "full_film", "mixed"),
+    (PARTICLE_CONTACT_AREA_RATIO, PARTICLE_LIMIT, CONTACT_MODE, "hybrid", "particle_surface"),
+    (PARTICLE_CONTACT_AREA_RATIO, SURFACE_LIMIT, CONTACT_MODE, "surface_surface", "hybrid"),
 )
 # what the values 0, 1, ... of each flag stand for
 FLAG_MEANINGS = {name: states.names() for name, states in STATES.items()}
@@ -162,9 +170,9 @@ def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
     [2, -1]
     """
     codes = {name: np.asarray(variables[name]) for name in FLAG_MEANINGS if name in variables}
-    if {"lubrication_regime", "contact_mode"} <= codes.keys():
-        is_full = codes["lubrication_regime"] == LubricationRegime.full_film
-        codes["contact_mode"] = np.where(is_full, NO_FLAG, codes["contact_mode"])
+    if {LUBRICATION_REGIME, CONTACT_MODE} <= codes.keys():
+        is_full = codes[LUBRICATION_REGIME] == LubricationRegime.full_film
+        codes[CONTACT_MODE] = np.where(is_full, NO_FLAG, codes[CONTACT_MODE])
     return codes
 
 

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from thirdbody.core.balance import Points
 from thirdbody.core.brackets import bracket
 from thirdbody.core.film import has_film
+from thirdbody.core.names import ERROR_BOUND, SOLUTION_STATUS
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.regimes import SOLUTION_STATUSES, has_values
@@ -82,7 +83,7 @@ def solve_points(
                 solved = describe(balance, rtol)
                 for name, values in result.items():
                     values[indices] = solved[name]
-                failed = solved["solution_status"] == NOT_CONVERGED
+                failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
                 left[indices] = failed & attempt.uses_tables
                 if callback is not None:
                     callback(int(np.count_nonzero(~left[indices])))
@@ -97,10 +98,10 @@ def _doubt_faint_particles(columns, result):
     faint = (coverage < FAINT_COVERAGE) & (diameter > 0.0) & (density > 0.0)
     if not faint.any():
         return
-    if "error_bound" in result:
-        result["error_bound"][faint] = np.inf
-    if "solution_status" in result:
-        status = result["solution_status"]
+    if ERROR_BOUND in result:
+        result[ERROR_BOUND][faint] = np.inf
+    if SOLUTION_STATUS in result:
+        status = result[SOLUTION_STATUS]
         status[faint & has_values(status)] = NOT_CONVERGED
 
 

@@ -7,6 +7,19 @@ from numpy.typing import NDArray
 
 from thirdbody.core.film import THICKEST, Film, log_load_parameter
 from thirdbody.core.logarithms import TINY
+from thirdbody.core.names import (
+    CONTACT_MODE,
+    ERROR_BOUND,
+    FILM_THICKNESS,
+    FLUID_LOAD_FRACTION,
+    LUBRICATION_REGIME,
+    PARTICLE_CONTACT_AREA_RATIO,
+    SEPARATION,
+    SOLID_LOAD_FRACTION,
+    SOLUTION_STATUS,
+    SURFACE_CONTACT_AREA_RATIO,
+    TOTAL_CONTACT_AREA,
+)
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import (
     FILM_COUNTS,
@@ -41,10 +54,10 @@ def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
     variables = {name: 0.5 * values.sum(axis=0) for name, values in both.items()}
     error = _error_bound(ends, both)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
-    variables["error_bound"] = error
+    variables[ERROR_BOUND] = error
     particles = points.contact.particles
     covered = particles is not None and particles.covers_all
-    unsolved = np.isnan(variables["separation"])
+    unsolved = np.isnan(variables[SEPARATION])
     statuses = {
         "not_converged": ~(error <= rtol),
         "coverage_exceeded": covered,
@@ -84,14 +97,14 @@ def quantities(
     """
     particles, summits = fractions(np.log(particle_area) - log_summit_area)
     return {
-        "total_contact_area": particle_area + np.exp(log_summit_area),  # Eqs. 3 and 5
-        "particle_contact_area_ratio": particles,  # Eq. 10
-        "surface_contact_area_ratio": summits,
-        "solid_load_fraction": solid_load_fraction,
-        "fluid_load_fraction": fluid_load_fraction,
-        "separation": separation,
-        "film_thickness": separation
-        / parameters.ball_radius,  # Eq. 7 gives d = R_x H_c; so also when dry
+        TOTAL_CONTACT_AREA: particle_area + np.exp(log_summit_area),  # Eqs. 3 and 5
+        PARTICLE_CONTACT_AREA_RATIO: particles,  # Eq. 10
+        SURFACE_CONTACT_AREA_RATIO: summits,
+        SOLID_LOAD_FRACTION: solid_load_fraction,
+        FLUID_LOAD_FRACTION: fluid_load_fraction,
+        SEPARATION: separation,
+        # Eq. 7 gives d = R_x H_c; the paper has it so also when dry
+        FILM_THICKNESS: separation / parameters.ball_radius,
     }
 
 
@@ -105,7 +118,7 @@ def _remove_values(variables, without_values):
     if not without_values.any():
         return
     for name, values in variables.items():
-        if name != "solution_status":
+        if name != SOLUTION_STATUS:
             values[without_values] = np.nan if type_of(name) is float else NO_FLAG
 
 
@@ -121,18 +134,16 @@ def add_flags(
 
     ``statuses`` are the statuses, by name, that do not follow from the variables.
     """
-    variables["lubrication_regime"] = lubrication_regime(variables["solid_load_fraction"])
-    variables["contact_mode"] = contact_mode(
-        variables["particle_contact_area_ratio"], with_particles
-    )
-    statuses["area_exceeded"] = variables["total_contact_area"] > 1.0
+    variables[LUBRICATION_REGIME] = lubrication_regime(variables[SOLID_LOAD_FRACTION])
+    variables[CONTACT_MODE] = contact_mode(variables[PARTICLE_CONTACT_AREA_RATIO], with_particles)
+    statuses["area_exceeded"] = variables[TOTAL_CONTACT_AREA] > 1.0
     if film is not None:
-        fluid = variables["fluid_load_fraction"]
+        fluid = variables[FLUID_LOAD_FRACTION]
         log_fluid = np.log(fluid) if parameters.film_shares_load else 0.0
         meaningful = film.is_meaningful(log_load_parameter(log_load + log_fluid, parameters))
-        meaningful &= variables["film_thickness"] <= THICKEST
+        meaningful &= variables[FILM_THICKNESS] <= THICKEST
         statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)
-    variables["solution_status"] = gravest_status(**statuses)
+    variables[SOLUTION_STATUS] = gravest_status(**statuses)
 
 
 def _error_bound(ends, both):
@@ -153,7 +164,7 @@ def _area_difference(solids, both, width):
     log_bare = np.log1p(-solids.coverage)
     summits = _difference(log_summits - log_bare) + _difference(log_bare)
     # an area that is negligible alone may matter in a ratio
-    smaller = np.minimum(both["particle_contact_area_ratio"], both["surface_contact_area_ratio"])
+    smaller = np.minimum(both[PARTICLE_CONTACT_AREA_RATIO], both[SURFACE_CONTACT_AREA_RATIO])
     # the steeper slope of both ends leaves a margin
     rise = width * np.abs(area.slope).max(axis=0) / area.value.min(axis=0)
     particles = np.maximum(_difference(np.log(area.value)), rise)
@@ -164,7 +175,7 @@ def _area_difference(solids, both, width):
 def _load_difference(ends, both, width):
     """Largest relative difference of the loads of solids and film between both ends, and where both
     carry load."""
-    solid, fluid = both["solid_load_fraction"], both["fluid_load_fraction"]
+    solid, fluid = both[SOLID_LOAD_FRACTION], both[FLUID_LOAD_FRACTION]
     shared = np.minimum(solid, fluid).max(axis=0) > TINY
     rise = width * np.abs(ends.log_solid.slope).max(axis=0)
     solids = np.maximum(_difference(ends.log_solid.value), rise)

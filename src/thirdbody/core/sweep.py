@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from thirdbody.core.film import Film, log_load_parameter
 from thirdbody.core.logarithms import TINY
+from thirdbody.core.names import ERROR_BOUND, FLUID_LOAD_FRACTION, SEPARATION, TOTAL_CONTACT_AREA
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.solid_tables import TabulatedSolids, solid_tables
@@ -142,7 +143,7 @@ class _Surface:
     ) -> Iterator[_Solved]:
         """Yield the variables for each particle size and density."""
         dry = self._dry(diameter, density, rtol, variables)
-        low, high = self._ends(dry["separation"])
+        low, high = self._ends(dry[SEPARATION])
         log_film = self._log_film(low.min(), high.max()) if self.films_share else None
         roughness = np.full(diameter.shape, self.roughness)
         tables = solid_tables(diameter, roughness, density, low, high, self.parameters)
@@ -150,10 +151,10 @@ class _Surface:
             with_particles = bool(has_particles(diameter[number], density[number]))
             films = self._sharing(table, log_film) if self.films_share else self._explicit(table)
             add_flags(films, self.film, self.log_load, self.parameters, with_particles)
-            unsure = ~(films["error_bound"] <= rtol)
-            unsure |= films["total_contact_area"] < TINY  # where float64 loses digits
+            unsure = ~(films[ERROR_BOUND] <= rtol)
+            unsure |= films[TOTAL_CONTACT_AREA] < TINY  # where float64 loses digits
             alone = {name: dry[name][1:, number] for name in variables}
-            carried = films["fluid_load_fraction"] <= 0.0  # by the solids, at their dry separation
+            carried = films[FLUID_LOAD_FRACTION] <= 0.0  # by the solids, at their dry separation
             if carried.any():
                 for name in variables:
                     films[name] = np.where(carried, alone[name], films[name])
@@ -169,7 +170,7 @@ class _Surface:
             "roughness": np.full(1, self.roughness),
             "particle_density": density,
         }
-        names = dict.fromkeys([*variables, "separation"])
+        names = dict.fromkeys([*variables, SEPARATION])
         return solve_points(points, self.parameters, rtol, names)
 
     def _ends(self, dry_separation):
@@ -258,7 +259,7 @@ class _Surface:
 
     def _variables(self, *, error, **state):
         """Variables by name, for the arguments of ``quantities``."""
-        return quantities(**state, parameters=self.parameters) | {"error_bound": error}
+        return quantities(**state, parameters=self.parameters) | {ERROR_BOUND: error}
 
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], accurate enough to start Newton's method."""

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from thirdbody.core import regimes
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
+from thirdbody.core.names import PARTICLE_CONTACT_AREA_RATIO
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.turning_points import load_at, particle_ratio
@@ -43,7 +44,7 @@ def limit_crossings(
     limit, step, curve = np.nonzero(change)
     load, error = np.zeros((2, curve.size))
     quantity, level = (np.array(column)[limit] for column in zip(*LIMITS, strict=True))
-    is_ratio = quantity == "particle_contact_area_ratio"
+    is_ratio = quantity == PARTICLE_CONTACT_AREA_RATIO
     _, diameter, _, density = conditions[:, curve]
     is_three_body = has_particles(diameter, density)
     for of_ratio, three_body in product((False, True), repeat=2):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
+from thirdbody.core.names import SEPARATION
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.turning_points import PROMINENCE, ratio_maxima
@@ -60,7 +61,7 @@ def turning_point_windows(
         names = "particle_diameter", "roughness", "particle_density"
         points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
         points |= dict(zip(names, columns, strict=True))
-        first, last = solve_points(points, parameters, search.rtol, ("separation",))["separation"]
+        first, last = solve_points(points, parameters, search.rtol, (SEPARATION,))[SEPARATION]
         solids = Contact.of(*columns, parameters, search.rtol)
         between = _separations(first, last, sigma, search.separations)
         curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)

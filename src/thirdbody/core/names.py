@@ -1,0 +1,13 @@
+"""The names of the variables of solved points; ``thirdbody.variables`` says what each is."""
+
+TOTAL_CONTACT_AREA = "total_contact_area"
+PARTICLE_CONTACT_AREA_RATIO = "particle_contact_area_ratio"
+SURFACE_CONTACT_AREA_RATIO = "surface_contact_area_ratio"
+SOLID_LOAD_FRACTION = "solid_load_fraction"
+FLUID_LOAD_FRACTION = "fluid_load_fraction"
+SEPARATION = "separation"
+FILM_THICKNESS = "film_thickness"
+LUBRICATION_REGIME = "lubrication_regime"
+CONTACT_MODE = "contact_mode"
+SOLUTION_STATUS = "solution_status"
+ERROR_BOUND = "error_bound"
