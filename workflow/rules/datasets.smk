@@ -9,7 +9,7 @@ rule solve_scene:
     params:
         *sources_of("solve_scene.py"),
         *SOFTWARE,
-        scene=lookup(dpath="scenes/{scene}", within=settings),
+        scene=lookup(dpath="{scene}", within=settings["scenes"]),
         version=version_of("datasets"),
         parameters=settings["parameters"],
     message:
@@ -45,7 +45,7 @@ rule compute_schematic:
     params:
         *sources_of("compute_schematic.py"),
         *SOFTWARE,
-        panels=lookup(dpath="schematics/{schematic}", within=settings),
+        panels=lookup(dpath="{schematic}", within=settings["schematics"]),
         version=version_of("schematics"),
         parameters=settings["parameters"],
     message:
