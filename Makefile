@@ -42,11 +42,13 @@ reproduce: $(VENV)/workflow.done
 # one thread of linear algebra a process, as processes share the cores; one process more than cores, as some tests wait
 PYTEST = OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(CORES) + 1)) --dist=loadfile --no-loadscope-reorder
 
-# coverage is that of the library by its own tests
+# coverage is that of the library by its own tests, without those of many points, which it would slow
+MANY_POINTS := tests/core/test_continuity.py tests/core/test_properties.py
+
 test: $(VENV)/test.done $(VENV)/slurm.done
 	$(BIN)/snakemake -c$(CORES)
-	$(PYTEST) --ignore=tests/core --ignore=tests/lab
-	$(PYTEST) --cov tests/core tests/lab
+	$(PYTEST) tests $(MANY_POINTS) --ignore=tests/core --ignore=tests/lab
+	$(PYTEST) tests/core tests/lab $(MANY_POINTS:%=--ignore=%) --cov
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html
