@@ -44,10 +44,11 @@ PYTEST = OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(COR
 
 # coverage is that of the library by its own tests, without those of many points, which it would slow
 MANY_POINTS := tests/core/test_continuity.py tests/core/test_properties.py
+OTHER_TESTS := $(addprefix tests/, workflow oracle products browser paper project)
 
 test: $(VENV)/test.done $(VENV)/slurm.done
 	$(BIN)/snakemake -c$(CORES)
-	$(PYTEST) tests $(MANY_POINTS) --ignore=tests/core --ignore=tests/lab
+	$(PYTEST) $(OTHER_TESTS) $(MANY_POINTS)
 	$(PYTEST) tests/core tests/lab $(MANY_POINTS:%=--ignore=%) --cov
 
 docs: $(VENV)/test.done
