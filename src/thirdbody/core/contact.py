@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from thirdbody.core.logarithms import EPSILON, TINY, WithSlope, log_product, log_sum
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, has_particles, log_bare_fraction
-from thirdbody.core.summits import RoughSurfaces
+from thirdbody.core.summits import Summits
 
 FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
 NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* below which the area underflows too
@@ -68,7 +68,7 @@ class Contact:
 
     Parameters
     ----------
-    summits : RoughSurfaces
+    summits : Summits
         The summits of both surfaces.
     particles : ParticleLayer or None
         The third bodies; None for two-body contact.
@@ -80,7 +80,7 @@ class Contact:
     In all methods ``separation`` is the mean separation d [m]; results have its shape.
     """
 
-    summits: RoughSurfaces
+    summits: Summits
     particles: ParticleLayer | None
     parameters: Parameters
 
@@ -98,7 +98,7 @@ class Contact:
         particles = None
         if has_particles(particle_diameter[0], particle_density[0]):
             particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
-        summits = RoughSurfaces.of(roughness, parameters, table_rtol)
+        summits = Summits.of(roughness, parameters, table_rtol)
         return cls(summits=summits, particles=particles, parameters=parameters)
 
     def take(self, chosen) -> Contact:

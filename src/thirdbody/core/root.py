@@ -21,10 +21,9 @@ from thirdbody.core.logarithms import EPSILON
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 GROWTH = 4.0  # growth of an interval whose signs rounding hides
 SETTLED = 2.0  # of the noise: an excess below it cannot be halved for certain
-WIDTH, NOISE_WIDTH = (
-    0.125,
-    1.2,
-)  # half widths of the interval, in what the tolerance and the noise allow
+# half widths of the interval, in what the tolerance and the noise allow: wide enough for certain signs, narrow enough
+# for the bound
+WIDTH, NOISE_WIDTH = 0.125, 1.2
 
 
 class Balance(NamedTuple):
@@ -149,7 +148,8 @@ class Search:
         )
         # the slope of the contribution that changes fastest, over that of the sum of forces
         ratio = steepest / np.abs(slope)
-        # error of the variables after the step: the step squared, and it grows with the ratio
+        # error of the variables after the step, an estimate: the step squared, more where one part changes faster; the
+        # signs at both ends are checked afterwards all the same
         left = (size * ratio) ** 2 * (1.0 + ratio)
         converges = is_newton & (settled | (left <= tolerance))
         is_final = (self.high - self.low <= NARROW * self.separation) | is_last

@@ -71,28 +71,28 @@ def solid_tables(
     """
     every = Contact.of(diameter, roughness, density, parameters, SUMMIT_ERROR)
     separations = [
-        _separations(first, last, sigma, every.particles, solid)
-        for solid, (first, last, sigma) in enumerate(zip(low, high, roughness, strict=True))
+        _separations(first, last, sigma, every.particles, which)
+        for which, (first, last, sigma) in enumerate(zip(low, high, roughness, strict=True))
     ]
     stops = np.cumsum([grid.size for grid in separations])
-    solid = np.repeat(np.arange(diameter.size), np.diff(stops, prepend=0))
+    which = np.repeat(np.arange(diameter.size), np.diff(stops, prepend=0))
     d = np.concatenate(separations)
     # all cells; those between one solid and the next are not used
-    cells = _Cells(d=d, parts=_parts(every.take(solid), d))
-    true = _parts(every.take(solid[:-1]), cells.centre).value
+    cells = _Cells(d=d, parts=_parts(every.take(which), d))
+    true = _parts(every.take(which[:-1]), cells.centre).value
     powers = cells.powers(_errors(cells.middle, true, parameters.particle_pressure))
     for grid, stop in zip(separations, stops, strict=True):
         yield SolidTable(separations=grid, powers=powers[:, stop - grid.size : stop - 1])
 
 
-def _separations(low, high, roughness, particles, solid):
+def _separations(low, high, roughness, particles, which):
     """Separations [m] from ``low`` to ``high``: finer over the particle sizes, and on both sides of
     every kink."""
     first, last = np.arcsinh(np.array([low, high]) / roughness)
     steps = int(np.ceil((last - first) / STEP)) + 1
     separations = [roughness * np.sinh(np.linspace(first, last, steps + 1)), [low, high]]
     if particles is not None:
-        one = particles.take(solid)
+        one = particles.take(which)
         mean, spread, depth = one.centre, one.spread, one.scaled_depth
         smallest, largest = particles.moment.smallest, particles.moment.largest
         for shift in (0.0, -depth):

@@ -22,7 +22,7 @@ QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 
 @dataclass(frozen=True, eq=False)
-class RoughSurfaces:
+class Summits:
     """The summits at each of many points, in the form that ``thirdbody.core.contact`` needs.
 
     ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index, for all points
@@ -35,9 +35,7 @@ class RoughSurfaces:
     which: NDArray
 
     @classmethod
-    def of(
-        cls, roughness: NDArray, parameters: Parameters, table_rtol: float | None
-    ) -> RoughSurfaces:
+    def of(cls, roughness: NDArray, parameters: Parameters, table_rtol: float | None) -> Summits:
         """The surfaces of points with ``roughness`` sigma [m], 1-D; ``table_rtol`` is the relative
         error of the tables, or None for quadrature.
         """
@@ -54,7 +52,7 @@ class RoughSurfaces:
             which=which,
         )
 
-    def take(self, chosen) -> RoughSurfaces:
+    def take(self, chosen) -> Summits:
         """The surfaces of the points selected by an index or mask ``chosen``."""
         return replace(self, which=self.which[chosen]) if self.which.ndim else self
 

@@ -67,7 +67,7 @@ def sweep(
     shape = tuple(axes[name].size for name in ORDER)
     values = {name: np.empty(shape, type_of(name)) for name in variables}
     unsure = np.zeros(shape, bool)
-    dry = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
+    dry_count = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
     sizes, densities = axes["particle_diameter"], axes["particle_density"]
     with np.errstate(all="ignore"):
         for number, roughness in enumerate(axes["roughness"]):
@@ -77,16 +77,19 @@ def sweep(
                 for i, j, solved in zip(size, density, solids, strict=True):
                     at = i, number, j
                     for name, array in values.items():
-                        array[at][:dry], array[at][dry:] = solved.dry[name], solved.films[name]
-                    unsure[at][dry:] = solved.unsure
+                        array[at][:dry_count], array[at][dry_count:] = (
+                            solved.dry[name],
+                            solved.films[name],
+                        )
+                    unsure[at][dry_count:] = solved.unsure
                     if callback is not None:
                         callback(unsure[at].size)
         index = np.nonzero(unsure)
         if index[0].size:
             points = {name: axes[name][which] for name, which in zip(ORDER, index, strict=True)}
-            alone = solve_points(points, parameters, rtol, variables)
+            solved_alone = solve_points(points, parameters, rtol, variables)
             for name, array in values.items():
-                array[index] = alone[name]
+                array[index] = solved_alone[name]
     back = [ORDER.index(name) for name in axes]
     return {name: array.transpose(back) for name, array in values.items()}
 

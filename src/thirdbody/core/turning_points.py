@@ -81,15 +81,15 @@ def turning_points(
     )
     separation = separation[:, three_body]
     ends = np.fmax.reduce(separation), np.fmin.reduce(separation)
-    solid, peak, width, prominence = ratio_maxima(
+    which, peak, width, prominence = ratio_maxima(
         solids, separation, ends, SEPARATION_MARGIN * rtol
     )
     inside = np.flatnonzero(prominence > 0.0)
     # the index of the most prominent maximum of each curve
-    order = inside[np.lexsort((-prominence[inside], solid[inside]))]
-    best = order[np.unique(solid[order], return_index=True)[1]]
-    curve = three_body[solid[best]]
-    contacts = solids.take(solid[best])
+    order = inside[np.lexsort((-prominence[inside], which[inside]))]
+    best = order[np.unique(which[order], return_index=True)[1]]
+    curve = three_body[which[best]]
+    contacts = solids.take(which[best])
     load, fraction, steepest = load_at(contacts, viscosity[curve], roughness[curve], peak[best])
     at_maxima = TurningPoints(
         load=load,
@@ -162,10 +162,10 @@ def load_at(
     """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1], and the largest |d ln F/dd| [m-1] of solids and
     film: arrays of one shape."""
     inputs, log_solid = solids.parameters, solids.at(separation).log_load
-    solid = np.exp(log_solid.value)
+    solid_load = np.exp(log_solid.value)
     film, film_slope = load_of_film(separation, viscosity, roughness, inputs)
-    load = inputs.total_load(solid, film)
-    return load, solid / load, np.maximum(np.abs(log_solid.slope), np.abs(film_slope))
+    load = inputs.total_load(solid_load, film)
+    return load, solid_load / load, np.maximum(np.abs(log_solid.slope), np.abs(film_slope))
 
 
 def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
