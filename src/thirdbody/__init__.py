@@ -20,31 +20,19 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 and the force balance are in ``thirdbody.core``, which needs only numpy and scipy.
 """
 
-import re
-from pathlib import Path
+from thirdbody.lazy import lazy_names
 
-# The module of each public name, as listed for editors and type checkers.  ``lazy_loader.attach_stub`` reads such a
-# list too; it is not used, as it would be one more package to install for two lines.
-_STUB = Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8")
-_MODULES = {name: module for module, name in re.findall(r"from (\S+) import (\w+) as", _STUB)}
-__all__ = ["__version__", *_MODULES]
+_NAMES, _attribute = lazy_names(__name__, __file__)
+__all__ = ["__version__", *_NAMES]
 
 
 def __getattr__(name: str):
-    """Import a public name on first use, so that importing the package is quick."""
+    """A public name, or the version, which git is asked for."""
     if name == "__version__":
         from thirdbody.version import current
 
         return current().text
-    if name not in _MODULES:
-        raise AttributeError(f"module 'thirdbody' has no attribute {name!r}")
-    from importlib import import_module
-
-    if _MODULES[name] == __name__:
-        return import_module(f"{__name__}.{name}")
-    public = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = public  # cached, so that this function is not called again
-    return public
+    return _attribute(name)
 
 
 def __dir__() -> list[str]:

@@ -19,7 +19,7 @@ from thirdbody.conditions import axis_of, check_count, without_warnings
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.lab.comparison import read_runs, solve_runs
-from thirdbody.notes import area_note, range_note, sizes_note, speed_note
+from thirdbody.notes import area_note, few_notes, range_note, sizes_note, speed_note
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import ranges, spread
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
@@ -329,10 +329,7 @@ def _turning_values(parameters, conditions, between_N) -> dict:
 def _notes(parameters, conditions, status) -> list[str]:
     """Remarks on a state."""
     notes = [] if status == "converged" else [f"{status}: {STATUS_MEANINGS[status]}"]
-    count = conditions["particle_density_per_m2"] * parameters.apparent_area
-    if 0.0 < count < 1.0:
-        area = 1e6 * parameters.apparent_area
-        notes.append(f"{count:.2g} particles in A_n = {area:.3g} mm2: most contacts have none")
+    notes += few_notes(conditions["particle_density_per_m2"], parameters.apparent_area)
     return notes + _ensemble_notes(parameters, conditions)
 
 

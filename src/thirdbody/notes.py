@@ -25,6 +25,13 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
     )
 
 
+def few_notes(per_m2: float, area: float, name: str = "particles") -> list[str]:
+    """A note if there is less than one particle, or another thing called ``name``, in the nominal area A_n [m2]."""
+    count = per_m2 * area
+    note = f"{count:.2g} {name} in A_n = {1e6 * area:.3g} mm2: most contacts have none"
+    return [note] if 0.0 < count < 1.0 else []
+
+
 def area_note(parameters: Parameters) -> str:
     """The area to which loads refer, in words."""
     return f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2"

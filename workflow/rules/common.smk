@@ -87,14 +87,14 @@ FILES_NAMED = 3  # in the reason of a job; a first run would name all files of t
 
 def in_a_line(record):
     """Whether a record of Snakemake is to be printed: not that jobs are selected, and reasons with few files."""
-    clauses = getattr(record, "reason", None) or ""
     shortened = []
-    for clause in filter(None, clauses.split("; ")):
+    for clause in filter(None, (getattr(record, "reason", None) or "").split("; ")):
         what, _, files = clause.partition(": ")
         first, others = files.split(", ")[:FILES_NAMED], files.split(", ")[FILES_NAMED:]
         named = ", ".join(first) + (f" and {len(others)} more" if others else "")
         shortened.append(f"{what}: {named}" if files else what)
-    record.reason = "; ".join(shortened)
+    if shortened:
+        record.reason = "; ".join(shortened)
     return not str(record.msg).startswith(("Select jobs to execute", "Execute "))
 
 

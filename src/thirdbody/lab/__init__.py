@@ -6,22 +6,9 @@ topographies, ``oil_viscosity`` and ``oil_grade`` the viscosity of oils, ``clean
 the particles per area of a film.
 """
 
-import re
-from importlib import import_module
-from pathlib import Path
-from typing import Any
+from thirdbody.lazy import lazy_names
 
-# The module of each name, as listed for editors and type checkers
-_STUB = Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8")
-_MODULES = {name: module for module, name in re.findall(r"from (\S+) import (\w+) as", _STUB)}
-__all__ = [*_MODULES]
-
-
-def __getattr__(name: str) -> Any:
-    """Import a name on first use: pandas and SciPy's optimizers are slow to import."""
-    if name not in _MODULES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(_MODULES[name]), name)
+__all__, __getattr__ = lazy_names(__name__, __file__)
 
 
 def __dir__() -> list[str]:

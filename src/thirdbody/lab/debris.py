@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from thirdbody.conditions import OIL_DENSITY, checked_number, common_index, numbers_in, warn_outside
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import or_calibrated
+from thirdbody.notes import few_notes
 
 SIZES = 4, 6, 14  # um(c), the sizes counted in a code of ISO 4406:2021
 # its Table 1: most particles per mL for scale numbers 0 to 9, times 1000 for each 10 more
@@ -80,20 +81,13 @@ def cleanliness(
     table.attrs["notes"] = [
         note
         for size, density in zip(counted, most)
-        for note in _few(density, area, f"particles above {size} um")
+        for note in few_notes(density, area, f"particles above {size} um")
     ]
     return table
 
 
 def _most_per_ml(number):
     return 0.0 if number < 0 else MOST_PER_ML[number % 10] * 1000.0 ** (number // 10)
-
-
-def _few(per_m2, area, name):
-    """A note if there is less than one particle in the nominal area A_n [m2]."""
-    count = per_m2 * area
-    note = f"{count:.2g} {name} in A_n = {area:.3g} m2: most contacts have none"
-    return [note] if 0.0 < count < 1.0 else []
 
 
 def debris_density(
@@ -200,6 +194,6 @@ def debris_density(
         f"particles are spheres of one diameter, of a material of {material:g} kg/m3; halving the diameter "
         "makes eight times as many",
         f"the concentration in the film is {enrichment:g} times that of the sample",
-        *_few(density.min(), area, "particles"),
+        *few_notes(density.min(), area),
     ]
     return table

@@ -42,6 +42,20 @@ class Judge:
         return solve_evidence(parameters, referenced_conditions(claims), self.newtons, effort)
 
 
+def claim_columns(claim: Claim, verdict: Verdict) -> dict[str, Any]:
+    """The columns of the table ``claims`` that follow from a statement and its verdict alone, among its fields."""
+    return {
+        **vars(claim),
+        **verdict._asdict(),
+        "curves": claim.curves_text,
+        "published": claim.published_text,
+        "score": verdict.score,
+        "value": verdict.value,
+        "verdict": outcome(claim, verdict),
+        "contradicts": " ".join(claim.contradicts),
+    }
+
+
 def outcome(claim: Claim, verdict: Verdict) -> str:
     """The word for a verdict; a claim that is set aside neither holds nor fails."""
     if claim.aside:

@@ -25,6 +25,7 @@ from thirdbody.paper.claims.judge import (
     NOT_TESTED,
     Judge,
     Verdicts,
+    claim_columns,
     count_once,
     outcome,
 )
@@ -99,17 +100,10 @@ class Report:
             low, high = ranges[verdict.worst] if verdict.numbers else NO_RANGE
             rows.append(
                 {
-                    **vars(claim),
-                    **verdict._asdict(),
-                    "curves": claim.curves_text,
-                    "published": claim.published_text,
-                    "score": verdict.score,
-                    "value": verdict.value,
+                    **claim_columns(claim, verdict),
                     "range_low": low,
                     "range_high": high,
-                    "verdict": outcome(claim, verdict),
                     "predicted": outcome(claim, predicted) if predicted else "",
-                    "contradicts": " ".join(claim.contradicts),
                     "ensemble_agree": _agreeing(self, self.members, claim.id),
                     "ensemble_size": len(self.members),
                     "interpretations_agree": _agreeing(self, others, claim.id),
