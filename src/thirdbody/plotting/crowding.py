@@ -15,7 +15,7 @@ COINCIDE = 0.015  # ends closer than this have one name, in heights of a panel
 LINE, TOP = 0.058, 1.02  # distance and highest place of names, in heights of a panel
 NAME_SIZE = 7.0  # of names [points]
 LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
-TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 1}
+TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0}
 SEVERAL = "0.25"  # colour of a name of several curves
 
 
@@ -95,11 +95,12 @@ def _joined(texts) -> str:
 
 
 def _spread(heights) -> NDArray:
-    """Heights of texts, as near as possible to the increasing ``heights`` and a line apart, in the panel."""
-    from scipy.optimize import isotonic_regression  # slow to import, for figures without such texts
-
+    """Heights of texts, near the increasing ``heights`` and at least a line apart, in the panel: halfway between
+    those that move up alone and those that move down alone."""
     lines = LINE * np.arange(len(heights))
-    spread = isotonic_regression(np.array(heights) - lines).x + lines
+    apart = np.array(heights) - lines
+    up, down = np.maximum.accumulate(apart), np.minimum.accumulate(apart[::-1])[::-1]
+    spread = (up + down) / 2.0 + lines
     spread -= max(spread[-1] - TOP, 0.0)
     return spread
 
