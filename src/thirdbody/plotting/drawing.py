@@ -10,6 +10,7 @@ from string import ascii_uppercase
 from typing import Any
 
 import matplotlib.style
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from thirdbody.curves import MOST_PANELS
@@ -31,6 +32,10 @@ class Drawing(Figure):
     """A figure that notebooks display as a picture, with or without pyplot; ``panels`` has its content."""
 
     panels: Sequence[Panel] = ()
+
+    def __init__(self, *given: Any, **options: Any) -> None:
+        super().__init__(*given, **options)
+        FigureCanvasAgg(self)  # measures texts without a new renderer for each
 
     def savefig(self, *given: Any, **options: Any) -> None:
         """Save the figure in its style, which also applies while it is drawn."""
