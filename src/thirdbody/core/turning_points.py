@@ -15,8 +15,8 @@ from dataclasses import dataclass, fields
 from functools import partial
 
 import numpy as np
+import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import NDArray
-from scipy.special import expit
 
 from thirdbody.core.bracketing import bracketed_roots
 from thirdbody.core.contact import Contact
@@ -152,7 +152,7 @@ def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
 def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
     state = solids.at(separation, with_areas=True)
-    return expit(np.log(state.particle_area.value) - state.log_summit_area.value)
+    return scipy.special.expit(np.log(state.particle_area.value) - state.log_summit_area.value)
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
