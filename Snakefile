@@ -5,14 +5,13 @@ from snakemake.utils import min_version
 min_version("9.12")
 
 
+# whether this can run here
+include: "workflow/rules/start.smk"
 # the settings, checked; where files are; what a job depends on
 include: "workflow/rules/common.smk"
 
 
-configfile: f"{CONFIG}/config.yaml"
-configfile: f"{CONFIG}/scenes.yaml"
-
-
+# <results> and <logs> in the paths of all rules
 pathvars:
     results=RESULTS,
     logs=LOGS,
@@ -75,6 +74,7 @@ include: "workflow/rules/render.smk"
 include: "workflow/rules/explorer.smk"
 include: "workflow/rules/publish.smk"
 # on demand: snakemake -c2 calibrate, atlas, accuracy, release
+include: "workflow/rules/searches.smk"
 include: "workflow/rules/calibrate.smk"
 include: "workflow/rules/atlas.smk"
 include: "workflow/rules/accuracy.smk"

@@ -70,3 +70,17 @@ def test_no_private_name_of_snakemake_is_used(path):
     assert not re.search(r"\b(workflow|snakemake|rules|config|dag)\._\w", text)  # private names
     assert not re.search(r"\bworkflow(\.\w+)+\s*=[^=]", text)  # assignments to its objects
     assert not re.search(r"addHandler|sys\.argv|__use_yte__|gc\.", text)
+
+
+SCRIPTS = [
+    (rule, script)
+    for path in sorted(ROOT.glob("workflow/rules/*.smk"))
+    for rule in re.split(r"\n(?=rule |checkpoint )", path.read_text(encoding="utf-8"))
+    for script in re.findall(r'"\.\./scripts/(\w+\.py)"', rule)
+]
+
+
+@pytest.mark.parametrize(("rule", "script"), SCRIPTS, ids=[script for _, script in SCRIPTS])
+def test_a_rule_depends_on_its_own_script(rule, script):
+    names = f'sources_of("{script}")', f'file_text(HOME / "workflow/scripts/{script}")'
+    assert any(name in rule for name in names)

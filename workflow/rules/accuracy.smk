@@ -1,6 +1,7 @@
 # `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, their figure, and targets.
 
 ACCURACY = settings["accuracy"]
+# all that may run: `sources_of` follows the imports of the library alone, not those of the benchmarks
 MEASURED = [
     *(file_text(path) for path in sorted(HOME.glob("src/**/*.py"))),
     *(file_text(path) for path in sorted(HOME.glob("benchmarks/*.py"))),
@@ -22,6 +23,8 @@ rule measure_errors:
         *SOFTWARE,
         file_text(HOME / "workflow/scripts/measure_errors.py"),
         rtol=ACCURACY["rtol"],
+    message:
+        "Measure errors"
     script:
         "../scripts/measure_errors.py"
 
@@ -33,6 +36,7 @@ rule compare_oracle:
         table="<results>/accuracy/oracle.csv",
     log:
         "<logs>/compare_oracle.log",
+    threads: 8
     resources:
         runtime=60,
     params:
@@ -40,6 +44,8 @@ rule compare_oracle:
         *SOFTWARE,
         file_text(HOME / "workflow/scripts/compare_oracle.py"),
         settings=ACCURACY["oracle"],
+    message:
+        "Compare with the oracle"
     script:
         "../scripts/compare_oracle.py"
 
@@ -62,6 +68,8 @@ rule time_library:
         file_text(HOME / "workflow/scripts/time_library.py"),
         budget=ACCURACY,
         parameters=settings["parameters"],
+    message:
+        "Measure times"
     script:
         "../scripts/time_library.py"
 
@@ -82,6 +90,8 @@ rule compare_targets:
     params:
         *MEASURED,
         file_text(HOME / "workflow/scripts/compare_targets.py"),
+    message:
+        "Compare with the targets"
     script:
         "../scripts/compare_targets.py"
 
@@ -98,6 +108,8 @@ rule draw_work_precision:
         *MEASURED,
         *SOFTWARE,
         file_text(HOME / "workflow/scripts/draw_work_precision.py"),
+    message:
+        "Draw times over errors"
     script:
         "../scripts/draw_work_precision.py"
 

@@ -30,6 +30,8 @@ rule stage_release:
         software=software_versions("pyproject.toml"),
         is_paper=settings["is_paper"],
         versions=lambda wildcards: {product: version_of(product) for product in COMPUTED_BY},
+    message:
+        "Gather the release"
     script:
         "../scripts/stage_release.py"
 
@@ -46,5 +48,7 @@ rule pack_release:
     params:
         *sources_of("pack_release.py"),
         date=RELEASE.date,
+    message:
+        "Pack the release"
     script:
         "../scripts/pack_release.py"

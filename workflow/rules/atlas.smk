@@ -26,6 +26,8 @@ rule solve_chunk:
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
         version=lambda wildcards: version_of("atlas"),
+    message:
+        "Solve chunk {wildcards.scatteritem} of the atlas"
     script:
         "../scripts/solve_chunk.py"
 

@@ -2,7 +2,6 @@
 # that stores its evaluations; their results are sampled and summarised. The summary goes to config/calibrated/, which
 # is kept in git and read by the default run.
 
-
 OF_INTERPRETATION = "<results>/calibration/{{interpretation}}"
 
 
@@ -25,6 +24,8 @@ rule scatter_inputs:
         claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
+    message:
+        "Scatter inputs of {wildcards.interpretation}"
     script:
         "../scripts/scatter_inputs.py"
 
@@ -47,6 +48,8 @@ rule search_inputs:
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
+    message:
+        "Search inputs of {wildcards.interpretation}, seed {wildcards.seed}"
     script:
         "../scripts/search_inputs.py"
 
@@ -59,6 +62,8 @@ use rule search_inputs as search_fold with:
     params:
         seeds=SEEDS,
         fold=lambda wildcards: int(wildcards.fold),
+    message:
+        "Search inputs of {wildcards.interpretation} without fold {wildcards.fold}"
 
 
 checkpoint shortlist:
@@ -77,6 +82,8 @@ checkpoint shortlist:
         *sources_of("choose_shortlist.py"),
         within=CALIBRATION["shortlist"]["within"],
         most=CALIBRATION["shortlist"]["most"],
+    message:
+        "Choose the shortlist"
     script:
         "../scripts/choose_shortlist.py"
 
@@ -97,6 +104,8 @@ rule sample_inputs:
         claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
+    message:
+        "Sample inputs of {wildcards.interpretation}, seed {wildcards.seed}"
     script:
         "../scripts/sample_inputs.py"
 
@@ -121,6 +130,8 @@ rule summarise_inputs:
         settings_text(CLAIMS, list),
         claims=CLAIMS,
         settings=settings_of,
+    message:
+        "Summarise {wildcards.interpretation}"
     script:
         "../scripts/summarise_inputs.py"
 
@@ -145,10 +156,13 @@ rule choose_default:
         claims=CLAIMS,
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],
+    message:
+        "Choose the default"
     script:
         "../scripts/choose_default.py"
 
 
+# replaces the files of config/calibrated/
 rule calibrate:
     input:
         calibrated=SUMMARISED,
@@ -164,5 +178,7 @@ rule calibrate:
         kept=CALIBRATION["kept"],
         default=settings["calibrated"],
         base=settings["uncalibrated"],
+    message:
+        "Copy the calibrated inputs to config/calibrated"
     script:
         "../scripts/adopt_calibration.py"

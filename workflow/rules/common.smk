@@ -1,7 +1,6 @@
 # Shared by the rules: the settings, where files are, and what a job depends on.
 import ast
 import json
-import logging
 import os
 import re
 import sys
@@ -9,37 +8,11 @@ from functools import cache
 from hashlib import sha256
 from pathlib import Path
 
-# in one line, before anything else: whether the library is there, and whether it is that of this checkout
-BESIDE = Path(workflow.basedir) / "src/thirdbody"
-INSTALL = f'pip install "{workflow.basedir if BESIDE.is_dir() else "thirdbody"}[workflow]"'
-try:
-    import thirdbody
-except ModuleNotFoundError:
-    sys.exit(f"thirdbody is not installed for {sys.executable}; allowed: {INSTALL}")
-if BESIDE.is_dir() and not BESIDE.samefile(Path(thirdbody.__file__).parent):
-    sys.exit(
-        f"the library is {Path(thirdbody.__file__).parent}; allowed: that of this checkout, by PYTHONPATH=src"
-    )
-try:
-    import grimp
-
-    from thirdbody import version
-    from thirdbody.paper.configuration.settings import read_settings
-    from thirdbody.plain_yaml import config_directory, read_yaml
-except ModuleNotFoundError as missing:
-    sys.exit(f"{missing.name} is not installed for {sys.executable}; allowed: {INSTALL}")
-
 # ---- where files are
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
 HOME = config_directory().parent  # the repository, or the installed package
 LIBRARY = "src/thirdbody/"
-
-# Snakemake does not quote the interpreter of a script
-if not re.fullmatch(r"[\w/.,:@%+~-]+", sys.executable):
-    sys.exit(
-        f"the path {sys.executable} has a blank or a sign of the shell; allowed: a folder whose path has none"
-    )
 
 
 def project_file(name):
@@ -54,7 +27,6 @@ CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("con
 CLAIMS = f"{CONFIG}/claims.yaml"
 PAPER_TABLES = f"{CONFIG}/paper_tables.yaml"
 INPUTS = f"{CONFIG}/inputs.yaml"
-STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
 
 # ---- the settings, before Snakemake reads their files: its errors do not name the file
 
@@ -78,27 +50,6 @@ if (
     sys.exit(
         f"{RESULTS} has products without .snakemake, which records what they were made of; allowed: both or none"
     )
-
-# on a full disk, lines that do not fit into Snakemake's log are dropped
-logging.raiseExceptions = False
-
-FILES_NAMED = 3  # in the reason of a job; a first run would name all files of the workflow
-
-
-def in_a_line(record):
-    """Whether a record of Snakemake is to be printed: not that jobs are selected, and reasons with few files."""
-    shortened = []
-    for clause in filter(None, (getattr(record, "reason", None) or "").split("; ")):
-        what, _, files = clause.partition(": ")
-        first, others = files.split(", ")[:FILES_NAMED], files.split(", ")[FILES_NAMED:]
-        named = ", ".join(first) + (f" and {len(others)} more" if others else "")
-        shortened.append(f"{what}: {named}" if files else what)
-    if shortened:
-        record.reason = "; ".join(shortened)
-    return not str(record.msg).startswith(("Select jobs to execute", "Execute "))
-
-
-logging.getLogger("snakemake.logging").addFilter(in_a_line)
 
 # ---- what a job depends on, as parameters of its rule: Snakemake names the text that has changed
 
@@ -141,13 +92,10 @@ COMPUTED_BY = {
     "table2": ["recompute_paper_tables.py"],
     "deviations": ["judge_departures.py"],
     "departures": ["judge_departures.py"],
-    "index": [
-        *["solve_scene.py", "solve_ensemble.py", "compute_schematic.py", "extract_curves.py"],
-        *["find_windows.py", "compute_sensitivities.py", "recompute_paper_tables.py"],
-        *["judge_claims.py", "judge_departures.py"],
-    ],
-    "atlas": ["solve_chunk.py"],
+    "claims": ["judge_claims.py"],
 }
+COMPUTED_BY["index"] = [*set().union(*COMPUTED_BY.values())]
+COMPUTED_BY["atlas"] = ["solve_chunk.py"]
 
 
 @cache
@@ -196,56 +144,3 @@ def figure_files(figure, category):
     files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
     caption, labels = "../report/product.rst", {"figure": figure}
     return files | {"png": report(files["png"], caption, category=category, labels=labels)}
-
-
-# ---- the searches of the calibration
-
-CALIBRATION = settings["calibration"]
-SEEDS = CALIBRATION["seeds"]
-FOLDS = range(len(CALIBRATION["folds"]))
-SEARCHED_WIDELY = [
-    name for name, entry in CALIBRATION["interpretations"].items() if "nearby" not in entry
-]
-
-
-def settings_of(wildcards):
-    """The settings for one interpretation, independent of the others."""
-    names = [wildcards.interpretation, *nearby(wildcards)]
-    return {
-        **CALIBRATION,
-        "interpretations": {name: CALIBRATION["interpretations"][name] for name in names},
-    }
-
-
-def nearby(wildcards):
-    """The interpretation from whose best inputs that of a job is searched, if there is one."""
-    entry = CALIBRATION["interpretations"][wildcards.interpretation]
-    return [entry["nearby"]] if "nearby" in entry else []
-
-
-def start_of(wildcards):
-    """The files with the inputs from which a search starts."""
-    for name in nearby(wildcards):
-        if "fold" in wildcards.keys():
-            return [f"{RESULTS}/calibration/{name}/fold{wildcards.fold}.csv"]
-        return searches_of(name)
-    return [f"{RESULTS}/calibration/{wildcards.interpretation}/scattered.csv"]
-
-
-def searches_of(name):
-    """The files of the searches over all statements of an interpretation."""
-    seeds = SEEDS if name in shortlisted() else SEEDS[:1]
-    return [f"{RESULTS}/calibration/{name}/seed{seed}.csv" for seed in seeds]
-
-
-def shortlisted():
-    chosen = checkpoints.shortlist.get().output.chosen
-    return json.loads(Path(chosen).read_text(encoding="utf-8"))
-
-
-def is_cross_validated(wildcards):
-    """Whether an interpretation, or the one from which its starts come in the end, is on the shortlist."""
-    name = wildcards.interpretation
-    while "nearby" in CALIBRATION["interpretations"][name]:
-        name = CALIBRATION["interpretations"][name]["nearby"]
-    return name in shortlisted()

@@ -4,6 +4,7 @@ PRINTED = "<results>/extracted/printed/all.csv"  # the numbers of the paper
 WINDOWS = "<results>/extracted/tpca_windows/all.csv"
 OF_SCENES = ["tpca_loads", "transitions"]  # tables that gather a part of each figure
 BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
+STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
 
 
 rule render_figure:
