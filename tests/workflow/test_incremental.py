@@ -77,7 +77,7 @@ def test_another_definition_of_a_turning_point_extracts_solves_nothing_and_is_na
     assert jobs["extract_curves"] == 11
     assert jobs["find_windows"] == 1
     assert not jobs.keys() & {"solve_scene", "solve_ensemble", "compute_schematic"}
-    assert set(re.findall(r"(?:before|now): '(\S+) [0-9a-f]{8}'", said)) == {file}
+    assert set(re.findall(r"Params have changed since last execution: ([^;)]+)", said)) == {file}
 
 
 def test_another_style_of_one_figure_draws_that_figure(workspace):

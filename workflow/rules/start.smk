@@ -33,20 +33,38 @@ if not re.fullmatch(r"[\w/.,:@%+~-]+", sys.executable):
 # on a full disk, lines that do not fit into Snakemake's log are dropped
 logging.raiseExceptions = False
 
+FILE_TEXT = re.compile(r"'([^' ]+) [0-9a-f]{8}'")  # of `file_text`
 FILES_NAMED = 3  # in the reason of a job; a first run would name all files of the workflow
 
 
-def in_a_line(record):
-    """Whether a record of Snakemake is to be printed: not that jobs are selected, and reasons with few files."""
-    shortened = []
-    for clause in filter(None, (getattr(record, "reason", None) or "").split("; ")):
-        what, _, files = clause.partition(": ")
-        first, others = files.split(", ")[:FILES_NAMED], files.split(", ")[FILES_NAMED:]
-        named = ", ".join(first) + (f" and {len(others)} more" if others else "")
-        shortened.append(f"{what}: {named}" if files else what)
-    if shortened:
-        record.reason = "; ".join(shortened)
+class OneLine(logging.Formatter):
+    """What a job does and why, in one line; all else as Snakemake writes it."""
+
+    def __init__(self, of_snakemake):
+        super().__init__()
+        self.of_snakemake = of_snakemake
+
+    def format(self, record):
+        does, reason = (getattr(record, name, None) for name in ("rule_msg", "reason"))
+        if not does or reason is None:
+            return self.of_snakemake.format(record)
+        return f"{does} ({'; '.join(map(self.shortened, reason.split('; ')))})"
+
+    def shortened(self, clause):
+        """A clause of a reason with a few files: those in it, or those whose texts in the parameters differ."""
+        what, _, rest = clause.partition(": ")
+        files = [*dict.fromkeys(FILE_TEXT.findall(rest))] or rest.split(", ")
+        more = f" and {len(files) - FILES_NAMED} more" if len(files) > FILES_NAMED else ""
+        return f"{what}: {', '.join(files[:FILES_NAMED])}{more}" if rest else what
+
+
+def is_told(record):
+    """Whether a record of Snakemake is to be printed: not that jobs are selected."""
     return not str(record.msg).startswith(("Select jobs to execute", "Execute "))
 
 
-logging.getLogger("snakemake.logging").addFilter(in_a_line)
+LOG = logging.getLogger("snakemake.logging")
+LOG.addFilter(is_told)
+for handler in LOG.handlers:
+    if handler.formatter:
+        handler.setFormatter(OneLine(handler.formatter))
