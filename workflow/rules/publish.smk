@@ -1,6 +1,10 @@
 # The index page, the checksums of all products, and the last line of a run.
 
 
+# measured by `snakemake -c2 accuracy`, and kept in the repository alone
+PRECISION = [name for name in ["docs/work_precision.png"] if (HOME / name).is_file()]
+
+
 rule write_index:
     input:
         figures=expand("<results>/figures/{figure}.json", figure=FIGURES),
@@ -9,6 +13,7 @@ rule write_index:
         verdicts="<results>/claims/claims.json",
         explorer="<results>/explorer/index.html",
         datasets=expand("<results>/datasets/{figure}.nc", figure=SCENES),
+        precision=[project_file(name) for name in PRECISION],
         page_template=project_file("workflow/templates/index.html"),
         captions_template=project_file("workflow/templates/captions.md"),
     output:

@@ -1,5 +1,6 @@
 """The index page of all products, and the captions with the failing statements of each figure."""
 
+import base64
 import json
 import struct
 from collections import Counter
@@ -82,6 +83,9 @@ with job(snakemake) as output:
             for name in (Path(table).stem for table in snakemake.input.tables)
         },
         "datasets": {Path(path).name: titles[Path(path).stem] for path in snakemake.input.datasets},
+        "precision": [
+            base64.b64encode(Path(path).read_bytes()).decode() for path in snakemake.input.precision
+        ],
         "score": f"{judged['score']} {judged['counts']}",
         "version": snakemake.params.version,
     }
