@@ -302,8 +302,8 @@ def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
             {
                 "departure": row["departure"],
                 "inputs": row["inputs"] or "",
-                "holds": f"{row['holds']:g} of {row['judged']:g}",
-                "headline": "" if row["headline"] is None else f"{row['headline']:g}",
+                "holds": _of(row["holds"], row["judged"]),
+                "headline": _of(row["headline"], row["headline_statements"]),
                 "median_deviation": _percent(row["median_deviation"]),
                 "mean_deviation": _percent(row["mean_deviation"]),
             },
@@ -314,6 +314,10 @@ def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
         "Each departure of the calibrated inputs from the words of the paper is taken back alone."
     )
     return [Sheet(title="What carries the agreement", note=note, rows=lines)]
+
+
+def _of(count, whole) -> str:
+    return "" if count is None else f"{count:g} of {whole:g}"
 
 
 def _percent(fraction) -> str:

@@ -51,7 +51,8 @@ def departure_rows(
     for word, (holds, judged) in (("least", counts[0]), ("most", counts[-1])):
         name = f"usual inputs at random, the {word} of {len(counts)} sets"
         rows.append({"departure": name, "inputs": "", "holds": holds, "judged": judged})
-        rows[-1] |= {"headline": None, "median_deviation": None, "mean_deviation": None}
+        unknown = "headline", "headline_statements", "median_deviation", "mean_deviation"
+        rows[-1] |= dict.fromkeys(unknown)
     return rows
 
 
@@ -65,6 +66,7 @@ def _row(judge, settings, departure, verdicts):
         "holds": holds,
         "judged": judged,
         "headline": sum(verdicts[name].holds for name in settings["headline"]),
+        "headline_statements": len(settings["headline"]),
         "median_deviation": deviations.median(),
         "mean_deviation": deviations.mean(),
     }
