@@ -114,14 +114,15 @@ def test_deviations_have_their_median_and_mean_and_say_what_is_missing():
 
 def test_departures_are_rows_of_counts_and_deviations():
     row = {"departure": "as it is", "inputs": None, "holds": 100.0, "judged": 115.0}
-    row |= {"headline": 16.0, "median_deviation": 0.0288, "mean_deviation": 0.0598}
+    row |= {"headline": 16.0, "headline_statements": 18.0}
+    row |= {"median_deviation": 0.0288, "mean_deviation": 0.0598}
     other = row | {"departure": "all take part", "inputs": "participation = 1.0", "holds": 89.0}
     random = row | {"departure": "at random", "holds": 65.0}
     random |= dict.fromkeys(("headline", "median_deviation", "mean_deviation"))
     (sheet,) = readable("departures", [row, other, random], (), NEWTONS)
     assert cells(sheet) == [
-        ["as it is", "", "100 of 115", "16", "2.9 %", "6.0 %"],
-        ["all take part", "participation = 1.0", "89 of 115", "16", "2.9 %", "6.0 %"],
+        ["as it is", "", "100 of 115", "16 of 18", "2.9 %", "6.0 %"],
+        ["all take part", "participation = 1.0", "89 of 115", "16 of 18", "2.9 %", "6.0 %"],
         ["at random", "", "65 of 115", "", "", ""],
     ]
 
