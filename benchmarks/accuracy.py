@@ -68,7 +68,7 @@ def _library_grid(group, rtol):
         axes["load"] = np.unique(np.append(axes["load"], axes["load"] * CURVE))
         index = np.searchsorted(axes["load"], group.conditions["load"][place])
         with _quiet():
-            data = tb.grid(**axes, parameters=group.parameters, rtol=rtol)
+            data = tb.grid(**axes, parameters=group.parameters, rtol=rtol, progress=False)
         found.append([data[name].values.ravel()[index] for name in (*VARIABLES, "error_bound")])
     values = dict(zip((*VARIABLES, "error_bound"), np.transpose(found), strict=True))
     return _claimed(SimpleNamespace(**values), rtol)
@@ -127,7 +127,7 @@ def _time_rows_of(kind, parameters, budget, plain):
     drawn = {method: random_conditions(kind, count, parameters) for method, count in sizes.items()}
     runs = {}
     for rtol in budget["rtol"]:
-        asked = {"parameters": parameters, "rtol": rtol}
+        asked = {"parameters": parameters, "rtol": rtol, "progress": False}
         runs["library", rtol] = partial(tb.solve, **drawn["library"], **asked)
         runs["library_grid", rtol] = partial(tb.grid, **axes, **asked)
     for method, solver in _baselines(plain).items():

@@ -52,7 +52,7 @@ def use_rows(
 
     def stream():
         with TemporaryDirectory(dir=directory) as folder:
-            tb.stream(Path(folder) / "grid.nc", **axes, **asked)
+            tb.stream(Path(folder) / "grid.nc", **axes, **asked, progress=False)
 
     command = [sys.executable, "-c", FIRST_ANSWER.format(rtol=rtol)]
     runs = {

@@ -94,7 +94,9 @@ def changes_along(
 ) -> pd.DataFrame:
     """The values of a condition, the alias ``along``, at which regime or mode changes."""
     tables = _of_each(
-        lambda inputs: transitions(along, between=between, parameters=inputs, **conditions),
+        lambda inputs: transitions(
+            along, between=between, parameters=inputs, progress=False, **conditions
+        ),
         parameters,
     )
     invalid = tables[0][tables[0]["solution_status"].isin(INVALID)]
@@ -173,7 +175,7 @@ def curve(
     check_count(count)
     numbers = np.geomspace(*between, count)
     points, *of_members = _of_each(
-        lambda inputs: solve(**{**conditions, along: numbers}, parameters=inputs),
+        lambda inputs: solve(**{**conditions, along: numbers}, parameters=inputs, progress=False),
         parameters,
     )
     table = _with_ranges([points, *of_members], QUANTITIES)
@@ -316,7 +318,7 @@ def _turning_values(parameters, conditions, between_N) -> dict:
     layer = {name: conditions[name] for name in ("roughness_nm", "particle_density_per_m2")}
     others = {key: value for key, value in conditions.items() if key != "load_N"}
     arguments = {"parameters": parameters, "between_N": between_N}
-    point = turning_point(**arguments, **others).iloc[0]
+    point = turning_point(**arguments, **others, progress=False).iloc[0]
     window = turning_window(**arguments, **layer).iloc[0]
     names = "load_N", "load", "peak_ratio", "solid_load_fraction"
     values = {name: float(point[name]) if point["exists"] else math.nan for name in names}

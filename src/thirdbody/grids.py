@@ -25,6 +25,7 @@ from thirdbody.files import atomic_write
 from thirdbody.inputs import or_calibrated
 from thirdbody.messages import format_path, format_value
 from thirdbody.netcdf import declare
+from thirdbody.progress import Progress
 from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ def grid(
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> xr.Dataset:
     """Solve every combination of five axes and return a dataset.
@@ -53,6 +55,8 @@ def grid(
         over the separation, which is faster; below, every point is solved individually.
     variables : str or collection of str, optional
         Variables of ``Solution`` to compute; ``solution_status`` is always included.
+    progress : bool, optional
+        Whether a long call reports its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities, by any of their names in
         ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact; diameter or
@@ -89,14 +93,14 @@ def grid(
     parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
     speeds = axes.pop("speed", None)
     if speeds is None:
-        return _solved_grid(axes, axes, parameters, rtol, names, load_key)
+        return _solved_grid(axes, axes, parameters, rtol, names, load_key, progress)
     import xarray as xr
 
     films = without_speed({"viscosity": axes["viscosity"][:, None], "speed": speeds}, parameters)
     viscosities, places = np.unique(films["viscosity"], return_inverse=True)
     films = axes | {"viscosity": viscosities}
     request = axes | {"speed": speeds}
-    solved = _solved_grid(films, request, parameters, rtol, names, load_key)
+    solved = _solved_grid(films, request, parameters, rtol, names, load_key, progress)
     shape = axes["viscosity"].size, speeds.size
     films_of = xr.DataArray(places.reshape(shape), dims=("film", "speed"))
     placed = solved.isel(viscosity=films_of).drop_vars("viscosity").rename(film="viscosity")
@@ -115,12 +119,15 @@ def _solved_grid(
     rtol: float,
     names: Collection[str],
     load_key: str,
+    progress: bool,
 ) -> xr.Dataset:
     """The dataset of five axes, for a ``request`` by name."""
-    if is_worthwhile(axes, rtol):
-        values = sweep(axes, parameters, rtol, names)
-    else:
-        values = solve_points(crossed(axes), parameters, rtol, names)
+    points = prod(axis.size for axis in axes.values())
+    with Progress(points, "points", progress) as bar:
+        if is_worthwhile(axes, rtol):
+            values = sweep(axes, parameters, rtol, names, bar.add)
+        else:
+            values = solve_points(crossed(axes), parameters, rtol, names, bar.add)
     listed = {name: axis.tolist() for name, axis in request.items()}
     described = described_grid(axes, values, parameters, rtol, request=listed, load_key=load_key)
     return described.to_xarray()
@@ -133,6 +140,7 @@ def stream(
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
     compression: int = 0,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
@@ -144,7 +152,7 @@ def stream(
     ----------
     path : path
         NetCDF-4 file to write; it is written atomically.
-    parameters, rtol, variables, **conditions
+    parameters, rtol, variables, progress, **conditions
         As in ``grid``.
     compression : int, optional
         Level of zlib, from 0 to 9.  At the default 0 nothing is compressed, because that would take
@@ -191,7 +199,10 @@ def stream(
                 f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
                 f"most the {free:.3g} bytes free on the disk"
             )
-        with netCDF4.Dataset(part, "w", format="NETCDF4") as file:
+        with (
+            netCDF4.Dataset(part, "w", format="NETCDF4") as file,
+            Progress(prod(shape), "points", progress) as bar,
+        ):
             storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
             storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
             stored = declare(file, described, dict.fromkeys(names, storage))
@@ -202,6 +213,7 @@ def stream(
                 values = solve_points(crossed(sides), parameters, rtol, names)
                 for name, variable in stored.items():
                     variable[block] = values[name]
+                bar.add(values[STATUS].size)
 
 
 def _read_grid(parameters, rtol, variables, conditions):

@@ -21,6 +21,7 @@ from thirdbody.core.regimes import NO_FLAG, STATES, codes_to_name, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.inputs import or_calibrated
 from thirdbody.notes import area_note
+from thirdbody.progress import Progress
 from thirdbody.variables import ERROR_BOUND, FLAGS, QUANTITIES, with_table
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ def solve(
     parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
@@ -55,6 +57,8 @@ def solve(
         here, much in ``grid``.
     variables : str or collection of str, optional
         Names of the variables to keep, by default all those of ``Solution``.
+    progress : bool
+        Whether a long call reports its progress on standard error.
 
     Returns
     -------
@@ -110,7 +114,9 @@ def solve(
     read = read_conditions(conditions, parameters)
     arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
     arrays = without_speed(arrays, parameters)
-    values = solve_points(arrays, parameters, rtol, names)
+    points = np.broadcast(*arrays.values()).size
+    with Progress(points, "points", progress) as bar:
+        values = solve_points(arrays, parameters, rtol, names, bar.add)
     values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
     return Solution(
         variables=values

@@ -32,6 +32,7 @@ from thirdbody.core.turning_points import PROMINENCE, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.inputs import or_calibrated
 from thirdbody.labels import indexed
+from thirdbody.progress import Progress
 from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
 
 LOADS = (0.04, 80.0)  # first and last [N] of Table 2
@@ -51,6 +52,7 @@ def find(
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> pd.DataFrame:
     """Find all crossings of a level by a variable along one of the five axes.
@@ -68,7 +70,7 @@ def find(
         10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, 2 or more.
-    parameters, rtol, **conditions
+    parameters, rtol, progress, **conditions
         As in ``thirdbody.solve``, without the axis; the conditions and ``level`` broadcast.
 
     Returns
@@ -113,7 +115,7 @@ def find(
     samples = sample(along, between, count, parameters)
     queries = Queries.of(conditions, parameters, along, level=levels)
     limits = [(variable, queries.columns["level"])]
-    places = _crossings(queries, along, limits, samples, parameters, rtol)
+    places = _crossings(queries, along, limits, samples, parameters, rtol, progress)
     table = queries.table(places.query, parameters) | _places(places, along, parameters)
     table |= {
         "rises": places.rises,
@@ -130,6 +132,7 @@ def transitions(
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> pd.DataFrame:
     """Find where lubrication regime and contact mode change along one of the five axes.
@@ -159,7 +162,7 @@ def transitions(
     samples = sample(along, between, count, parameters)
     queries = Queries.of(conditions, parameters, along)
     limits = [(quantity, np.full(queries.size, level)) for quantity, level, *_ in LIMITS]
-    places = _crossings(queries, along, limits, samples, parameters, rtol)
+    places = _crossings(queries, along, limits, samples, parameters, rtol, progress)
     points = {name: column[places.query] for name, column in queries.columns.items()}
     points = without_speed(points | {axis_of(along).name: places.value}, parameters)
     solved = solve_points(points, parameters, rtol, ["lubrication_regime"])
@@ -182,6 +185,7 @@ def turning_point(
     between_N: tuple[float, float] = LOADS,
     count: int = LOADS_SWEPT,
     rtol: float = DEFAULT_RTOL,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> pd.DataFrame:
     """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
@@ -193,7 +197,7 @@ def turning_point(
         must exceed the least values on both sides of it between them.
     count : int
         Number of loads between which maxima are sought; two within one step are missed.
-    parameters, rtol, **conditions
+    parameters, rtol, progress, **conditions
         As in ``thirdbody.solve``, without the load; the conditions broadcast.
 
     Returns
@@ -225,7 +229,8 @@ def turning_point(
     curves = without_speed(queries.columns, parameters)
     points = {"load": loads[:, None]} | curves
     names = ["separation", "particle_contact_area_ratio"]
-    solved = solve_points(points, parameters, rtol, names)
+    with Progress(count * queries.size, "points", progress) as bar:
+        solved = solve_points(points, parameters, rtol, names, bar.add)
     maxima = turning_points(solved["separation"], **curves, parameters=parameters, rtol=rtol)
     ratio = solved["particle_contact_area_ratio"]
     rise = np.fmax.reduce(ratio - np.fmin.accumulate(ratio))
@@ -356,6 +361,7 @@ def _crossings(
     samples: NDArray,
     parameters: Parameters,
     rtol: float,
+    progress: bool,
 ) -> Crossings:
     """Crossings along a condition, of which the speed is solved as a viscosity."""
     axis = axis_of(along).name
@@ -371,7 +377,8 @@ def _crossings(
         scale = without_speed(one, parameters)["viscosity"].item()
     others = without_speed(others, parameters)
     solved = "viscosity" if axis == "speed" else axis
-    places = crossings(limits, solved, scale * samples, others, parameters, rtol)
+    with Progress(samples.size * queries.size, "points", progress) as bar:
+        places = crossings(limits, solved, scale * samples, others, parameters, rtol, bar.add)
     return places._replace(value=places.value / scale, error=places.error / scale)
 
 

@@ -35,7 +35,7 @@ assert_type(points, tb.Solution)
 assert_type(points.to_dataset(), xr.Dataset)
 points.to_dataframe().to_csv("points.csv")
 
-grid = tb.grid(load_N=[1, 10], viscosity_cSt=[0, 90], roughness_nm=300)
+grid = tb.grid(load_N=[1, 10], viscosity_cSt=[0, 90], roughness_nm=300, progress=False)
 assert_type(grid, xr.Dataset)
 tb.stream("grid.nc", load_N=[1, 10], viscosity_cSt=[0, 90], roughness_nm=300, compression=1)
 figure = tb.plot(grid, over="load_N")

@@ -7,7 +7,7 @@ is refined ``DEPTH`` times by ``FINER``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -47,6 +47,7 @@ def crossings(
     others: Mapping[str, NDArray],
     parameters: Parameters,
     rtol: float,
+    callback: Callable[[int], None] | None = None,
 ) -> Crossings:
     """Find the crossings of several variables, solved together.
 
@@ -62,10 +63,12 @@ def crossings(
         The other conditions of each query by name, shape (queries,).
     parameters, rtol
         As in ``solve_points``.
+    callback : callable, optional
+        Called with the number of samples of queries that have been solved since its last call.
     """
     levels = np.stack([level for _, level in limits])
     names = [name for name, _ in limits]
-    excess = _Excess(names, levels, axis, others, parameters, rtol)
+    excess = _Excess(names, levels, axis, others, parameters, rtol, callback)
     limit, query, rises, low, high = _brackets(excess, samples)
     root, width = bracketed_roots(
         lambda log_value: excess.at(limit, query, log_value)[0], low, high, 0.1 * rtol
@@ -87,17 +90,18 @@ class _Excess:
     others: Mapping[str, NDArray]
     parameters: Parameters
     rtol: float
+    callback: Callable[[int], None] | None
 
-    def solved(self, query, values):
+    def solved(self, query, values, callback=None):
         """Variables by name, of queries at values of the axis."""
         points = {name: column[query] for name, column in self.others.items()} | {self.axis: values}
         variables = {*self.names, ERROR_BOUND, SOLUTION_STATUS}
-        return solve_points(points, self.parameters, self.rtol, variables)
+        return solve_points(points, self.parameters, self.rtol, variables, callback)
 
     def everywhere(self, samples):
         """All limits of all queries, in columns, at each of the ``samples``."""
         queries = np.arange(self.levels.shape[1])
-        solved = self.solved(queries, samples[:, None])
+        solved = self.solved(queries, samples[:, None], self.callback)
         columns = [solved[name] for name in self.names]
         return np.concatenate(columns, axis=1) - self.levels.ravel()
 

@@ -10,7 +10,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from enum import IntFlag
 from typing import NamedTuple
 
@@ -44,6 +44,7 @@ def solve_points(
     parameters: Parameters,
     rtol: float,
     variables: Collection[str],
+    callback: Callable[[int], None] | None = None,
 ) -> dict[str, NDArray]:
     """Solve the force balance (Eq. 1) at many points.
 
@@ -61,6 +62,8 @@ def solve_points(
         Requested relative error of every variable [1].
     variables : collection of str
         Names of those to return, of ``state.describe``.
+    callback : callable, optional
+        Called with the number of points that have been solved since its last call.
 
     Returns
     -------
@@ -82,6 +85,8 @@ def solve_points(
                     values[indices] = solved[name]
                 failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
                 left[indices] = failed & attempt.uses_tables
+                if callback is not None:
+                    callback(int(np.count_nonzero(~left[indices])))
         _doubt_faint_particles(columns, result)
     return {name: values.reshape(shape) for name, values in result.items()}
 

@@ -5,7 +5,7 @@ independent of load and lubricant.  They are tabulated (``solid_tables``), and E
 loads and viscosities at once, by Newton's method for ln L_f.  Dry contact, and points where the interpolation error exceeds ``rtol``, are solved individually.
 """
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -40,6 +40,7 @@ def sweep(
     parameters: Parameters,
     rtol: float,
     variables: Collection[str],
+    callback: Callable[[int], None] | None = None,
 ) -> dict[str, NDArray]:
     """Solve all combinations of five axes by interpolation over the separation.
 
@@ -54,6 +55,8 @@ def sweep(
         Requested relative error, at least ``LEAST_RTOL``.
     variables : collection of str
         Names of those to return, of ``state.describe``.
+    callback : callable, optional
+        Called with the number of points that have been solved since its last call.
 
     Returns
     -------
@@ -79,6 +82,8 @@ def sweep(
                             solved.films[name],
                         )
                     unsure[at][dry_count:] = solved.unsure
+                    if callback is not None:
+                        callback(unsure[at].size)
         index = np.nonzero(unsure)
         if index[0].size:
             points = {name: axes[name][which] for name, which in zip(ORDER, index, strict=True)}

@@ -249,7 +249,7 @@ def solve_runs(table: pd.DataFrame, inputs: Iterable[Parameters]) -> list[Soluti
     """The solutions of a table of conditions for each of several inputs."""
     conditions = {key: table[key].to_numpy() for key in _conditions_of(table)}
     with without_warnings():
-        return [solve(**conditions, parameters=each) for each in inputs]
+        return [solve(**conditions, parameters=each, progress=False) for each in inputs]
 
 
 def _conditions_of(table):

@@ -93,7 +93,7 @@ def _solved(
     values: dict[str, NDArray] = {}
     for parameters, weight in zip(sets, weights, strict=True):
         own = {**axes, "load": axes["load"] / parameters.newtons_per_load}
-        solved = grid(parameters=parameters, rtol=rtol, variables=names, **own)
+        solved = grid(parameters=parameters, rtol=rtol, variables=names, progress=False, **own)
         if not values:
             values = {name: solved[name].values for name in names}
             values |= {name: np.zeros(solved[STATUS].shape, np.int16) for name in STATES}
