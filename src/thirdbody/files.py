@@ -93,7 +93,8 @@ def _place(path: str | PathLike) -> Path:
     if not place.name or "\0" in place.name:
         message = f"{format_value(path)} is not a file name"
         raise ValueError(f"{message}; allowed: the path of a file to write")
-    return Path(os.path.realpath(place)) if os.path.islink(place) else place
+    is_link_to_file = os.path.islink(place) and not _is_device(place)
+    return Path(os.path.realpath(place)) if is_link_to_file else place
 
 
 class DamagedFile(OSError):

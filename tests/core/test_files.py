@@ -106,6 +106,17 @@ def test_a_place_where_nothing_can_be_written_is_named_before_the_block_runs(
     assert listing(tmp_path) == ["file", "folder"]
 
 
+def test_a_name_of_an_open_pipe_is_written(tmp_path):
+    reader, writer = os.pipe()
+    place = tmp_path / "stdout"
+    place.symlink_to(f"/proc/self/fd/{writer}")  # as /dev/stdout is
+    with atomic_write(place) as (part,):
+        part.write_text("a line\n")
+    assert os.read(reader, 100) == b"a line\n" and place.is_symlink()
+    os.close(reader)
+    os.close(writer)
+
+
 def test_a_pipe_is_written_and_stays_a_pipe(tmp_path):
     place = tmp_path / "pipe"
     os.mkfifo(place)
