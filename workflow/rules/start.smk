@@ -33,6 +33,7 @@ if not re.fullmatch(r"[\w/.,:@%+~-]+", sys.executable):
 # on a full disk, lines that do not fit into Snakemake's log are dropped
 logging.raiseExceptions = False
 
+WORDY = "Union of exclusive params before and now across all output: "
 FILE_TEXT = re.compile(r"'([^' ]+) [0-9a-f]{8}'")  # of `file_text`
 FILES_NAMED = 3  # in the reason of a job; a first run would name all files of the workflow
 
@@ -51,9 +52,11 @@ class OneLine(logging.Formatter):
         return f"{does} ({'; '.join(map(self.shortened, reason.split('; ')))})"
 
     def shortened(self, clause):
-        """A clause of a reason with a few files: those in it, or those whose texts in the parameters differ."""
-        what, _, rest = clause.partition(": ")
-        files = [*dict.fromkeys(FILE_TEXT.findall(rest))] or rest.split(", ")
+        """A clause of a reason with a few files: those in it, or those whose texts in the parameters differ; of
+        other parameters both values."""
+        what, _, rest = clause.replace(WORDY, "").partition(": ")
+        values = [rest] if what.startswith("Params") else rest.split(", ")
+        files = [*dict.fromkeys(FILE_TEXT.findall(rest))] or values
         more = f" and {len(files) - FILES_NAMED} more" if len(files) > FILES_NAMED else ""
         return f"{what}: {', '.join(files[:FILES_NAMED])}{more}" if rest else what
 
