@@ -43,7 +43,8 @@ def draw(errors: Rows, times: Rows) -> Figure:
                 form,
                 label=label,
                 markersize=size,
-                markerfacecolor="none",
+                markerfacecolor=None if method == "library" else "none",
+                zorder=3.0 if method == "library" else 2.0,  # in front
             )
         axes.set_title(title, loc="left")
         axes.set_xlabel("largest true error")

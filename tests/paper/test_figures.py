@@ -396,7 +396,7 @@ def test_turning_points_and_windows_are_marked(datasets, printed):
     assert points and over.of_kind(LOCUS)
     (ends,) = last.of_kind(WINDOW)
     assert ends.x.tolist() == [0.9, 1.2]
-    assert {"printed along x", "tolerance of a printed line"} <= {*key_of(drawing)}
+    assert {"printed, without height", "tolerance of a printed line"} <= {*key_of(drawing)}
     # 0.83 and 0.8333 are one number; strips of others do not cover each other
     strips = [strip.get_bbox() for strip in drawing.axes[3].patches]
     assert len(strips) == 4 and len({strip.x0 for strip in strips}) == 4
@@ -655,7 +655,7 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
         last = drawing.panels[1].of_kind(CURVE)[-1]
         first = power_text(float(f"{last.y[0]:.1e}"))
         assert f"xₐ = 1000 nm runs from {first} to {last.y[-1]:.2g}" in text
-        assert "printed, at every load: 2, " in text
+        assert "printed, between the strokes: 2, " in text
     if name == "fig11":
         assert "the curve at dry runs from 100 % to 100 %" in text and "×10⁻⁴" in text
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}

@@ -27,8 +27,9 @@ from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_heig
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
-from thirdbody.plotting.styles import HAIRLINE, TWO_BODY, Look, curve_styles
+from thirdbody.plotting.styles import DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
 
+LANE = 0.05  # height of strips that overlap, in heights of a panel
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
@@ -289,8 +290,8 @@ def _draw_panel(axes, panel, newtons_per_load):
 
 
 def _draw_uprights(axes, panel):
-    """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap stand
-    above each other."""
+    """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap are
+    low, at the top, one below the other."""
     has_ends = panel.x in ("load", "normal_load")  # which have the names
     names = {} if has_ends else {one.curve: _name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Series] = []
@@ -310,7 +311,8 @@ def _draw_uprights(axes, panel):
             lanes += [[]] if all(taken[:-1]) else []
             lanes[taken.index(False)].append(series)
     for place, lane in enumerate(lanes):
-        heights = place / len(lanes), (place + 1) / len(lanes)
+        top = 1.0 - place * LANE
+        heights = (top - LANE, top) if len(lanes) > 1 else (0.0, 1.0)
         for series in lane:
             axes.axvspan(*series.tolerance[0], *heights, **series.tolerance_look)
 
@@ -330,8 +332,8 @@ def _overlap(series, other) -> bool:
 def _name(series) -> str:
     """The level of a curve, written at its end; hairlines have no name."""
     text = series.look.get("label", "").lstrip("_")
-    text = "none" if text == TWO_BODY else text
-    is_level = text[:1].isdigit() or text in ("dry", "none")
+    text = {TWO_BODY: "none", DRY_TWO_BODY_TEXT: "two-body"}.get(text, text)
+    is_level = text[:1].isdigit() or text in ("dry", "none", "two-body")
     is_strong = series.look.get("linewidth") != HAIRLINE["linewidth"]
     return typeset(text) if is_level and is_strong else ""
 

@@ -55,7 +55,7 @@ CAPTIONS = {
         title="A lubricated interface with third-body particles",
         message=(
             "The load F_t is carried by summits of both surfaces, by particles, and by the lubricant. "
-            "Dark particles carry load, pale ones do not: in the model a particle carries load if its "
+            "Orange particles carry load, pale ones do not: in the model a particle carries load if its "
             "diameter exceeds d - y - h_e, wherever it lies on the roughness, where y is the height of the "
             "plane on which all particles rest in the model; here also if it is drawn between both "
             "surfaces. The tint is the elastic zone h_e of Eqs. 4 and 5, below the mean plane of surface 1; "
@@ -74,7 +74,7 @@ CAPTIONS = {
         title="The three contact modes",
         message=(
             "At the same load, in the s-s mode (A) summits carry it, in the p-s mode (B) particles, in the "
-            "hybrid mode (C) both. Dark particles carry load, by the rule of Figure 1; pale ones, the specks "
+            "hybrid mode (C) both. Orange particles carry load, by the rule of Figure 1; pale ones, the specks "
             "in A, do not. The tint is the elastic zone h_e. Surfaces and sizes are drawn from the "
             "distributions of the model, at the separation d computed for the load F_t."
         ),
@@ -87,12 +87,12 @@ CAPTIONS = {
         title="Verdict on each statement of the paper",
         message=(
             "Each bar has the statements of one figure, or of the conclusions and the abstract, by their "
-            "verdict; one that the paper repeats counts each time. Below it are all statements that do not hold, "
+            "verdict; one that the paper repeats counts each time. Below it are all others than those that hold, "
             "in the order of the paper, with their verdicts."
         ),
         alternative=(
             "A stacked bar for each part of the paper with the number of statements of each verdict, and a "
-            "list of the statements that do not hold."
+            "list of the statements that do not hold or are not tested."
         ),
     ),
     "sensitivity": Caption(
@@ -177,7 +177,7 @@ ZONES = {
 # the marks that the key of a figure of curves names
 MEANINGS = {
     marks.TURNING_POINTS: (
-        "Stars: turning points of the contact area, maxima that stand out by at least 0.02 "
+        "Stars: turning points of the contact area, maxima of A_sa,t* that stand out by at least 0.02 "
         "within these loads; a curve that still rises at the largest load has none."
     ),
     marks.SLIGHT: ("Hollow stars: maxima, however high, that stand out by less and do not count."),
@@ -190,7 +190,7 @@ MEANINGS = {
     printed.ALONG_X: (
         "Upright lines of dashes and dots: numbers that the paper prints along x alone, without the height, "
         "in the colour of their curve if it is one; the strip around a line is its tolerance; "
-        "strips that would overlap stand above each other."
+        "strips that would overlap are low, at the top."
     ),
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (
@@ -198,8 +198,8 @@ MEANINGS = {
         "outside the strip the model misses the number."
     ),
     printed.EVERY_LOAD: (
-        "Level lines with a stroke at each end: numbers that the paper prints for every load; strips: "
-        "their tolerances."
+        "Level lines with a stroke at each end: numbers that the paper prints for every load between the strokes; "
+        "strips: their tolerances."
     ),
     marks.BAND: (
         "Shaded in colour: the range, 5 to 95 %, over the ensemble of inputs that explain the "

@@ -35,7 +35,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     figure = Drawing(figsize=(TWO_COLUMNS, sum(heights) + AROUND), layout="constrained")
     bars, texts = figure.subplots(2, height_ratios=heights)
     figure.panels = [Panel("", "statements", "part", _draw_bars(bars, rows, parts), letter="A")]
-    texts.set_title("What does not hold", loc="left")
+    texts.set_title("What does not hold, or is not tested", loc="left")
     texts.set(xlim=(0.0, 1.0), ylim=(lines, 0.0))
     texts.set_axis_off()
     below = 0.0

@@ -31,7 +31,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 3.1,
     },
     EVERY_LOAD: {
-        "label": "printed, at every load",
+        "label": "printed, between the strokes",
         "color": "black",
         "linestyle": "-",
         "linewidth": 0.9,
@@ -41,7 +41,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 2.9,
     },
     ALONG_X: {
-        "label": "printed along x",
+        "label": "printed, without height",
         "color": "black",
         "linestyle": (0, (4.0, 1.0, 1.0, 1.0)),
         "linewidth": 1.3,
@@ -55,7 +55,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 1.7,
     },
     COMPUTED: {
-        "label": "the same, computed",
+        "label": "bend or crossing, computed",
         "linestyle": "none",
         "marker": "H",
         "markersize": 6.0,

@@ -32,7 +32,7 @@ LOOKS: dict[str, dict[str, Any]] = {
     "surface 2": {"facecolor": "0.76", "edgecolor": "0.2", "linewidth": 0.8},
     LUBRICANT: {"facecolor": "#D6ECF8", "edgecolor": "0.2", "linewidth": 0.8},
     PARTICLE: {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8},
-    "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.7},
+    "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.3},
     SUMMITS: {"color": "C1", "linewidth": 3.2},
     "elastic zone": {"facecolor": "C1", "alpha": 0.13, "linewidth": 0.0, "zorder": 2.2},
 }
