@@ -20,11 +20,10 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 and the force balance are in ``thirdbody.core``, which needs only numpy and scipy.
 """
 
-import lazy_loader
+from thirdbody.lazy import lazy_names
 
-# the stub beside this file has the module of each name, also for editors and type checkers
-_attribute, _, _names = lazy_loader.attach_stub(__name__, __file__)
-__all__ = ["__version__", *_names]
+_NAMES, _attribute = lazy_names(__name__, __file__)
+__all__ = ["__version__", *_NAMES]
 
 
 def __getattr__(name: str):

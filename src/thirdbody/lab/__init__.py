@@ -6,6 +6,11 @@ topographies, ``oil_viscosity`` and ``oil_grade`` the viscosity of oils, ``clean
 the particles per area of a film.
 """
 
-import lazy_loader
+from thirdbody.lazy import lazy_names
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__all__, __getattr__ = lazy_names(__name__, __file__)
+
+
+def __dir__() -> list[str]:
+    """All names, imported or not."""
+    return __all__
