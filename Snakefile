@@ -1,4 +1,4 @@
-# Every dataset, table and figure of Chen & Horng (2024), from the printed equations: snakemake -c2
+# Every dataset, table and figure of Chen & Horng (2024), from its equations and calibrated inputs: snakemake -c2
 
 from snakemake.utils import min_version
 

@@ -51,7 +51,7 @@ def grid(
     parameters : Parameters, optional
         Inputs of the model, by default the calibrated ones.
     rtol : float, optional
-        Requested relative error of every variable [1].  From 1e-3 on, large grids are interpolated
+        Requested relative error of every variable [1].  At 1e-3 or more, large grids are interpolated
         over the separation, which is faster; below, every point is solved individually.
     variables : str or collection of str, optional
         Variables of ``Solution`` to compute; ``solution_status`` is always included.
@@ -146,7 +146,7 @@ def stream(
     """Solve every combination of five axes block by block, into a file.
 
     Writes the dataset that ``grid`` returns, with only one block in memory.  Every point is solved individually, also
-    from an ``rtol`` of 1e-3 on.
+    at an ``rtol`` of 1e-3 or more.
 
     Parameters
     ----------
