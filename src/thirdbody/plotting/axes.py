@@ -7,6 +7,7 @@ from matplotlib.ticker import LogLocator, NullFormatter, NullLocator
 from thirdbody.plotting.scales import SCALES, ZONES, power_text, typeset
 
 ABOVE_NEWTONS = 16.0  # points between the axes and their title
+NEARLY = 0.99  # of the first load, so that its tick is named
 ZONE = "0.955"  # grey of the middle zone
 
 
@@ -28,7 +29,8 @@ def set_scales(
         logarithmic = (variable.is_logarithmic or axis is axes.xaxis) and 0.0 < spread * low < high
         if logarithmic:
             axes.set(**{f"{axis.axis_name}scale": "log"})
-            axis.set_major_formatter(lambda value, _: power_text(value))
+            least_named = NEARLY * low if axis is axes.xaxis else 0.0
+            axis.set_major_formatter(_from_on(least_named, power_text))
         if variable.scale != 1.0:
             axis.set_major_formatter(_in_unit(axis, variable.scale))
             if logarithmic:
@@ -45,12 +47,18 @@ def set_scales(
     if x == "load" and newtons_per_load is not None:
         ends = lambda load: load * newtons_per_load, lambda newtons: newtons / newtons_per_load
         upper = axes.secondary_xaxis("top", functions=ends)
-        upper.xaxis.set_major_formatter("{x:g} N")
+        first = NEARLY * limits.x0 * newtons_per_load
+        upper.xaxis.set_major_formatter(_from_on(first, "{:g} N".format))
         upper.xaxis.set_minor_locator(NullLocator())
         upper.set_zorder(1.0)  # ticks are seen on zones and strips
         upper.set_in_layout(False)  # the title leaves room for it
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
     return zones
+
+
+def _from_on(first, text):
+    """Text of a tick that is not left of the curves, where names may stand."""
+    return lambda value, _: text(value) if value >= first else ""
 
 
 def _in_unit(axis, unit):
