@@ -252,6 +252,19 @@ def test_a_name_is_of_dry_or_of_lubricated_curves(name, datasets):
             assert text.startswith("dry ") == (colour == "black"), (panel.letter, text)
 
 
+def test_of_dashed_curves_that_coincide_one_is_drawn(datasets):
+    figure = plotted("fig08", datasets)
+    axes, (panel, *_) = figure.axes[0], figure.panels
+    lines = dict(zip(panel.of_kind(CURVE), axes.lines, strict=False))
+    dashed = [line for one, line in lines.items() if one.look["linestyle"] == DRY["linestyle"]]
+    drawn = [np.isfinite(line.get_ydata()) for line in dashed]
+    assert drawn[0].all() and not np.all(drawn)
+    for later, seen in zip(dashed[1:], drawn[1:], strict=True):
+        heights = axes.transData.transform(later.get_xydata())[:, 1]
+        first = axes.transData.transform(dashed[0].get_xydata())[:, 1]
+        assert (np.abs(heights - first)[seen] > 0.5).all()
+
+
 def test_values_below_a_logarithmic_axis_are_not_drawn(datasets):
     figure = plotted("fig13", datasets)
     for axes, panel in zip(figure.axes, figure.panels, strict=True):

@@ -16,6 +16,7 @@ LINE, TOP = 0.058, 1.02  # distance and highest place of names, in heights of a 
 NAME_SIZE = 7.0  # of names [points]
 LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
 TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0}
+SEEN_APART = 0.8  # of lines [points]
 SEVERAL = "0.25"  # colour of a name of several curves
 
 
@@ -124,6 +125,17 @@ def hide_bars(axes: Axes, pairs: Sequence[tuple[Line2D, Line2D]]) -> None:
         is_long = np.ptp(_in_axes(axes, bar), axis=0).max() > NEAR
         bar.set_visible(is_long and _points(mark) in shown and _points(bar) not in drawn)
         drawn.add(_points(bar))
+
+
+def hide_repeats(axes: Axes, lines: Sequence[Line2D]) -> None:
+    """Of dashed ``lines`` at the same loads that coincide, show one: dashes of several fill each other's gaps."""
+    nearest = SEEN_APART * axes.figure.dpi / 72.0
+    before: list[NDArray] = []
+    for line in lines:
+        places = axes.transData.transform(line.get_xydata())
+        repeats = [np.hypot(*(places - other).T) < nearest for other in before]
+        line.set_ydata(np.where(np.any(repeats, axis=0), np.nan, line.get_ydata()))
+        before.append(places)
 
 
 def _points(line) -> tuple[float, ...]:

@@ -21,13 +21,13 @@ from thirdbody.curves import (
 from thirdbody.netcdf import Dataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
-from thirdbody.plotting.crowding import NAME_SIZE, hide_bars, keep_apart, name_ends
+from thirdbody.plotting.crowding import NAME_SIZE, hide_bars, hide_repeats, keep_apart, name_ends
 from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
-from thirdbody.plotting.styles import DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
+from thirdbody.plotting.styles import DRY, DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
 
 LANE = 0.05  # height of strips that overlap, in heights of a panel
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
@@ -285,6 +285,10 @@ def _draw_panel(axes, panel, newtons_per_load):
         texts = {line: _name(one) for line, one in named.items()}
         dry = [line for line, one in named.items() if one.curve and one.curve.is_dry]
         width = name_ends(axes, texts, dry)
+        dashed = [
+            one for one in panel.of_kind(CURVE) if one.look.get("linestyle") == DRY["linestyle"]
+        ]
+        hide_repeats(axes, [lines[one] for one in dashed])
         if zones is not None and width:
             zones.spines.right.set_position(("outward", width))
 

@@ -249,8 +249,8 @@ def _notes(panels) -> list[str]:
         sentences.append(f"Not in the paper: {_listed(ours)}.")
     if len({condition.is_dry for condition in conditions}) > 1:
         sentences.append(
-            "Dashed black curves and black names: dry contact; grey names: several lubricated curves, or "
-            "one without particles."
+            "Dashed black curves and black names: dry contact; where dashed curves coincide, one is drawn. Grey names: "
+            "several lubricated curves, or one without particles."
         )
     leasts = {panel.least for panel in panels} - {0.0}
     sentences += [f"Values below {least:g} are not drawn." for least in leasts]
