@@ -2,7 +2,6 @@
 import ast
 import json
 import os
-import re
 import sys
 from functools import cache
 from hashlib import sha256
@@ -28,7 +27,7 @@ CLAIMS = f"{CONFIG}/claims.yaml"
 PAPER_TABLES = f"{CONFIG}/paper_tables.yaml"
 INPUTS = f"{CONFIG}/inputs.yaml"
 
-# ---- the settings, before Snakemake reads their files: its errors do not name the file
+# ---- the settings: Snakemake reads none of their files, as its errors do not name the file
 
 try:
     settings = read_settings(config, CONFIG, *workflow.overwrite_configfiles)
