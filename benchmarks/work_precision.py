@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import matplotlib.style
+import numpy as np
 from matplotlib.figure import Figure
 
 from thirdbody.plotting.drawing import STYLE, TWO_COLUMNS, Drawing
@@ -11,10 +12,11 @@ from thirdbody.plotting.drawing import STYLE, TWO_COLUMNS, Drawing
 HEIGHT = 2.9  # inches
 METHODS = {  # label, form and size; where two are the same, both are seen
     "library": ("tb.solve, rtol 1e-2 to 1e-11", "o-", 3.5),
-    "library_grid": ("tb.grid, rtol 1e-2 to 1e-11", "s-", 6.5),
+    "library_grid": ("tb.grid, with rtol above the points", "s-", 6.5),
     "array_roots": ("find_root on arrays", "D", 5.0),
     "nested_roots": ("quad and brentq, a point at a time", "^", 5.0),
 }
+DECADES = 1.0  # of the error, within which points of the grid have one text
 SPANS = {"usual": "conditions of Table 2", "extremes": "extreme conditions"}
 Rows = Sequence[Mapping[str, Any]]
 
@@ -37,8 +39,9 @@ def draw(errors: Rows, times: Rows) -> Figure:
     for axes, (span, title) in zip(panels, SPANS.items(), strict=True):
         for method, (label, form, size) in METHODS.items():
             here = [row for row in times if (row["method"], row["span"]) == (method, span)]
+            errors_here = [error[method, row["rtol"], span] for row in here]
             axes.loglog(
-                [error[method, row["rtol"], span] for row in here],
+                errors_here,
                 [row["microseconds_per_point"] for row in here],
                 form,
                 label=label,
@@ -46,8 +49,33 @@ def draw(errors: Rows, times: Rows) -> Figure:
                 markerfacecolor=None if method == "library" else "none",
                 zorder=3.0 if method == "library" else 2.0,  # in front
             )
+            if method == "library_grid":
+                _name_tolerances(axes, here, errors_here)
         axes.set_title(title, loc="left")
+        axes.margins(x=0.1)
         axes.set_xlabel("largest true error")
     panels[0].set_ylabel("time a point [µs]")
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
     return figure
+
+
+def _name_tolerances(axes, rows, errors) -> None:
+    """Write above the points of the grid for which ``rtol`` they are; those of about the same error have one text."""
+    places: dict[int, list[tuple]] = {}
+    for row, error in zip(rows, errors, strict=True):
+        point = row["rtol"], error, row["microseconds_per_point"]
+        places.setdefault(round(np.log10(error) / DECADES), []).append(point)
+    for points in places.values():
+        tolerances, errors, times = zip(*points, strict=True)
+        ends = dict.fromkeys(
+            f"{each:.0e}".replace("e-0", "e-") for each in (max(tolerances), min(tolerances))
+        )
+        axes.annotate(
+            " to ".join(ends),
+            (np.mean(errors), max(times)),
+            (0.0, 5.0),
+            textcoords="offset points",
+            fontsize=7.0,
+            rotation=35.0,
+            rotation_mode="anchor",
+        )

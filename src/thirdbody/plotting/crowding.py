@@ -20,21 +20,31 @@ SEEN_APART = 0.8  # of lines [points]
 SEVERAL = "0.25"  # colour of a name of several curves
 
 
-def name_ends(axes: Axes, texts: Mapping[Line2D, str], dry: Collection[Line2D] = ()) -> float:
+def name_ends(
+    axes: Axes,
+    texts: Mapping[Line2D, str],
+    dry: Collection[Line2D],
+    hairlines: Mapping[Line2D, str],
+) -> float:
     """Write ``texts`` beside the ends of their lines, where more ends are apart: right of the panel, or left of
-    the curves, in room that the axis gains.  ``dry`` lines share no name with others.  Returns the width taken
-    right of the panel [points]."""
+    the curves, in room that the axis gains.  ``dry`` lines share no name with others; ``hairlines`` have one
+    where there is room.  Returns the width taken right of the panel [points]."""
     right, left = (_groups(axes, texts, end, dry) for end in (-1, 0))
     at_left = len(left) > len(right)
     groups = left if at_left else right
     if not 1 < len(groups) <= MOST_NAMES:
         return 0.0
+    for group in _groups(axes, hairlines, 0 if at_left else -1, dry):
+        taken = [height for other in groups for *_, height in other]
+        if all(abs(group[0][2] - height) > LINE for height in taken):
+            groups.append(group)
     base = axes.get_xaxis_transform() if at_left else axes.transAxes
     shift = (-LEADER if at_left else LEADER) / 72.0
     beside = base + ScaledTranslation(shift, 0.0, axes.figure.dpi_scale_trans)
     groups.sort(key=lambda group: np.mean([height for *_, height in group]))
     ends = [float(np.mean([height for *_, height in group])) for group in groups]
-    compares_media = 0 < len(dry) < len(texts)
+    compares_media = 0 < len({*dry} & {*texts}) < len(texts)
+    texts = {**texts, **hairlines}
     names = []
     for group, end, height in zip(groups, ends, _spread(ends), strict=True):
         colours = {line.get_color() for line, *_ in group}

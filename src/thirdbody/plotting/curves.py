@@ -281,10 +281,13 @@ def _draw_panel(axes, panel, newtons_per_load):
     keep_apart(axes, points)
     hide_bars(axes, list(zip(points, bars, strict=True)))
     if panel.x in ("load", "normal_load"):
-        named = {lines[one]: one for one in panel.of_kind(CURVE) if _name(one)}
-        texts = {line: _name(one) for line, one in named.items()}
-        dry = [line for line, one in named.items() if one.curve and one.curve.is_dry]
-        width = name_ends(axes, texts, dry)
+        named = [one for one in panel.of_kind(CURVE) if _name(one)]
+        strong, hairlines = (
+            {lines[one]: _name(one) for one in named if _is_hairline(one) == thin}
+            for thin in (False, True)
+        )
+        dry = [lines[one] for one in named if one.curve and one.curve.is_dry]
+        width = name_ends(axes, strong, dry, hairlines)
         dashed = [
             one for one in panel.of_kind(CURVE) if one.look.get("linestyle") == DRY["linestyle"]
         ]
@@ -334,12 +337,15 @@ def _overlap(series, other) -> bool:
 
 
 def _name(series) -> str:
-    """The level of a curve, written at its end; hairlines have no name."""
+    """The level of a curve, written at its end."""
     text = series.look.get("label", "").lstrip("_")
     text = {TWO_BODY: "none", DRY_TWO_BODY_TEXT: "two-body"}.get(text, text)
     is_level = text[:1].isdigit() or text in ("dry", "none", "two-body")
-    is_strong = series.look.get("linewidth") != HAIRLINE["linewidth"]
-    return typeset(text) if is_level and is_strong else ""
+    return typeset(text) if is_level else ""
+
+
+def _is_hairline(series) -> bool:
+    return series.look.get("linewidth") == HAIRLINE["linewidth"]
 
 
 def _some_ranges(ranges):

@@ -1,5 +1,6 @@
 """The key of a figure: groups of entries, each in columns of its own."""
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -21,11 +22,18 @@ def key_columns(groups: Groups) -> list[list[Mapping[str, Any]]]:
     column is all that fits."""
     count = sum(map(len, groups))
     for rows in range(1, count + 1):
-        columns = [group[i : i + rows] for group in groups for i in range(0, len(group), rows)]
+        columns = [column for group in groups for column in _split(group, rows)]
         widths = [max(len(each["label"]) for each in column) + HANDLE for column in columns]
         if sum(widths) <= LETTERS:
             return [[*column] for column in columns]
     return [[each for group in groups for each in group]]
+
+
+def _split(group, rows) -> list[Sequence[Mapping[str, Any]]]:
+    """The columns of a group, of at most ``rows`` entries and about equally long."""
+    count = math.ceil(len(group) / rows)
+    length = math.ceil(len(group) / count)
+    return [group[i : i + length] for i in range(0, len(group), length)]
 
 
 def key_height(groups: Groups) -> float:

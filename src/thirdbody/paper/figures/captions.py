@@ -43,9 +43,10 @@ class Caption:
         return ". ".join(filter(None, (self.place, self.title)))
 
     def markdown(self) -> str:
-        """Two paragraphs of Markdown or reStructuredText."""
-        text = " ".join(filter(None, (self.message, self.shows)))
-        return f"**{markdown_text(self.heading)}.** {text}\n\n**Alternative text.** {self.alternative}\n"
+        """Paragraphs of Markdown or reStructuredText."""
+        first = f"**{markdown_text(self.heading)}.** {self.message}".rstrip()
+        last = f"**Alternative text.** {self.alternative}\n"
+        return "\n\n".join(filter(None, (first, self.shows, last)))
 
 
 # figures whose captions do not follow from curves

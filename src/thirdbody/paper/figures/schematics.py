@@ -30,10 +30,10 @@ MODE_TITLES = {
 LOOKS: dict[str, dict[str, Any]] = {
     "surface 1": {"facecolor": "0.86", "edgecolor": "0.2", "linewidth": 0.8},
     "surface 2": {"facecolor": "0.76", "edgecolor": "0.2", "linewidth": 0.8},
-    LUBRICANT: {"facecolor": "#D6ECF8", "edgecolor": "0.2", "linewidth": 0.8},
+    LUBRICANT: {"facecolor": "#D6ECF8", "edgecolor": "0.2", "linewidth": 0.8, "zorder": 2.3},
     PARTICLE: {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8},
     "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.3},
-    SUMMITS: {"color": "C1", "linewidth": 3.2},
+    SUMMITS: {"color": "C1", "linewidth": 3.2, "zorder": 2.4},
     "elastic zone": {"facecolor": "C1", "alpha": 0.13, "linewidth": 0.0, "zorder": 2.2},
 }
 FROM_END_TO_END = {"shrinkA": 0, "shrinkB": 0}
@@ -46,8 +46,11 @@ LOAD = FROM_END_TO_END | {
     "mutation_scale": 14,
 }
 BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
-MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
-STRETCHED = f"heights stretched {STRETCH:g} times, particles drawn round"
+MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
+READING = (
+    f"orange carries load; tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, "
+    "particles drawn round"
+)
 
 
 def plot_interface(data: PlainDataset) -> Drawing:
@@ -62,7 +65,7 @@ def plot_interface(data: PlainDataset) -> Drawing:
     _draw_section(axes, figure.panels[0], section, INTERFACE_SHAPE)
     _draw_arrows(axes, section)
     _name_parts(axes, section)
-    figure.supxlabel(STRETCHED, fontsize="medium")
+    figure.supxlabel(READING, fontsize="medium")
     return figure
 
 
@@ -85,7 +88,7 @@ def plot_modes(data: PlainDataset) -> Drawing:
         _draw_section(axes, panel, section, MODES_SHAPE)
         _name_parts(axes, section)
     _draw_height(figure.axes[0], 0.06, *_elastic_zone(figure.axes[0], sections[0]), "$h_e$")
-    figure.supxlabel(typeset(f"{', '.join(common)}; {STRETCHED}"), fontsize="medium")
+    figure.supxlabel(typeset(", ".join(common)) + f"\n{READING}", fontsize="medium")
     return figure
 
 
@@ -125,7 +128,8 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     axes.axhspan(*_elastic_zone(axes, section), **LOOKS["elastic zone"])
     corner, end = middle - 0.94 * reach, 0.9 * length
     start = end - STRETCH * SCALE
-    axes.plot([start, end, end], [corner, corner, corner + SCALE], color="black", linewidth=1.5)
+    bar = [start, end, end], [corner, corner, corner + SCALE]
+    axes.plot(*bar, color="black", linewidth=1.5, zorder=4)
     across, up = f"{STRETCH * SCALE / MICROMETRE:g} µm", f"{SCALE / MICROMETRE:g} µm"
     axes.text(start, corner, f"{across} ", ha="right", va="center", zorder=4)
     axes.text(end, corner + 0.38 * SCALE, f"{up} ", ha="right", va="center", zorder=4, bbox=BEHIND)

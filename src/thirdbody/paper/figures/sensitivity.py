@@ -68,7 +68,10 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
         "Without a value at the default": missing,
     }
     texts = [f"{what}: {'; '.join(each)}." for what, each in notes.items() if each]
-    lines = [textwrap.fill(text.replace(" nm", "\xa0nm"), LETTERS) for text in texts]
+    lines = [
+        textwrap.fill(text.replace(" = ", "\xa0=\xa0").replace(" nm", "\xa0nm"), LETTERS)
+        for text in texts
+    ]
     figure.supxlabel(typeset("\n".join(lines)), fontsize=SIZE, x=0.02, ha="left")
     return figure
 
