@@ -16,7 +16,7 @@ METHODS = {  # label, form and size; where two are the same, both are seen
     "array_roots": ("find_root on arrays", "D", 5.0),
     "nested_roots": ("quad and brentq, a point at a time", "^", 5.0),
 }
-DECADES = 1.0  # of the error, within which points of the grid have one text
+DECADES = 0.5  # of the error, within which points of the grid have one text
 SPANS = {"usual": "conditions of Table 2", "extremes": "extreme conditions"}
 Rows = Sequence[Mapping[str, Any]]
 
@@ -53,7 +53,7 @@ def draw(errors: Rows, times: Rows) -> Figure:
                 _name_tolerances(axes, here, errors_here)
         axes.set_title(title, loc="left")
         axes.margins(x=0.1)
-        axes.set_xlabel("largest true error")
+        axes.set_xlabel("largest relative error of any variable")
     panels[0].set_ylabel("time a point [µs]")
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
     return figure

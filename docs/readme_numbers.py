@@ -220,7 +220,12 @@ def took_block() -> str:
         ),
         ("load in W of Eq. 8", "F_t", "F_f, that of the film", held["W of F_t"]),
         ("apparent area A_n", "no value", f"{1e6 * inputs.apparent_area:.2f} mm²", ""),
-        ("all but summits and A_n as the text words it", "", "", held["baseline: all as the text words it"]),
+        (
+            "all but summits and A_n as the text words it",
+            "",
+            "",
+            held["baseline: all as the text words it"],
+        ),
     ]
     names = "assumed", "the paper", "here", "statements that hold without it"
     table = [dict(zip(names, line, strict=True)) for line in lines]

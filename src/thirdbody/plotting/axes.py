@@ -6,7 +6,7 @@ from matplotlib.ticker import LogLocator, NullFormatter, NullLocator
 
 from thirdbody.plotting.scales import SCALES, ZONES, power_text, typeset
 
-ABOVE_NEWTONS = 16.0  # points between the axes and their title
+ABOVE_NEWTONS = 19.0  # points between the axes and their title
 NEARLY = 0.99  # of the first load, so that its tick is named
 ZONE = "0.955"  # grey of the middle zone
 
@@ -49,6 +49,7 @@ def set_scales(
         upper = axes.secondary_xaxis("top", functions=ends)
         first = NEARLY * limits.x0 * newtons_per_load
         upper.xaxis.set_major_formatter(_from_on(first, "{:g} N".format))
+        upper.tick_params(direction="out")  # not through names at the upper edge
         upper.xaxis.set_minor_locator(NullLocator())
         upper.set_zorder(1.0)  # ticks are seen on zones and strips
         upper.set_in_layout(False)  # the title leaves room for it

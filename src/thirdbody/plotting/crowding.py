@@ -54,7 +54,7 @@ def name_ends(
         text = _joined(texts[line] for line, *_ in group)
         x = group[0][1] if at_left else 1.0
         name = axes.annotate(
-            f"dry {text}" if is_dry and compares_media and not text.startswith("dry") else text,
+            f"dry {text}" if is_dry and compares_media and text[:3] not in ("dry", "two") else text,
             (x, end),
             (x, height),
             xycoords=base,

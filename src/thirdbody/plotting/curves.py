@@ -35,7 +35,7 @@ CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
 NEARLY = 1.02  # of the ends of strips that touch, as their ratio
 # of the name of an upright line
-NAME_LOOK: Look = {"fontsize": NAME_SIZE, "rotation": 90, "ha": "right", "va": "top"}
+NAME_LOOK: Look = {"fontsize": NAME_SIZE, "rotation": 90, "ha": "right"}
 UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
 
 
@@ -261,7 +261,8 @@ def _draw_panel(axes, panel, newtons_per_load):
     """The series of a panel, and the scales of its axes."""
     lines, bars = {}, []
     unseen = UNSEEN * panel.least or -np.inf
-    for series in _some_ranges(panel.of_kind(marks.BAND)):
+    strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
+    for series in _some_ranges([one for one in panel.of_kind(marks.BAND) if one.curve in strong]):
         outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in panel.series:
@@ -299,8 +300,7 @@ def _draw_panel(axes, panel, newtons_per_load):
 def _draw_uprights(axes, panel):
     """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap are
     low, at the top, one below the other."""
-    has_ends = panel.x in ("load", "normal_load")  # which have the names
-    names = {} if has_ends else {one.curve: _name(one) for one in panel.of_kind(CURVE)}
+    names = {one.curve: _name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Series] = []
     lanes: list[list] = []
     for series in panel.series:
@@ -312,7 +312,10 @@ def _draw_uprights(axes, panel):
         if series.curve in names:
             look = {**NAME_LOOK, "transform": axes.get_xaxis_transform()}
             look["color"] = series.look["color"]
-            axes.text(series.x[0], 0.98, names[series.curve], **look)
+            at_end = (
+                (0.02, "bottom") if panel.x == "load" else (0.98, "top")
+            )  # of the line, beside no strip or curve
+            axes.text(series.x[0], at_end[0], names[series.curve], va=at_end[1], **look)
         if series.tolerance:
             taken = [any(_overlap(series, one) for one in lane) for lane in (*lanes, [])]
             lanes += [[]] if all(taken[:-1]) else []

@@ -120,7 +120,7 @@ def range_series(
     x, y = (np.append(each, each[:1]) for each in outline)
     # opaque with an edge, because several may overlap
     tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
-    look = {"facecolor": tint, "edgecolor": (colour, 0.25), "linewidth": 0.4, "zorder": 1.5}
+    look = {"facecolor": tint, "edgecolor": (colour, 0.5), "linewidth": 0.5, "zorder": 1.5}
     look["label"] = LOOKS[BAND]["label"]
     return Series(BAND, name, x, y, condition, look, drawn_as=OUTLINE)
 

@@ -24,7 +24,7 @@ BLUE = "#0072B2"  # of a single curve of an interface, or of the model
 DRY = {"color": "black", "linestyle": (0, (4.0, 2.5)), "linewidth": 1.0, "zorder": 2.6}
 DRY_TWO_BODY = {"color": "black", "linestyle": (0, (1.0, 1.6)), "linewidth": 1.6, "zorder": 2.6}
 TWO_BODY = "none (two-body)"  # label of a level
-DRY_TWO_BODY_TEXT = "dry, two-body"
+DRY_TWO_BODY_TEXT = "two-body (dry)"
 HAIRLINE = {"linewidth": 0.4, "marker": "None"}  # of levels between the strong ones
 
 

@@ -196,7 +196,8 @@ MEANINGS = {
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (
         "Hexagons: the bends or the crossing of the computed curves for which the line is printed; "
-        "outside the strip the model misses the number."
+        "outside the strip the model misses the number, unless it is printed for no curve in particular: then "
+        "one in the strip is enough."
     ),
     printed.EVERY_LOAD: (
         "Level lines with a stroke at each end: numbers that the paper prints for every load between the strokes; "

@@ -25,7 +25,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "linewidth": 1.4,
         "marker": "D",
         "markersize": 5.5,
-        "markerfacecolor": "white",
+        "markerfacecolor": "none",  # the curve is seen in it
         "markeredgewidth": 1.2,
         "clip_on": False,
         "zorder": 3.1,
@@ -48,7 +48,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 1.7,
     },
     OF_ALL: {
-        "label": "the same, of all surfaces",
+        "label": "the same, for all surfaces",
         "color": "black",
         "linestyle": ":",
         "linewidth": 1.6,
@@ -61,6 +61,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "markersize": 6.0,
         "markerfacecolor": "C1",
         "markeredgecolor": "black",
+        "markeredgewidth": 1.2,
         "zorder": 3.2,
     },
 }
@@ -198,7 +199,8 @@ def _computed(row, y, of_group, curves) -> Iterator[Series]:
     for curve, at in places:
         if load[0] <= at <= load[-1]:
             place = np.array([at]), np.array([curve.at(y, at)])
-            yield Series(COMPUTED, row["id"], *place, curve.condition, LOOKS[COMPUTED])
+            edge = {} if len(places) == 1 else {"markeredgecolor": _colour([curve])["color"]}
+            yield Series(COMPUTED, row["id"], *place, curve.condition, LOOKS[COMPUTED] | edge)
 
 
 def _is_at_every_load(row, x, y) -> bool:

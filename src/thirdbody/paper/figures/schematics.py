@@ -48,7 +48,7 @@ LOAD = FROM_END_TO_END | {
 BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
 READING = (
-    f"orange carries load; tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, "
+    f"orange: carries load by Eqs. 4 and 5; tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, "
     "particles drawn round"
 )
 
