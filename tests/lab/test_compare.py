@@ -8,7 +8,6 @@ import pint
 import pytest
 
 import thirdbody as tb
-from thirdbody.lab.comparison import model_curve
 
 FRACTION = "solid_load_fraction"
 
@@ -144,25 +143,28 @@ def test_a_model_without_solution_or_without_members(runs, rest, defaults):
 
 def test_the_curve_goes_along_the_condition_that_varies(runs, rest, defaults):
     table = tb.lab.compare(runs(), **rest)
-    curve = model_curve(table)
-    assert table.attrs["along"] == "load_N" and len(curve) == 80
-    ends = curve.iloc[[0, -1]].reset_index(drop=True)
-    measured = table.iloc[[0, -1]].reset_index(drop=True)
-    for name in (f"{FRACTION}_model", f"{FRACTION}_low", f"{FRACTION}_high"):
-        np.testing.assert_allclose(ends[name], measured[name], rtol=1e-6)
+    axes = tb.lab.plot_comparison(table).axes[0]
+    loads, curve = axes.lines[0].get_data()
+    assert table.attrs["along"] == "load_N" and len(loads) == 80
+    np.testing.assert_allclose(curve[[0, -1]], table[f"{FRACTION}_model"].iloc[[0, -1]], rtol=1e-6)
+    (outline,) = axes.collections[0].get_paths()
+    for end in ("low", "high"):
+        for load, height in zip(loads[[0, -1]], table[f"{FRACTION}_{end}"].iloc[[0, -1]]):
+            assert np.isclose(outline.vertices, (load, height), rtol=1e-6).all(axis=1).any()
     two = {key: value for key, value in rest.items() if key != "viscosity_cSt"}
-    assert len(model_curve(tb.lab.compare(runs(**{"viscosity [cSt]": [0, 50, 90]}), **two))) == 0
+    table_of_two = tb.lab.compare(runs(**{"viscosity [cSt]": [0, 50, 90]}), **two)
+    assert len(tb.lab.plot_comparison(table_of_two).axes[0].lines[0].get_xdata()) == 3
     with pytest.raises(ValueError):
-        model_curve(table, defaults.changed(participation=0.3))
+        tb.lab.plot_comparison(table, defaults.changed(participation=0.3))
 
 
 def test_the_curve_of_speeds_has_their_oil(runs, rest):
     speeds = runs(**{"load [N]": 10.0, "speed [m/s]": [1.0, 2.0, 4.0], "COF": [0.1, 0.09, 0.08]})
     table = tb.lab.compare(speeds, oil_density_kg_per_m3=900, **rest)
-    curve = model_curve(table)
-    assert table.attrs["along"] == "speed_m_per_s"
-    name = "friction_coefficient_model"
-    assert curve[name].iloc[-1] == pytest.approx(table[name].iloc[-1])
+    curve = tb.lab.plot_comparison(table).axes[1].lines[0]
+    assert table.attrs["along"] == "speed_m_per_s" and len(curve.get_xdata()) == 80
+    last = table["friction_coefficient_model"].iloc[-1]
+    assert curve.get_ydata()[-1] == pytest.approx(last)
 
 
 def test_figures(runs, rest, tmp_path):

@@ -142,45 +142,6 @@ def compare(
     return table
 
 
-def model_curve(comparison: pd.DataFrame, parameters: Parameters | None = None) -> pd.DataFrame:
-    """The model between the measurements of a comparison, along the condition that varies.
-
-    Parameters
-    ----------
-    comparison : pandas.DataFrame
-        The result of ``thirdbody.lab.compare``.
-    parameters : Parameters, optional
-        The inputs of the comparison, by default the calibrated ones.
-
-    Returns
-    -------
-    pandas.DataFrame
-        80 rows with the conditions and, for each measured quantity, the model and its range, in the columns
-        of the comparison; no rows if another condition also varies.
-
-    Raises
-    ------
-    ValueError
-        For other inputs than those of the comparison.
-    """
-    parameters = or_calibrated(parameters)
-    if parameters.as_dict() != comparison.attrs["inputs"]:
-        raise ValueError("parameters are not those of the comparison; allowed: the same")
-    along, *others = _varying(comparison)
-    table = comparison[_conditions_of(comparison)].iloc[:0]
-    ends = comparison[along].min(), comparison[along].max()
-    if not others and ends[0] < ends[1]:
-        points = (np.geomspace if ends[0] > 0.0 else np.linspace)(*ends, CURVE)
-        table = pd.DataFrame(comparison[table.columns].iloc[0].to_dict() | {along: points})
-    parameters = with_oil_density(parameters, comparison.attrs["oil_density_kg_per_m3"])
-    inputs = parameters, *parameters.members
-    solutions = solve_runs(table, inputs)
-    models = _models(solutions, inputs, comparison.attrs["coefficients"])
-    for summary in comparison.attrs["summary"]:
-        table = table.assign(**_model_columns(summary["quantity"], models))
-    return table
-
-
 def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = None) -> Figure:
     """Draw a comparison: the measurements, the model and its range, a panel for each measured quantity.
 
@@ -203,8 +164,22 @@ def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = No
     """
     from thirdbody.plotting import plot
 
-    curve, along = model_curve(comparison, parameters), comparison.attrs["along"]
+    parameters = or_calibrated(parameters)
+    if parameters.as_dict() != comparison.attrs["inputs"]:
+        raise ValueError("parameters are not those of the comparison; allowed: the same")
+    along, *others = _varying(comparison)
+    curve = comparison[_conditions_of(comparison)].iloc[:0]
+    ends = comparison[along].min(), comparison[along].max()
+    if not others and ends[0] < ends[1]:
+        points = (np.geomspace if ends[0] > 0.0 else np.linspace)(*ends, CURVE)
+        curve = pd.DataFrame(comparison[curve.columns].iloc[0].to_dict() | {along: points})
+    parameters = with_oil_density(parameters, comparison.attrs["oil_density_kg_per_m3"])
+    inputs = parameters, *parameters.members
+    solutions = solve_runs(curve, inputs)
+    models = _models(solutions, inputs, comparison.attrs["coefficients"])
     names = [summary["quantity"] for summary in comparison.attrs["summary"]]
+    for name in names:
+        curve = curve.assign(**_model_columns(name, models))
     return plot.plot_comparison(comparison, curve, along, names)
 
 
