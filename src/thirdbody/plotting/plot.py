@@ -148,25 +148,16 @@ def _plot_over(
     return draw_panels(panels, [looks if varying else []], common=common, axes=axes)
 
 
-def plot_curve(
-    table: pd.DataFrame,
-    along: str,
-    variables: Collection[str] = LUBRICATED,
-    axes: Sequence[Axes] = (),
-) -> Figure:
+def plot_curve(table: pd.DataFrame, along: str) -> Figure:
     """Draw the variables of one interface along one condition, with their ranges if there are some.
 
     Parameters
     ----------
     table : pandas.DataFrame
-        A column ``along``, one for each of the ``variables`` [SI], and beside it ``_low`` and ``_high`` if it
-        has a range: as in ``thirdbody.answers.curve``.
+        A column ``along``, one for each of A_sa,t*, A_t*, L_s and H_c [SI], and beside it ``_low`` and ``_high`` if
+        it has a range: as in ``thirdbody.answers.curve``.
     along : str
         The condition along x, with its unit: ``load_N``, ``viscosity_cSt``, ...
-    variables : collection of str, optional
-        Names of quantities, each with a panel.
-    axes : sequence of matplotlib.axes.Axes, optional
-        Draw there, one for each panel; by default on a new figure.
 
     Returns
     -------
@@ -178,13 +169,13 @@ def plot_curve(
         name = NORMAL_LOAD.name
     else:
         x = axis.to_si(x)
-    panels = [_panel(name, x, each, {"": table}, [{"color": BLUE}]) for each in variables]
+    panels = [_panel(name, x, each, {"": table}, [{"color": BLUE}]) for each in LUBRICATED]
     for panel in panels:
         if f"{panel.y}_low" in table:
             low, high = (table[f"{panel.y}_{end}"].to_numpy() for end in ("low", "high"))
             panel.series.append(range_series("", x, low, high, BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, [], axes=axes)
+        return draw_panels(panels, [])
 
 
 def _panel(
