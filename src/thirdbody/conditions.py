@@ -207,7 +207,7 @@ class _Typed(NamedTuple):
             is_force = is_alias and axis.name == "load"
         else:
             is_force = axis.name == "load" and unit.is_compatible_with("N")
-            expected = "N" if is_force else axis.dimension
+            expected = "N" if is_force else str(unit_of(key, axis.unit))
             if not unit.is_compatible_with(expected):
                 allowed = (
                     f"{expected} or N"

@@ -92,8 +92,6 @@ class Axis(Variable):
         The unit of the alias, which is ``scale`` in SI; for the load N, which depends on the inputs.
     column : str
         Its column in tables of the workflow.
-    dimension : str
-        A unit of the dimension that a quantity must have, for pint.
     searched : pair of float
         Ends of searches [``alias_unit``]: those of the paper (Table 2) and a decade beyond.
     usual : pair of float
@@ -103,7 +101,6 @@ class Axis(Variable):
     alias: str
     alias_unit: str
     column: str
-    dimension: str
     searched: tuple[float, float]
     usual: tuple[float, float]
 
@@ -136,7 +133,6 @@ AXES = _by_name(
         alias="load_N",
         alias_unit="N",
         column="load",
-        dimension="dimensionless",
         searched=(0.01, 1000.0),
         usual=(1e-13, 2e-2),
     ),
@@ -153,7 +149,6 @@ AXES = _by_name(
         alias="viscosity_cSt",
         alias_unit="cSt",
         column="viscosity_m2_per_s",
-        dimension="m ** 2 / s",
         searched=(1.0, 1000.0),
         usual=(3e-7, 1e-2),
     ),
@@ -170,7 +165,6 @@ AXES = _by_name(
         alias="particle_diameter_nm",
         alias_unit="nm",
         column="particle_diameter_m",
-        dimension="m",
         searched=(10.0, 10_000.0),
         usual=(1e-9, 1e-3),
     ),
@@ -187,7 +181,6 @@ AXES = _by_name(
         alias="roughness_nm",
         alias_unit="nm",
         column="roughness_m",
-        dimension="m",
         searched=(20.0, 2000.0),
         usual=(1e-9, 1e-3),
     ),
@@ -203,7 +196,6 @@ AXES = _by_name(
         alias="particle_density_per_m2",
         alias_unit="m-2",
         column="particle_density_per_m2",
-        dimension="m ** -2",
         searched=(1e8, 1e14),
         usual=(1e6, 1e16),
     ),
@@ -222,7 +214,6 @@ SPEED = Axis(
     alias="speed_m_per_s",
     alias_unit="m/s",
     column="speed_m_per_s",
-    dimension="m / s",
     searched=(0.001, 100.0),
     usual=(1e-6, 200.0),
 )
