@@ -122,7 +122,7 @@ def keep_apart(axes: Axes, marks: Sequence[Line2D]) -> None:
     for line in marks:
         stays = []
         for place in _in_axes(axes, line):
-            stays.append(_is_apart(place, kept, NEAR, NEAR))
+            stays.append(all((np.abs(place - other) > NEAR).any() for other in kept))
             kept += [place] if stays[-1] else []
         line.set_markevery(stays)
 
@@ -150,11 +150,6 @@ def hide_repeats(axes: Axes, lines: Sequence[Line2D]) -> None:
 
 def _points(line) -> tuple[float, ...]:
     return tuple(np.ravel(line.get_xydata()).tolist())
-
-
-def _is_apart(place, others, width, height) -> bool:
-    """Whether a place is beside, above or below all others."""
-    return all(abs(place[0] - x) > width or abs(place[1] - y) > height for x, y in others)
 
 
 def _in_axes(axes, line) -> NDArray:
