@@ -148,13 +148,6 @@ def without_speed(arrays: Mapping[str, NDArray], parameters: Parameters) -> dict
     return solved
 
 
-def to_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
-    """``values`` in the unit of a name or an alias in SI, a load as F_t* [1]."""
-    axis = axis_of(key)
-    numbers = np.asarray(axis.to_si(values) if key == axis.alias else values, float)
-    return np.multiply(numbers, 1.0 / newtons_per_load) if key == "load_N" else numbers
-
-
 def from_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
     """``values`` in SI, a load as F_t* [1], in the unit of a name or an alias."""
     axis = axis_of(key)

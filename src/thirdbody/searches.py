@@ -21,8 +21,8 @@ from thirdbody.conditions import (
     from_si,
     numbers_in,
     read_conditions,
-    to_si,
     without_speed,
+    without_warnings,
 )
 from thirdbody.core.crossings import Crossings, crossings
 from thirdbody.core.parameters import Parameters
@@ -348,7 +348,8 @@ def sample(
     check_count(count)
     if between is None:
         axis = axis_of(along)
-        first, last = to_si(axis.alias, axis.searched, parameters.newtons_per_load)
+        with without_warnings():
+            first, last = ends_in_si("between", axis.searched, axis.alias, parameters)
     else:
         first, last = ends_in_si("between", between, along, parameters)
     return np.geomspace(first, last, count)
