@@ -12,7 +12,7 @@ from contextlib import contextmanager, suppress
 from os import PathLike
 from pathlib import Path
 
-from thirdbody.messages import format_path, format_value
+from thirdbody.messages import format_path
 
 
 @contextmanager
@@ -85,14 +85,8 @@ def _is_alive(process):
 
 
 def _place(path: str | PathLike) -> Path:
-    """``path`` as a ``Path``, which must name a file."""
-    try:
-        place = Path(path)
-    except TypeError:
-        place = Path()
-    if not place.name or "\0" in place.name:
-        message = f"{format_value(path)} is not a file name"
-        raise ValueError(f"{message}; allowed: the path of a file to write")
+    """``path``, or the file to which it links."""
+    place = Path(path)
     is_link_to_file = os.path.islink(place) and not _is_device(place)
     return Path(os.path.realpath(place)) if is_link_to_file else place
 

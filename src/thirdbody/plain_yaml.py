@@ -6,7 +6,7 @@ from typing import Any
 
 import yaml
 
-from thirdbody.messages import format_path, format_value
+from thirdbody.messages import format_path
 
 KINDS: dict[type, str] = {dict: "keys with values", list: "a list"}
 LARGEST = 1_000_000  # bytes of a file
@@ -54,17 +54,13 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     ``ValueError`` in one line with the file, the line in it, and the error."""
     name = format_path(path)
     try:
-        with open(path, "rb") as file:
+        with Path(path).open("rb") as file:
             read = file.read(LARGEST + 1)
         text = read.decode("utf-8")
     except OSError as error:
         raise ValueError(f"{name}: {error.strerror}; allowed: a readable YAML file") from None
     except UnicodeDecodeError as error:
         raise ValueError(f"{name}: byte {error.start} is not UTF-8") from None
-    except (TypeError, ValueError):
-        raise ValueError(
-            f"{format_value(path)} is not a path; allowed: the path of a YAML file"
-        ) from None
     if len(read) > LARGEST:
         raise ValueError(f"{name}: has more than {LARGEST} bytes; allowed: smaller files")
     try:
