@@ -245,8 +245,6 @@ class Solution:
         lines = [f"{name:<28}{_in_words(name, array)}" for name, array in arrays.items()]
         return "\n".join([f"Solution of shape {shape}", *lines, area_note(self.parameters)])
 
-    __str__ = __repr__
-
     def _repr_html_(self) -> str:
         return self.to_dataframe().to_html(index=self.index is not None, max_rows=60)
 
