@@ -285,12 +285,8 @@ def _in_si(data: xr.Dataset) -> xr.Dataset:
         if not unit_of(name, unit).is_compatible_with(unit_of(name, variable.unit)):
             raise ValueError(f"{name} is in {unit}; allowed: a unit such as {variable.unit}")
         values = decimal(numbers_in(name, data[name], variable.unit))
-        converted = data[name].copy(data=values).assign_attrs(units=variable.unit)
-        data = (
-            data.assign_coords({name: converted})
-            if name in data.coords
-            else data.assign({name: converted})
-        )
+        attributes = data[name].attrs | {"units": variable.unit}
+        data = data.assign({name: (data[name].dims, values, attributes)})
     return data
 
 
