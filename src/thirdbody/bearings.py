@@ -307,11 +307,8 @@ def derived_inputs(parameters: Parameters | None = None) -> pd.DataFrame:
     import pandas as pd  # slow to import, for inputs alone
 
     parameters = or_calibrated(parameters)
-    table = pd.DataFrame(
-        [
-            {"input": name, "value": getattr(parameters, name), "unit": unit, "formula": formula}
-            for name, (unit, formula) in FORMULAS.items()
-        ]
-    ).set_index("input")
+    table = pd.DataFrame.from_dict(FORMULAS, "index", columns=["unit", "formula"])
+    table.insert(0, "value", [getattr(parameters, name) for name in FORMULAS])
+    table = table.rename_axis("input")
     table.attrs["notes"] = [speed_note(parameters)]
     return table
