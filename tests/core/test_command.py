@@ -33,7 +33,7 @@ REFUSED = [  # a command, and what its refusal names
     (f"transitions --along viscosity --from 100 --to 10 --load-N 10 {LAYER}", "(100.0, 10.0)"),
     (f"{CURVE} --csv same.svg --plot ./same.svg", "same.svg"),
     (f"{CURVE} --csv no/a.csv", "no/a.csv"),
-    (f"{CURVE} --plot a.txt", "a.txt"),
+    (f"{CURVE} --plot a.txt", "txt"),
     (f"{CURVE} --count 1", "count is 1"),
     ("compare-data absent.csv", "absent.csv"),
     ("bearing --ball wood", "wood"),

@@ -66,12 +66,10 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:
-    """Write a figure in the format of the suffix of its path, one of ``FORMATS``."""
+    """Write a figure in the format of the suffix of its path; matplotlib refuses what it cannot write."""
     kind = Path(path).suffix.removeprefix(".")
-    if kind not in FORMATS:
-        raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
     with atomic_write(path) as (part,):
-        write_figure(figure, part, kind, FORMATS[kind])
+        write_figure(figure, part, kind, FORMATS.get(kind, {}))
 
 
 def write_figure(
