@@ -41,8 +41,8 @@ def points(rest):
     return tb.solve(load_N=np.geomspace(1.0, 50.0, 9), **rest)
 
 
-def fitted(measured, points, parameters, **known):
-    return fitted_coefficients(pd.DataFrame(measured), points, parameters, known)
+def fitted(measured, points, **known):
+    return fitted_coefficients(pd.DataFrame(measured), points, known)
 
 
 def test_coefficients_are_fitted(points, defaults):
@@ -51,7 +51,7 @@ def test_coefficients_are_fitted(points, defaults):
         "friction_coefficient": tb.lab.friction(points, 0.15, 0.05) * scatter[0],
         "contact_resistance_ohm": tb.lab.contact_resistance(points, defaults, 4e-7) * scatter[1],
     }
-    found, notes = fitted(measured, points, defaults)
+    found, notes = fitted(measured, points)
     assert found["boundary_friction"] == pytest.approx(0.15, rel=0.03)
     assert found["film_friction"] == pytest.approx(0.05, rel=0.15)
     assert found["resistivity_ohm_m"] == pytest.approx(4e-7, rel=0.03)
@@ -76,29 +76,29 @@ def test_standard_errors_are_those_of_many_repetitions(points, defaults):
     np.testing.assert_allclose(values.mean(axis=0), [0.12, 0.03], atol=3.0 * said.max() / 20.0)
 
 
-def test_given_coefficients_are_kept(points, defaults):
+def test_given_coefficients_are_kept(points):
     friction = tb.lab.friction(points, 0.15, 0.05)
-    found, _ = fitted({"friction_coefficient": friction}, points, defaults, film_friction=0.05)
+    found, _ = fitted({"friction_coefficient": friction}, points, film_friction=0.05)
     assert found["film_friction"] == 0.05
     assert found["boundary_friction"] == pytest.approx(0.15)
-    found, _ = fitted({"friction_coefficient": friction}, points, defaults, film_friction=0.02)
+    found, _ = fitted({"friction_coefficient": friction}, points, film_friction=0.02)
     assert found["boundary_friction"] > 0.15
 
 
-def test_what_the_measurements_do_not_tell_has_its_default(rest, defaults):
+def test_what_the_measurements_do_not_tell_has_its_default(rest):
     dry = tb.solve(load_N=[1.0, 5.0, 20.0], **rest | {"viscosity_cSt": 0})
-    found, notes = fitted({"friction_coefficient": [0.101, 0.1, 0.099]}, dry, defaults)
+    found, notes = fitted({"friction_coefficient": [0.101, 0.1, 0.099]}, dry)
     assert found["film_friction"] == COEFFICIENTS["film_friction"]
     assert found["boundary_friction"] == pytest.approx(0.1, rel=0.01)
     assert any("film_friction" in note and "do not tell" in note for note in notes)
     one = tb.solve(load_N=[10.0], **rest)
-    found, _ = fitted({"friction_coefficient": [0.09]}, one, defaults)
+    found, _ = fitted({"friction_coefficient": [0.09]}, one)
     assert found == COEFFICIENTS
-    found, notes = fitted({"contact_resistance_ohm": [np.nan, 0.1, 0.0]}, dry, defaults)
+    found, notes = fitted({"contact_resistance_ohm": [np.nan, 0.1, 0.0]}, dry)
     assert found == COEFFICIENTS and any("resistivity" in note for note in notes)
 
 
-def test_a_negative_coefficient_is_no_fit(points, defaults):
+def test_a_negative_coefficient_is_no_fit(points):
     friction = 0.1 * points.solid_load_fraction - 0.05 * points.fluid_load_fraction
-    found, _ = fitted({"friction_coefficient": friction}, points, defaults)
+    found, _ = fitted({"friction_coefficient": friction}, points)
     assert min(found.values()) > 0.0

@@ -105,19 +105,17 @@ def compare(
     parameters = or_calibrated(parameters)
     observed, table, notes = read_runs(measured, parameters, conditions)
     parameters = of_oil(oil_density_kg_per_m3, parameters, table)
-    inputs = parameters, *parameters.members
-    solutions = solve_runs(table, inputs)
+    solutions = solve_runs(table, (parameters, *parameters.members))
     coefficients, fits = fitted_coefficients(
         observed,
         solutions[0],
-        parameters,
         {
             "boundary_friction": boundary_friction,
             "film_friction": film_friction,
             "resistivity_ohm_m": resistivity_ohm_m,
         },
     )
-    models = _models(solutions, inputs, coefficients)
+    models = _models(solutions, coefficients)
     for name in observed:
         table[name] = observed[name]
         table = table.assign(**_model_columns(name, models))
@@ -174,9 +172,8 @@ def plot_comparison(comparison: pd.DataFrame, parameters: Parameters | None = No
         points = (np.geomspace if ends[0] > 0.0 else np.linspace)(*ends, CURVE)
         curve = pd.DataFrame(comparison[curve.columns].iloc[0].to_dict() | {along: points})
     parameters = with_oil_density(parameters, comparison.attrs["oil_density_kg_per_m3"])
-    inputs = parameters, *parameters.members
-    solutions = solve_runs(curve, inputs)
-    models = _models(solutions, inputs, comparison.attrs["coefficients"])
+    solutions = solve_runs(curve, (parameters, *parameters.members))
+    models = _models(solutions, comparison.attrs["coefficients"])
     names = [summary["quantity"] for summary in comparison.attrs["summary"]]
     for name in names:
         curve = curve.assign(**_model_columns(name, models))
@@ -232,9 +229,9 @@ def _conditions_of(table):
     return [axis.alias for axis in CONDITIONS.values() if axis.alias in table]
 
 
-def _models(solutions, inputs, coefficients):
+def _models(solutions, coefficients):
     with without_warnings():
-        return [measurable(*pair, coefficients) for pair in zip(solutions, inputs)]
+        return [measurable(solution, coefficients) for solution in solutions]
 
 
 def _model_columns(name, models):

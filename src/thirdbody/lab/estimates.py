@@ -141,10 +141,9 @@ def _checked(**coefficients):
     return checked_numbers(coefficients, USUAL_COEFFICIENTS)
 
 
-def measurable(
-    solution: Solution, parameters: Parameters, coefficients: Mapping[str, float]
-) -> dict[str, NDArray]:
+def measurable(solution: Solution, coefficients: Mapping[str, float]) -> dict[str, NDArray]:
     """All measurable quantities of a solution, by the columns of ``MEASURED`` and in their units."""
+    parameters = solution.parameters
     boundary, film, resistivity = (coefficients[name] for name in COEFFICIENTS)
     return {
         "friction_coefficient": friction(solution, boundary, film),
@@ -161,7 +160,6 @@ def measurable(
 def fitted_coefficients(
     measured: pd.DataFrame,
     solution: Solution,
-    parameters: Parameters,
     known: Mapping[str, float | None],
 ) -> tuple[dict[str, float], list[str]]:
     """The coefficients of the estimates, and notes on those of the ``measured`` columns.
@@ -169,7 +167,7 @@ def fitted_coefficients(
     Those that are not ``known`` are fitted by linear least squares, of the resistance with relative
     residuals; where the measurements do not tell them, they are the ``COEFFICIENTS`` for steel in oil.
     """
-    spot = contact_resistance(solution, parameters) / COEFFICIENTS["resistivity_ohm_m"]
+    spot = contact_resistance(solution, solution.parameters) / COEFFICIENTS["resistivity_ohm_m"]
     terms = {
         "friction_coefficient": {
             "boundary_friction": solution.solid_load_fraction,

@@ -181,7 +181,7 @@ class _Misfit:
         inputs = replace(self.parameters, **changes).with_rig(self.parameters.rig)
         (solution,) = solve_runs(self.conditions, [inputs])
         with without_warnings():
-            model = pd.DataFrame(measurable(solution, inputs, coefficients), self.observed.index)
+            model = pd.DataFrame(measurable(solution, coefficients), self.observed.index)
         residuals = ((model[self.observed.columns] - self.observed) / self.errors).to_numpy()
         return np.nan_to_num(residuals[np.isfinite(self.observed)], nan=FAR, posinf=FAR)
 
