@@ -155,10 +155,11 @@ def transitions(
     from thirdbody import answers
 
     conditions = _conditions(locals(), without=along)
-    searched = CONDITIONS[along].searched
-    between = (searched[0] if first is None else first, searched[1] if last is None else last)
-    alias = CONDITIONS[along].alias
-    return _show(answers.changes_along(_parameters(inputs), conditions, alias, between), as_json)
+    axis = CONDITIONS[along]
+    ends = [end if given is None else given for end, given in zip(axis.searched, (first, last))]
+    between = None if first is last is None else (ends[0], ends[1])
+    table = answers.changes_along(_parameters(inputs), conditions, axis.alias, between)
+    return _show(table, as_json)
 
 
 @app.command(
@@ -373,13 +374,17 @@ def _conditions(
 ) -> dict[str, float]:
     """The conditions among the arguments, all but one; ``ValueError`` names all that are missing, unless they may be
     in a file.  The speed may be missing."""
-    if without is not None and without not in CONDITIONS:
-        raise ValueError(f"--along is {without!r}; allowed: {', '.join(CONDITIONS)}")
+    if without is not None:
+        if without not in CONDITIONS:
+            raise ValueError(f"--along is {without!r}; allowed: {', '.join(CONDITIONS)}")
+        if arguments.get(without) is not None:
+            option = f"--{CONDITIONS[without].alias.replace('_', '-')}"
+            raise ValueError(f"{option} is given with --along {without}; allowed: --from and --to")
     missing = [name for name in AXES if name != without and arguments.get(name) is None]
     if missing and not in_file:
         options = ", ".join(f"--{AXES[name].alias.replace('_', '-')}" for name in missing)
         raise ValueError(f"missing: {options}")
-    return _by_alias({name: value for name, value in arguments.items() if name != without})
+    return _by_alias(arguments)
 
 
 def _by_alias(arguments: Mapping[str, Any]) -> dict[str, float]:

@@ -30,6 +30,8 @@ REFUSED = [  # a command, and what its refusal names
     (f"{STATE} --viscosity-cSt -1", "viscosity_cSt is -1"),
     (f"{STATE} --inputs absent.yaml", "absent.yaml"),
     (f"transitions --along time {LAYER}", "time"),
+    (f"transitions --along viscosity --viscosity-cSt 90 --load-N 10 {LAYER}", "--along viscosity"),
+    (f"{CURVE} --load-N 10", "--along load"),
     (f"transitions --along viscosity --from 100 --to 10 --load-N 10 {LAYER}", "(100.0, 10.0)"),
     (f"{CURVE} --csv same.svg --plot ./same.svg", "same.svg"),
     (f"{CURVE} --csv no/a.csv", "no/a.csv"),

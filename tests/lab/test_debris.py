@@ -43,7 +43,7 @@ def test_the_film_and_the_enrichment_scale_the_count():
 
 
 @pytest.mark.parametrize(
-    "code", ["", "18/16", "18/16/13/1", "16/18/13", "99/1/1", "a/b/c", "-/-/-"]
+    "code", ["", "18/16", "18/16/13/1", "16/18/13", "99/1/1", "a/b/c", "-/-/-", "18/16/-1"]
 )
 def test_what_is_no_code_is_refused(code):
     with pytest.raises(ValueError):

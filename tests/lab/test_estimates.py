@@ -16,7 +16,7 @@ def test_friction_is_what_both_carry(solved):
 
 def test_resistance_is_that_of_one_spot_of_the_area(solved, defaults):
     radius = np.sqrt(solved.total_contact_area * defaults.apparent_area / np.pi)
-    found = tb.lab.contact_resistance(solved, defaults, pint.Quantity(10.0, "uohm cm"))
+    found = tb.lab.contact_resistance(solved, pint.Quantity(10.0, "uohm cm"))
     np.testing.assert_allclose(found, 1e-7 / (2.0 * radius), rtol=1e-12)
 
 
@@ -27,9 +27,15 @@ def test_named_dimensions_and_points_without_solution_are_kept(rest):
     assert found.dims == ("size",) and np.isnan(found.values).tolist() == [False, True]
 
 
-def test_inputs_of_another_solution_are_refused(solved, defaults):
-    with pytest.raises(ValueError):
-        tb.lab.contact_resistance(solved, defaults.changed(apparent_area=1e-6))
+def test_the_resistance_is_that_of_the_area_of_the_inputs(rest, defaults):
+    other = defaults.changed(apparent_area=2.0 * defaults.apparent_area)
+    dry = rest | {"load": 1e-5, "viscosity_cSt": 0}
+    points = tb.solve(**dry, parameters=other)
+    expected = tb.lab.contact_resistance(tb.solve(**dry)) / np.sqrt(2.0)
+    np.testing.assert_allclose(tb.lab.contact_resistance(points), expected, rtol=1e-12)
+
+
+def test_coefficients_that_cannot_be_are_refused(solved):
     with pytest.raises(ValueError):
         tb.lab.friction(solved, boundary_friction=-0.1)
     with pytest.warns(tb.OutOfRangeWarning):
@@ -49,7 +55,7 @@ def test_coefficients_are_fitted(points, defaults):
     scatter = 1.0 + 0.02 * np.random.default_rng(3).standard_normal((2, 9))
     measured = {
         "friction_coefficient": tb.lab.friction(points, 0.15, 0.05) * scatter[0],
-        "contact_resistance_ohm": tb.lab.contact_resistance(points, defaults, 4e-7) * scatter[1],
+        "contact_resistance_ohm": tb.lab.contact_resistance(points, 4e-7) * scatter[1],
     }
     found, notes = fitted(measured, points)
     assert found["boundary_friction"] == pytest.approx(0.15, rel=0.03)

@@ -31,8 +31,7 @@ def measurements(inputs, conditions, seed=None):
             "load [N]": LOADS,
             "COF": friction + size * scatter[0],
             "separation [m]": points.separation * (1.0 + scatter[1]),
-            "contact resistance [ohm]": tb.lab.contact_resistance(points, inputs)
-            * (1.0 + scatter[2]),
+            "contact resistance [ohm]": tb.lab.contact_resistance(points) * (1.0 + scatter[2]),
         }
     )
 

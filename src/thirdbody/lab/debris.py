@@ -69,11 +69,12 @@ def cleanliness(
     numbers = [*counted.values()]
     if (
         len(scale) != len(SIZES)
+        or not numbers
         or numbers != sorted(numbers, reverse=True)
-        or max(numbers) > LARGEST
+        or not 0 <= numbers[-1] <= numbers[0] <= LARGEST
     ):
         allowed = (
-            f"three numbers up to {LARGEST}, none above that of smaller particles, as 18/16/13"
+            f"three numbers from 0 to {LARGEST}, none above that of smaller particles, as 18/16/13"
         )
         raise ValueError(f"code is {code!r}; allowed: {allowed}")
     least, most = ([1e6 * volume * _most_per_ml(n - low) for n in numbers] for low in (1, 0))

@@ -13,7 +13,6 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from thirdbody.conditions import checked_numbers
-from thirdbody.core.parameters import Parameters
 from thirdbody.points import Solution
 
 
@@ -92,9 +91,7 @@ def friction(
 
 
 @np.errstate(divide="ignore")  # without contact the resistance is infinite
-def contact_resistance(
-    solution: Solution, parameters: Parameters, resistivity_ohm_m: float = 2.2e-7
-) -> NDArray:
+def contact_resistance(solution: Solution, resistivity_ohm_m: float = 2.2e-7) -> NDArray:
     """Electrical contact resistance rho/(2 a) [ohm], pi a^2 = A_t* A_n: an estimate that is not in the paper.
 
     It is the constriction of one round spot (Holm 1967, "Electric Contacts").  Of n equal distant spots it
@@ -104,8 +101,6 @@ def contact_resistance(
     ----------
     solution : Solution
         Points of ``thirdbody.solve``.
-    parameters : Parameters
-        The inputs of these points, of which A_n is used.
     resistivity_ohm_m : float or quantity
         Mean resistivity rho of both bodies [ohm m].
 
@@ -117,23 +112,18 @@ def contact_resistance(
     Raises
     ------
     ValueError
-        For a resistivity that is not positive, and for ``parameters`` with another A_n E_ss than that of
-        the solution.
+        For a resistivity that is not positive.
 
     Examples
     --------
     >>> import thirdbody as tb
-    >>> inputs = tb.load_parameters()
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
-    >>> points = tb.solve(load_N=[1, 50], viscosity_cSt=90, parameters=inputs, **layer)
-    >>> (1e3 * tb.lab.contact_resistance(points, inputs)).round(1)  # [mohm]
+    >>> points = tb.solve(load_N=[1, 50], viscosity_cSt=90, **layer)
+    >>> (1e3 * tb.lab.contact_resistance(points)).round(1)  # [mohm]
     array([13.8,  2.6])
     """
-    if parameters.newtons_per_load != solution.parameters.newtons_per_load:
-        of_both = f"{parameters.newtons_per_load:g} and {solution.parameters.newtons_per_load:g} N"
-        raise ValueError(f"A_n E_ss of parameters and solution is {of_both}; allowed: the same")
     resistivity = _checked(resistivity_ohm_m=resistivity_ohm_m)["resistivity_ohm_m"]
-    area = solution.total_contact_area * parameters.apparent_area
+    area = solution.total_contact_area * solution.parameters.apparent_area
     return resistivity / (2.0 * np.sqrt(area / np.pi))
 
 
@@ -147,7 +137,7 @@ def measurable(solution: Solution, coefficients: Mapping[str, float]) -> dict[st
     boundary, film, resistivity = (coefficients[name] for name in COEFFICIENTS)
     return {
         "friction_coefficient": friction(solution, boundary, film),
-        "contact_resistance_ohm": contact_resistance(solution, parameters, resistivity),
+        "contact_resistance_ohm": contact_resistance(solution, resistivity),
         "film_thickness_nm": 1e9 * solution.film_thickness * parameters.ball_radius,
         "separation_nm": 1e9 * solution.separation,
         "real_contact_area_mm2": 1e6 * solution.total_contact_area * parameters.apparent_area,
@@ -167,7 +157,7 @@ def fitted_coefficients(
     Those that are not ``known`` are fitted by linear least squares, of the resistance with relative
     residuals; where the measurements do not tell them, they are the ``COEFFICIENTS`` for steel in oil.
     """
-    spot = contact_resistance(solution, solution.parameters) / COEFFICIENTS["resistivity_ohm_m"]
+    spot = contact_resistance(solution) / COEFFICIENTS["resistivity_ohm_m"]
     terms = {
         "friction_coefficient": {
             "boundary_friction": solution.solid_load_fraction,

@@ -261,8 +261,7 @@ def _draw_panel(axes, panel, newtons_per_load):
     """The series of a panel, and the scales of its axes."""
     lines, bars = {}, []
     unseen = UNSEEN * panel.least or -np.inf
-    strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
-    for series in _some_ranges([one for one in panel.of_kind(marks.BAND) if one.curve in strong]):
+    for series in _some_ranges(panel):
         outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in panel.series:
@@ -351,8 +350,10 @@ def _is_hairline(series) -> bool:
     return series.look.get("linewidth") == HAIRLINE["linewidth"]
 
 
-def _some_ranges(ranges):
-    """Ranges from the first to the last curve with a colour; grey is a zone."""
+def _some_ranges(panel):
+    """Ranges from the first to the last strong curve with a colour; grey is a zone."""
+    strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
+    ranges = [one for one in panel.of_kind(marks.BAND) if one.curve in strong]
     coloured = [one for one in ranges if len({*one.look["facecolor"]}) > 1]
     places = np.linspace(0, max(len(coloured) - 1, 0), MOST_RANGES).round().astype(int)
     return [coloured[place] for place in np.unique(places) if coloured]
