@@ -4,7 +4,7 @@
 import re
 from html import escape
 
-MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
+MARKUP = re.compile(r"[\\`*_<>\[\]|&~$]")  # characters with a meaning in Markdown
 GREEK = {"sigma": "σ", "eta": "η", "mu": "μ", "nu": "ν"}
 LETTER = re.compile(r"(?<![A-Za-z])(sigma|eta|mu|nu)(?![A-Za-z])")
 SYMBOL = re.compile(
@@ -76,5 +76,5 @@ def _power(found):
 
 
 def markdown_text(text: str) -> str:
-    """A text for Markdown, in which its signs have no meaning."""
-    return MARKUP.sub(r"\\\g<0>", text)
+    """A text as one line of Markdown, in which its signs have no meaning."""
+    return MARKUP.sub(r"\\\g<0>", " ".join(text.split()))

@@ -3,13 +3,14 @@
 
 import json
 import mimetypes
-import re
 import subprocess
 import tempfile
 from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from thirdbody.paper.typeset import markdown_text
 
 DATA_LICENCE = "CC-BY-4.0"
 KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
@@ -76,10 +77,3 @@ def render(template: str, **values: Any) -> str:
 def render_json(template: str, **values: Any) -> dict[str, Any]:
     """Content of a template that is JSON."""
     return json.loads(render(template, **values))
-
-
-def markdown_text(text: str) -> str:
-    """``text`` as one line of Markdown, with markup and HTML escaped."""
-    line = " ".join(str(text).split())
-    line = line.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    return re.sub(r"([\\`*_{}\[\]()#+!|~$])", r"\\\1", line)
