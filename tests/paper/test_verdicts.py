@@ -100,7 +100,7 @@ def test_the_page_has_the_score_and_the_contradictions_apart():
     results = report(main, predicted=predicted)
     page = claims_markdown(results)
     assert "**0 of 2 checkable statements hold with one set of inputs; 1 of 2 hold when" in page
-    apart = page.split("## Where the paper contradicts itself")[1].split("## Predictions")[0]
+    apart = page.split("## Where the paper contradicts itself")[1].split("## How to read")[0]
     (row,) = (line for line in apart.splitlines() if "Figure 9" in line)
     cells = [cell.strip() for cell in row.replace("\\|", "or").split("|")[1:-1]]
     assert cells == ["statement", "yes", "taken (fails)", "Figure 9 says so or twice"]

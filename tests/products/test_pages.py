@@ -47,4 +47,3 @@ def test_the_claims_page_begins_with_the_verdict_and_the_headline_numbers():
     for row in content["headline"]:
         assert row["statement"] in head
         assert row["model"] in head
-    assert "commit f07ee55" in head
