@@ -188,8 +188,7 @@ def claims_markdown(report: Report) -> str:
         words=dict(zip(table["id"], table["verdict"], strict=True)),
         counts=counts_by_figure(report),
         comparison=report.comparison,
-        limits={claim.id: claim.limit for claim in report.claims},
-        findings=_findings(report),
+        claims={claim.id: claim for claim in report.claims},
         statements=table.to_dict("records"),
         failing=failing.to_dict("records"),
     )
@@ -200,24 +199,13 @@ def claims_html(report: Report) -> str:
     score = score_sentence(report).replace("**", "")
     parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
-    reasons = {claim.id: claim.reason for claim in report.claims}
-    asides = {claim.id: claim.aside for claim in report.claims}
-    limits = {claim.id: claim.limit for claim in report.claims}
-    template = ENVIRONMENT.get_template("claims.html.j2")
-    return template.render(
+    return ENVIRONMENT.get_template("claims.html.j2").render(
         score=score,
         counts=counts_sentence(report),
         groups=groups,
-        findings=_findings(report),
-        reasons=reasons,
-        asides=asides,
-        limits=limits,
+        verdicts=report.verdicts,
+        claims={claim.id: claim for claim in report.claims},
     )
-
-
-def _findings(report):
-    """What was found on each statement, in a sentence, by its id."""
-    return {id: verdict.finding for id, verdict in report.verdicts.items()}
 
 
 def claims_json(report: Report) -> str:
