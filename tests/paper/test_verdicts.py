@@ -13,7 +13,6 @@ from thirdbody.paper.claims.claim import Verdict
 from thirdbody.paper.claims.claims import load_claims
 from thirdbody.paper.claims.departures import (
     departure_rows,
-    departure_verdicts,
     departure_words,
     random_inputs,
 )
@@ -220,7 +219,7 @@ def test_departures_are_taken_back_one_by_one(defaults, some):
     shallow = {"elastic_depth_ratio": 0.0111}
     departures = [{"name": "one", "inputs": shallow}]
     settings = SETTINGS | {"headline": [DRY], "departures": departures, "random_sets": 3}
-    taken_back = departure_verdicts(judge, settings)
+    taken_back = [judge(shallow)]
     rows = departure_rows(judge, settings, judge({}), taken_back)
     unchanged, changed, least, most = rows
     names = [column.name for column in TABLES["departures"]]

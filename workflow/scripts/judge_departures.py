@@ -4,7 +4,7 @@ import json
 
 from thirdbody.paper.calibration.choice import printed_numbers
 from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.claims.departures import departure_rows, departure_verdicts, departure_words
+from thirdbody.paper.claims.departures import departure_rows, departure_words
 from thirdbody.paper.claims.judge import Judge
 from thirdbody.paper.job_log import job
 from thirdbody.paper.tables import TABLES, write_csv
@@ -13,7 +13,8 @@ with job(snakemake) as output:
     settings, parameters = snakemake.params.settings, snakemake.params.parameters
     claims = load_claims(snakemake.params.claims)
     judge = Judge(claims, parameters, settings["newtons"])
-    default, taken_back = judge({}), departure_verdicts(judge, settings)
+    default = judge({})
+    taken_back = [judge(departure["inputs"]) for departure in settings["departures"]]
     deviations = printed_numbers(claims, default, settings["headline"])
     departures = departure_rows(judge, settings, default, taken_back)
     write_csv(output.deviations, deviations.to_dict("records"), TABLES["deviations"])

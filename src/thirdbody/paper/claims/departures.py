@@ -17,17 +17,11 @@ from thirdbody.paper.claims.evidence import QUICK_EFFORT
 from thirdbody.paper.claims.judge import Judge, Verdicts, count_once, outcome
 
 
-def departure_verdicts(judge: Judge, settings: Mapping[str, Any]) -> list[Verdicts]:
-    """The verdicts with each of the ``departures`` of ``settings`` (the content of ``config/calibration.yaml``)
-    taken back from the inputs of ``judge``."""
-    return [judge(departure["inputs"]) for departure in settings["departures"]]
-
-
 def departure_words(
     judge: Judge, settings: Mapping[str, Any], found: Sequence[Verdicts]
 ) -> list[dict[str, Any]]:
-    """Of each departure its ``name``, its ``inputs`` and, by the id of a statement, the verdict as a word, from
-    the ``departure_verdicts``."""
+    """Of each of the ``departures`` of ``settings`` (the content of ``config/calibration.yaml``) its ``name``, its
+    ``inputs`` and, by the id of a statement, the verdict ``found`` with it taken back, as a word."""
     return [
         dict(departure)
         | {"verdicts": {claim.id: outcome(claim, verdicts[claim.id]) for claim in judge.claims}}
@@ -39,8 +33,7 @@ def departure_rows(
     judge: Judge, settings: Mapping[str, Any], default: Verdicts, found: Sequence[Verdicts]
 ) -> list[dict[str, Any]]:
     """Rows of the table ``departures``: the inputs of ``judge`` as they are, with the verdicts ``default``; those
-    with each departure taken back, from the ``departure_verdicts``; and the worst and the best of random
-    inputs."""
+    ``found`` with each departure taken back; and the worst and the best of random inputs."""
     departures = [{"name": "as it is", "inputs": {}}, *settings["departures"]]
     rows = [
         _row(judge, settings, *each) for each in zip(departures, [default, *found], strict=True)

@@ -7,7 +7,7 @@ from typing import Any
 from thirdbody.core.parameters import Parameters
 from thirdbody.paper.claims.claim import Claim, Verdict
 from thirdbody.paper.claims.claims import referenced_conditions
-from thirdbody.paper.claims.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence
+from thirdbody.paper.claims.evidence import FULL_EFFORT, Effort, solve_evidence
 from thirdbody.paper.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 
 Verdicts = dict[str, Verdict]  # by the id of the statement
@@ -31,15 +31,9 @@ class Judge:
         """Evaluate all statements, or some ``claims``, for ``inputs``, fields of ``Parameters`` in SI:
         verdicts by the ids of the statements, in order.  Unphysical inputs raise ``ValueError``."""
         some = self.claims if claims is None else claims
-        evidence = self.evidence(inputs, effort, some)
-        return {claim.id: claim.verdict(evidence) for claim in some}
-
-    def evidence(
-        self, inputs: Mapping[str, Any], effort: Effort, claims: Sequence[Claim]
-    ) -> Evidence:
-        """The curves, turning points and windows of the model that ``claims`` need."""
         parameters = Parameters(**{**self.base, **inputs})
-        return solve_evidence(parameters, referenced_conditions(claims), self.newtons, effort)
+        evidence = solve_evidence(parameters, referenced_conditions(some), self.newtons, effort)
+        return {claim.id: claim.verdict(evidence) for claim in some}
 
 
 def claim_columns(claim: Claim, verdict: Verdict) -> dict[str, Any]:
