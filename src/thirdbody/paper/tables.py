@@ -1,7 +1,7 @@
 """Tidy tables as CSV and Table Schema; ``tables.csv`` describes their columns."""
 
 import csv
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
 from operator import attrgetter
 from os import PathLike
@@ -40,18 +40,13 @@ DRAWN_POINTS = TABLES.pop("drawn_points")  # of the CSV file beside each figure
 def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
     """Write a table as CSV, numbers with ten significant digits; each row has a value or None for
     each column name."""
+    formats = {column.name: ".10g" if column.kind == "number" else "" for column in columns}
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow([column.name for column in columns])
-        writer.writerows(cells(rows, columns, 10))
-
-
-def cells(rows: Iterable[Mapping], columns: Sequence[Column], digits: int) -> Iterator[list[str]]:
-    """The cells of each row, numbers with ``digits`` significant digits; None is an empty cell."""
-    formats = {column.name: f".{digits}g" if column.kind == "number" else "" for column in columns}
-    for row in rows:
-        fields = ((row[name], form) for name, form in formats.items())
-        yield ["" if value is None else format(value, form) for value, form in fields]
+        writer.writerow(formats)
+        for row in rows:
+            fields = ((row[name], form) for name, form in formats.items())
+            writer.writerow("" if value is None else format(value, form) for value, form in fields)
 
 
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
