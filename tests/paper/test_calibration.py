@@ -307,6 +307,7 @@ def said(name, figure, made=Value, **fields):
     fields = {"published": 2.0, "conditions": {"viscosity_cSt": 0, "roughness_nm": 300}} | fields
     fields |= {"tolerance": 0.1, "tolerance_kind": "absolute", "reason": "", "quote": ""}
     fields |= {"statement": "", "kind": "value"}
+    fields |= {"quantity": "total_contact_area"} if made is Value else {}
     return made(id=name, place=f"Figure {figure}A", **fields)
 
 

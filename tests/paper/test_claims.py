@@ -7,12 +7,14 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import yaml
 
 from thirdbody.core.turning_points import PROMINENCE, TurningPoints
 from thirdbody.paper.claims import claims
 from thirdbody.paper.claims.claim import CONDITION_KEYS, MISSING_SCORE
 from thirdbody.paper.claims.evidence import FULL_EFFORT, curve_of
 from thirdbody.paper.claims.kinds import KINDS
+from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -506,7 +508,7 @@ def test_what_is_said_of_a_turning_point_fails_where_it_does_not_stand_out():
 
 def test_conditions_are_si_and_run_together():
     given = dict(zip(CONDITION_KEYS, (120, [100, 300], [100, 300], 1.0e11), strict=True))
-    claim = make_claim("trend", given=given, reference=DRY)
+    claim = make_claim("coincidence", "film_thickness", given=given, reference=DRY)
     assert claim.curves == ((1.2e-4, 1e-7, 1e-7, 1e11), (1.2e-4, 3e-7, 3e-7, 1e11))
     assert claim.references == ((0.0, 1e-7, 1e-7, 1e11), (0.0, 3e-7, 3e-7, 1e11))
 
@@ -523,6 +525,31 @@ def test_paper_has_its_statements(paper):
     assert all(claim.statement.endswith(".") and claim.reason for claim in paper)
 
 
+REQUIRED = {
+    "value": ("quantity", "published"),
+    "reach": ("quantity", "published", "extreme"),
+    "span": ("quantity", "published"),
+    "window": ("published",),
+    "ordering": ("quantity", "direction"),
+    "coincidence": ("quantity", "reference"),
+    "trend": ("quantity", "direction", "along"),
+    "absence": ("quantity",),
+    "regime_sequence": ("published",),
+    "mode_sequence": ("published",),
+}
+
+
+@pytest.mark.parametrize("kind", REQUIRED)
+def test_a_statement_has_the_fields_of_its_kind_and_no_others(kind, tmp_path):
+    entry = next(entry for entry in read_yaml(CONFIG, list) if entry["kind"] == kind)
+    wrong = [{key: entry[key] for key in entry if key != name} for name in REQUIRED[kind]]
+    for number, other in enumerate([*wrong, entry | {"level": 1.0}]):
+        path = tmp_path / f"{number}.yaml"
+        path.write_text(yaml.safe_dump([other]))
+        with pytest.raises(ValueError, match=entry["id"]):
+            claims.load_claims(path)
+
+
 def test_figures_of_a_statement():
     for place, figures in (
         ("Figures 4B and 4C, section 3.3", {4}),
@@ -530,7 +557,7 @@ def test_figures_of_a_statement():
         ("Figure 5B and the discussion of Figure 12C, section 3.3", {5, 12}),
         ("Conclusion 5", set()),
     ):
-        claim = replace(make_claim("value"), place=place)
+        claim = replace(least(0.5), place=place)
         assert claim.all_figures == figures
         assert replace(claim, figures=[9, 10]).all_figures == figures | {9, 10}
 

@@ -35,7 +35,7 @@ def claim(name, loads=(), published=None, **fields):
     fields |= {"conditions": {"viscosity_cSt": 0, "roughness_nm": 300, **dict(loads)}}
     fields |= {"tolerance": 0.1, "tolerance_kind": "absolute", "reason": "reason", "kind": "value"}
     fields |= {"place": "Figure 4A", "statement": "statement", "quote": "", "published": published}
-    return Value(id=name, **fields)
+    return Value(id=name, quantity="total_contact_area", **fields)
 
 
 TAKEN_FIELDS = {"contradicts": ("aside",), "published": 1.0, "reference": {"viscosity_cSt": 90}}

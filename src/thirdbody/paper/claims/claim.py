@@ -92,7 +92,8 @@ class Claim:
     aside: str = ""
     cluster: str = ""
 
-    # fields of some kinds: what the other kinds have in their place; annotations would make them fields of all
+    # fields of some kinds: what the other kinds have in their place; annotations would make them fields of all.
+    # A kind that must have one says so by field(), or this would be its default.
     quantity = direction = along = extreme = ""
     against = "load"
     published = None  # type: Any

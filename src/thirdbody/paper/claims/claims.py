@@ -15,14 +15,18 @@ from thirdbody.plain_yaml import read_yaml
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order."""
+    """Read the statements of the paper, in order; ``ValueError`` for one without a field of its kind, or with
+    another."""
     claims = []
     for entry in read_yaml(path, list):
         given = dict(entry["tolerance"])
         reason = given.pop("reason")
         ((kind, size),) = given.items()
         fields = {"tolerance": size, "tolerance_kind": kind, "reason": reason}
-        claims.append(KINDS[entry["kind"]](**entry | fields))
+        try:
+            claims.append(KINDS[entry["kind"]](**entry | fields))
+        except TypeError as error:
+            raise ValueError(f"{path}: {entry['id']}: {error}") from None
     return tuple(claims)
 
 

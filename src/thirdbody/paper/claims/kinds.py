@@ -28,7 +28,7 @@ class NumberClaim(Claim):
     """A claim on one number of each curve: at a load, the ``extreme`` over loads, or where curves part; or on
     its relative change from the ``reference``."""
 
-    quantity: str
+    quantity: str = field()
     extreme: str = ""
     reference: Mapping[str, float] = field(default_factory=dict)
 
@@ -80,7 +80,7 @@ class NumberClaim(Claim):
 class Value(NumberClaim):
     """The number agrees on each curve, or with ``any_curve`` on one of them."""
 
-    published: float
+    published: float = field()
     any_curve: bool = False
 
     def compared(self, values: NDArray) -> NDArray:
@@ -119,6 +119,7 @@ class Value(NumberClaim):
 class Reach(Value):
     """The least (greatest) value along each curve is the published one or beyond it."""
 
+    extreme: str = field()
     printed_numbers = ()
 
     @property
@@ -137,8 +138,8 @@ class Reach(Value):
 class Span(Claim):
     """Both published numbers occur along the curve; the text has their loads."""
 
-    quantity: str
-    published: Sequence[float]
+    quantity: str = field()
+    published: Sequence[float] = field()
 
     def check(self, evidence: "Evidence") -> Verdict:
         (curve,) = (evidence.curves[condition] for condition in self.curves)
@@ -165,7 +166,7 @@ class Span(Claim):
 class Window(Claim):
     """The ends of the range of x_a/sigma with a turning point agree on each surface."""
 
-    published: Sequence[float]
+    published: Sequence[float] = field()
     source = "window"
 
     def check(self, evidence: "Evidence") -> Verdict:
@@ -188,8 +189,8 @@ class Ordering(Claim):
     """Neighbouring curves, or each curve and its reference, are nowhere in the opposite order, and somewhere
     apart."""
 
-    quantity: str
-    direction: str
+    quantity: str = field()
+    direction: str = field()
     reference: Mapping[str, float] = field(default_factory=dict)
 
     def check(self, evidence: "Evidence") -> Verdict:
@@ -211,7 +212,7 @@ class Ordering(Claim):
 class Coincidence(Claim):
     """Curves overlap with their references, plotted ``against`` the load or another quantity."""
 
-    quantity: str
+    quantity: str = field()
     reference: Mapping[str, float] = field()
     against: str = "load"
 
@@ -254,8 +255,8 @@ class CourseClaim(Claim):
 class Trend(CourseClaim, NumberClaim):
     """Each curve has this course along the load, or the numbers have it from curve to curve."""
 
-    direction: str
-    along: str
+    direction: str = field()
+    along: str = field()
 
     def miss(self, course: NDArray) -> float:
         return COURSES[self.direction](course, self.step)
@@ -277,7 +278,7 @@ class Trend(CourseClaim, NumberClaim):
 class Absence(CourseClaim):
     """No interior maximum over load stands out by more than the tolerance."""
 
-    quantity: str
+    quantity: str = field()
 
     def miss(self, course: NDArray) -> float:
         return peak_height(course)
@@ -291,7 +292,7 @@ class StateSequence(Claim):
     """Exactly these regimes, modes or both occur in order on each curve, or with ``any_curve`` on one; with
     ``open_end`` the last may lie beyond the loads."""
 
-    published: Sequence[str]
+    published: Sequence[str] = field()
     any_curve: bool = False
     open_end: bool = False
 
