@@ -86,7 +86,7 @@ def test_a_damaged_chunk_is_named(written, tmp_path):
     copy = shutil.copytree(written, tmp_path / "atlas")
     chunk = copy / "1-of-2.nc"
     chunk.write_bytes(chunk.read_bytes()[:1000])
-    with pytest.raises(OSError, match=r"1-of-2\.nc cannot be read \(\w+\)$"):
+    with pytest.raises(OSError, match=r"1-of-2\.nc"):
         open_atlas(copy)
 
 

@@ -10,7 +10,6 @@ from pathlib import Path
 import xarray as xr
 
 from thirdbody.attributes import identity
-from thirdbody.files import unreadable
 
 CHUNKS = "results/atlas/chunks"
 
@@ -33,7 +32,7 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
     Raises
     ------
     OSError
-        In one line, unless the folder has all files of one atlas, which can be read.
+        Unless the folder has all files of one atlas, which can be read.
 
     Examples
     --------
@@ -49,7 +48,8 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
         raise FileNotFoundError(
             f"{folder} does not have all files of one atlas and no others; make them: snakemake -c2 atlas"
         )
-    parts = sorted(map(_opened, files), key=lambda part: part["roughness"].values[0])
+    opened = (xr.open_dataset(file, engine="netcdf4", chunks={}) for file in files)
+    parts = sorted(opened, key=lambda part: part["roughness"].values[0])
     dataset = xr.concat(
         parts,
         "roughness",
@@ -70,10 +70,3 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
         model_parameters=json.dumps(inputs),
         **identity(" ".join(part.attrs["configuration_sha256"] for part in parts)),
     )
-
-
-def _opened(path: str | PathLike) -> xr.Dataset:
-    try:
-        return xr.open_dataset(path, engine="netcdf4", chunks={})
-    except Exception as error:  # netCDF4 raises different exceptions for different damage
-        raise unreadable(path, type(error).__name__) from None
