@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from thirdbody.paper.claims import verdicts
+from thirdbody.paper.claims import words
 from thirdbody.paper.claims.claims import load_claims
 from thirdbody.paper.figures import claims
 from thirdbody.paper.places import part_of_paper
@@ -23,15 +23,15 @@ def rows():
     statements = load_claims(ROOT / "config" / "claims.yaml")
     rows = []
     for claim, score in zip(statements, np.linspace(0.0, 10.0, len(statements)), strict=True):
-        verdict = verdicts.HOLDS if score <= 1.0 else verdicts.FAILS
+        verdict = words.HOLDS if score <= 1.0 else words.FAILS
         if claim.aside:
-            verdict = verdicts.CONTRADICTED
+            verdict = words.CONTRADICTED
         elif 3.0 < score < 3.5:
-            verdict = verdicts.NOT_TESTED
+            verdict = words.NOT_TESTED
         row = {"id": claim.id, "place": claim.place, "verdict": verdict, "cluster": claim.cluster}
         row["statement"] = claim.statement
         predicted = "holds" if score < 0.5 else "fails"
-        if verdict not in (verdicts.HOLDS, verdicts.FAILS):
+        if verdict not in (words.HOLDS, words.FAILS):
             predicted = verdict
         row |= {"score": score, "predicted": predicted}
         rows.append(row | {"ensemble_agree": 3.0, "ensemble_size": 12.0})
@@ -54,5 +54,5 @@ def test_bars_count_the_statements_and_those_that_do_not_hold_are_written(rows):
     written = " ".join(text.get_text().replace("\n", " ") for text in texts.texts)
     for row in rows:
         sentence = mathtext(f": {row['statement']}")
-        assert (sentence in written) == (row["verdict"] != verdicts.HOLDS)
-    assert len(texts.texts) == sum(row["verdict"] != verdicts.HOLDS for row in rows)
+        assert (sentence in written) == (row["verdict"] != words.HOLDS)
+    assert len(texts.texts) == sum(row["verdict"] != words.HOLDS for row in rows)

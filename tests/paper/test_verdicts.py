@@ -20,6 +20,7 @@ from thirdbody.paper.claims.evidence import QUICK_EFFORT
 from thirdbody.paper.claims.judge import Judge, count_once
 from thirdbody.paper.claims.kinds import Value
 from thirdbody.paper.claims.verdicts import claims_html, claims_json, claims_markdown
+from thirdbody.paper.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 from thirdbody.paper.tables import TABLES
 from thirdbody.plain_yaml import config_directory, read_yaml
 
@@ -69,10 +70,8 @@ def report(main, members=(), predicted=None, headline=(), compared=("some",)):
 
 def test_the_word_for_a_verdict():
     words = [verdicts.outcome(TAKEN, verdict) for verdict in (HELD, MISSED, BEYOND)]
-    assert words == [verdicts.HOLDS, verdicts.FAILS, verdicts.NOT_TESTED]
-    assert {verdicts.outcome(ASIDE, verdict) for verdict in (HELD, MISSED)} == {
-        verdicts.CONTRADICTED
-    }
+    assert words == [HOLDS, FAILS, NOT_TESTED]
+    assert {verdicts.outcome(ASIDE, verdict) for verdict in (HELD, MISSED)} == {CONTRADICTED}
 
 
 @pytest.mark.parametrize(
@@ -88,9 +87,6 @@ def test_the_word_for_a_verdict():
 def test_statements_that_repeat_one_another_count_once(twins, count):
     main = (HELD, MISSED, *twins)
     assert verdicts.count_once(CLAIMS, by_id(main)) == count
-    (row,) = verdicts.counts_by_figure(report(main)).to_dict("records")
-    assert row["figure"] == "Figure 4"
-    assert row["hold, repeats once"] == "{} of {}".format(*count)
 
 
 def test_the_page_has_the_score_and_the_contradictions_apart():

@@ -22,7 +22,6 @@ from thirdbody.paper.claims.judge import (
     CONTRADICTED,
     FAILS,
     HOLDS,
-    NOT_TESTED,
     Judge,
     Verdicts,
     claim_columns,
@@ -113,20 +112,6 @@ class Report:
         return pd.DataFrame(rows)[[column.name for column in TABLES["claims"]]]
 
 
-def counts_by_figure(report: Report) -> pd.DataFrame:
-    """Number of statements with each verdict, by part of the paper."""
-    parts: dict[str, list[Claim]] = {}
-    for claim in report.claims:
-        parts.setdefault(part_of_paper(claim.place), []).append(claim)
-    rows = []
-    for part, claims in parts.items():
-        found = [outcome(claim, report.verdicts[claim.id]) for claim in claims]
-        counts = {word: found.count(word) for word in (HOLDS, FAILS, NOT_TESTED, CONTRADICTED)}
-        held = "{} of {}".format(*count_once(claims, report.verdicts))
-        rows.append({"figure": part, **counts, "hold, repeats once": held})
-    return pd.DataFrame(rows)
-
-
 def headline_table(report: Report) -> pd.DataFrame:
     """The headline numbers in the paper, in the model and in the ensemble."""
     table = report.table[report.table["id"].isin(report.settings["headline"])]
@@ -186,7 +171,6 @@ def claims_markdown(report: Report) -> str:
         headline=numbers.drop(columns="id"),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
         words=dict(zip(table["id"], table["verdict"], strict=True)),
-        counts=counts_by_figure(report),
         comparison=report.comparison,
         claims={claim.id: claim for claim in report.claims},
         statements=table.to_dict("records"),
