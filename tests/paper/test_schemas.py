@@ -115,7 +115,7 @@ def refusal(schema, content):
 
 
 BROKEN = {
-    "first_below_last": ([2.0, 1.0], "range is [2.0, 1.0]; allowed: a first value below the last"),
+    "first_below_last": ([2.0, 1.0], "range: [2.0, 1.0] does not increase"),
     "particles_fit": (
         {"particle_diameter_nm": 1000, "roughness_nm": 100, "particle_density_per_m2": 1e13},
         "range: particles of 1000 nm at 1e+13 m-2 cover 7.85 of the interface; allowed: at most 1",

@@ -136,7 +136,7 @@ BAD_SETTINGS = [  # the way to a key, its value, and what the line says
         [4e-9, 8.0],
         "load_axis.load_N[0]: 4e-09 is less than the minimum of 1e-07",
     ),
-    ("load_axis.load_N", [80.0, 0.04], "load_axis.load_N is [80.0, 0.04]"),
+    ("load_axis.load_N", [80.0, 0.04], "load_axis.load_N: [80.0, 0.04]"),
     ("scenes.fig03.curves", KeyError, "scenes.fig03: 'curves' is a required property"),
     ("scenes.fig14", {}, "'fig14'"),  # a figure's name
     ("scenes.mine/x", {}, "mine/x"),

@@ -11,15 +11,10 @@ import numpy as np
 from jsonschema import ValidationError
 
 
-def fault(allowed: str, problem: str = "") -> ValidationError:
-    """What is allowed; with a ``problem``, if the value does not show it."""
-    return ValidationError(problem, schema={"allowed": allowed})
-
-
 def first_below_last(ends: list) -> Iterator[ValidationError]:
     """The ends of a range increase."""
     if not ends[0] < ends[-1]:
-        yield fault("a first value below the last")
+        yield ValidationError(f"{ends} does not increase")
 
 
 def particles_fit(conditions: dict) -> Iterator[ValidationError]:
@@ -32,7 +27,6 @@ def particles_fit(conditions: dict) -> Iterator[ValidationError]:
     density = largest["particle_density_per_m2"]
     coverage = 0.25 * math.pi * (1e-9 * diameter) ** 2 * density
     if coverage > 1.0:
-        problem = (
-            f"particles of {diameter:g} nm at {density:g} m-2 cover {coverage:.3g} of the interface"
+        yield ValidationError(
+            f"particles of {diameter:g} nm at {density:g} m-2 cover {coverage:.3g} of the interface; allowed: at most 1"
         )
-        yield fault("at most 1", problem)

@@ -65,8 +65,6 @@ def _line(error: ValidationError) -> str:
     said, allowed = error.message.replace(repr(error.instance), value), error.schema.get("allowed")
     if allowed is None or error.validator in ("required", "additionalProperties"):
         line = f"{key}: {said}"
-    elif error.validator == "rules" and said:
-        line = f"{key}: {said}; allowed: {allowed}"
     else:
         line = f"{key} is {value}; allowed: {allowed}"
     return " ".join(line.removeprefix(": ").split())[:LONGEST]
