@@ -2,7 +2,7 @@
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.paper.job_log import job
-from thirdbody.paper.sheets import latex_text, page, readable
+from thirdbody.paper.sheets import page, readable
 from thirdbody.paper.tables import TABLES, read_csv, write_csv
 from thirdbody.version import Version
 
@@ -13,9 +13,9 @@ with job(snakemake) as output:
     rows = [row for part in snakemake.input.parts for row in read_csv(part, columns)]
     numbers = read_csv(printed, TABLES["printed"]) if printed else ()
     unit = Parameters(**snakemake.params.parameters).newtons_per_load
-    sheets = readable(table, rows, numbers, unit)
+    sheet = readable(table, rows, numbers, unit)
     write_csv(output.csv, rows, columns)
     version = Version(*snakemake.params.version)
     made_by = f"thirdbody {version.text} {version.date}".strip()
-    output.html.write_text(page(sheets, made_by), encoding="utf-8")
-    output.tex.write_text(f"% {made_by}\n{latex_text(table, sheets)}", encoding="utf-8")
+    output.html.write_text(page(sheet, made_by), encoding="utf-8")
+    output.tex.write_text(f"% {made_by}\n{sheet.latex(table)}", encoding="utf-8")

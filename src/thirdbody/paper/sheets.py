@@ -135,29 +135,19 @@ def result_name(row: Mapping) -> str:
 
 def readable(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
-) -> list[Sheet]:
-    """The sheets of a ``table`` of ``READABLE`` from its ``rows`` and those of the table
-    ``printed``, without empty columns; ``newtons_per_load`` is F_t/F_t* [N]."""
-    return [_without_empty(sheet) for sheet in READABLE[table](rows, printed, newtons_per_load)]
-
-
-def _without_empty(sheet):
-    """A sheet without empty columns, or one that says that there are no rows."""
+) -> Sheet:
+    """The sheet of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``, without empty
+    columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
+    sheet = READABLE[table](rows, printed, newtons_per_load)
     if not sheet.rows:
         return replace(sheet, note="There are none.")
     names = [name for name in sheet.rows[0] if any(row[name] for row in sheet.rows)]
     return replace(sheet, rows=[{name: row[name] for name in names} for row in sheet.rows])
 
 
-def page(sheets: Sequence[Sheet], made_by: str = "") -> str:
-    """A self-contained HTML page of ``sheets``, one below the other, and what it was made by."""
-    return ENVIRONMENT.get_template("sheets.html").render(sheets=sheets, made_by=made_by)
-
-
-def latex_text(table: str, sheets: Sequence[Sheet]) -> str:
-    """The ``sheets`` of a ``table`` for LaTeX, one below the other."""
-    labels = [table, *(f"{table}-{number}" for number in range(2, len(sheets) + 1))]
-    return "\n".join(sheet.latex(label) for sheet, label in zip(sheets, labels, strict=True))
+def page(sheet: Sheet, made_by: str = "") -> str:
+    """A self-contained HTML page of a ``sheet``, and what it was made by."""
+    return ENVIRONMENT.get_template("sheets.html").render(sheet=sheet, made_by=made_by)
 
 
 def _decimals(text):
@@ -182,7 +172,7 @@ def _latex_heading(name):
     return f"{{{latex(parts[1])} [{in_unit}]}}"
 
 
-def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
+def _paper_table(title, rows, _printed, _newtons_per_load) -> Sheet:
     """A table of the paper, with printed and recomputed values side by side."""
     lines = [
         _headed(
@@ -198,10 +188,10 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
         "Recomputed from the other printed values where possible. A value agrees if it is the printed one "
         "once it is rounded to as many digits as the paper prints."
     )
-    return [Sheet(title=title, note=note, rows=lines)]
+    return Sheet(title=title, note=note, rows=lines)
 
 
-def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
+def _turning_points(rows, printed, newtons_per_load) -> Sheet:
     lines = []
     ratio, solid = "turning_point_ratio", "turning_point_solid_load_fraction"
     for curve, some, paper in _curves(rows, printed):
@@ -222,10 +212,10 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
         }
         lines.append(curve | _headed("tpca_loads", texts, beside))
     note = f"Each row is a curve. Numbers of the paper are given with their tolerances. {NEWTONS}"
-    return [Sheet(title="Turning points of the contact area", note=note, rows=lines)]
+    return Sheet(title="Turning points of the contact area", note=note, rows=lines)
 
 
-def _windows(rows, printed, _newtons_per_load) -> list[Sheet]:
+def _windows(rows, printed, _newtons_per_load) -> Sheet:
     lines = []
     for roughness, ends in groupby(rows, key=lambda row: row["roughness_m"]):
         line, sizes = {"σ [nm]": _in_unit("roughness", roughness)}, []
@@ -236,10 +226,10 @@ def _windows(rows, printed, _newtons_per_load) -> list[Sheet]:
             sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
         lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
     note = "Turning points occur between two ends of xₐ/σ. Ends of the paper have their tolerances."
-    return [Sheet(title="Windows of the turning point in dry contact", note=note, rows=lines)]
+    return Sheet(title="Windows of the turning point in dry contact", note=note, rows=lines)
 
 
-def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
+def _transitions(rows, printed, newtons_per_load) -> Sheet:
     lines = []
     for line, some, paper in _curves(rows, printed):
         for (symbol, limit), (quantity, level) in CROSSINGS.items():
@@ -258,10 +248,10 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
         "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. Without an entry "
         f"it does not cross the limit within the loads. {NEWTONS}"
     )
-    return [Sheet(title="Loads at which the regime or mode changes", note=note, rows=lines)]
+    return Sheet(title="Loads at which the regime or mode changes", note=note, rows=lines)
 
 
-def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
+def _sensitivities(rows, _printed, _newtons_per_load) -> Sheet:
     cells = [
         ({"input": row["input"].replace("_", " ")}, result_name(row), _elasticity(row))
         for row in rows
@@ -269,10 +259,10 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
     ]
     title = "Sensitivities: elasticities, d ln(result)/d ln(input)"
     note = f"0 means less than {NEGLIGIBLE:g}."
-    return [Sheet(title=title, note=note, rows=_pivoted(cells))]
+    return Sheet(title=title, note=note, rows=_pivoted(cells))
 
 
-def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
+def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
     sizes = sorted(abs(row["deviation"]) for row in rows)
     lines = [
         _headed(
@@ -292,10 +282,10 @@ def _deviations(rows, _printed, _newtons_per_load) -> list[Sheet]:
         f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of H_c are those from "
         "0.04 to 80 N."
     )
-    return [Sheet(title="Printed numbers and computed ones", note=note, rows=lines)]
+    return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
 
 
-def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
+def _departures(rows, _printed, _newtons_per_load) -> Sheet:
     lines = [
         _headed(
             "departures",
@@ -313,7 +303,7 @@ def _departures(rows, _printed, _newtons_per_load) -> list[Sheet]:
     note = (
         "Each departure of the calibrated inputs from the words of the paper is taken back alone."
     )
-    return [Sheet(title="What carries the agreement", note=note, rows=lines)]
+    return Sheet(title="What carries the agreement", note=note, rows=lines)
 
 
 def _of(count, whole) -> str:
@@ -324,7 +314,7 @@ def _percent(fraction) -> str:
     return "" if fraction is None else f"{100.0 * fraction:.1f} %"
 
 
-READABLE: dict[str, Callable[..., list[Sheet]]] = {
+READABLE: dict[str, Callable[..., Sheet]] = {
     "table1": partial(_paper_table, "Table 1. Properties of the materials"),
     "table2": partial(_paper_table, "Table 2. Operating conditions"),
     "tpca_loads": _turning_points,
