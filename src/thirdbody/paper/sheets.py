@@ -252,14 +252,15 @@ def _transitions(rows, printed, newtons_per_load) -> Sheet:
 
 
 def _sensitivities(rows, _printed, _newtons_per_load) -> Sheet:
-    cells = [
-        ({"input": row["input"].replace("_", " ")}, result_name(row), _elasticity(row))
-        for row in rows
-        if row["elasticity"] is not None
-    ]
+    known = [row for row in rows if row["elasticity"] is not None]
+    results = dict.fromkeys(map(result_name, known), "")
+    lines: dict[str, dict[str, str]] = {}
+    for row in known:
+        line = lines.setdefault(row["input"], {"input": row["input"].replace("_", " "), **results})
+        line[result_name(row)] = _elasticity(row)
     title = "Sensitivities: elasticities, d ln(result)/d ln(input)"
     note = f"0 means less than {NEGLIGIBLE:g}."
-    return Sheet(title=title, note=note, rows=_pivoted(cells))
+    return Sheet(title=title, note=note, rows=[*lines.values()])
 
 
 def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
@@ -326,15 +327,6 @@ READABLE: dict[str, Callable[..., Sheet]] = {
 }
 
 
-def _pivoted(cells) -> list[dict[str, str]]:
-    """One row for all ``cells`` (first columns, further column, text) with the same first columns."""
-    columns = dict.fromkeys((column for _, column, _ in cells), "")
-    lines: dict[tuple, dict] = {}
-    for first, column, text in cells:
-        lines.setdefault(tuple(first.values()), first | columns)[column] = text
-    return [*lines.values()]
-
-
 def _curves(rows, printed):
     """The cells of each curve, which several figures may share, its rows, and its printed numbers."""
     names = "roughness", "particle_diameter", "particle_density", "viscosity"
@@ -343,7 +335,9 @@ def _curves(rows, printed):
         some = [*group]
         numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in some)
         figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
-        cells = {"figures": figures, **_conditions(some[0], CONDITION_AXES)}
+        cells = {"figures": figures}
+        for axis in CONDITION_AXES:
+            cells[f"{axis.sign} [{axis.alias_unit}]"] = _in_unit(axis.name, some[0][axis.column])
         yield cells, some, [number for number in printed if row_key(number) == key]
 
 
@@ -359,12 +353,6 @@ def _headed(
             if printed and column.name in printed:
                 line[f"{heading.partition(' [')[0]} (paper)"] = printed[column.name]
     return line
-
-
-def _conditions(row, axes) -> dict[str, str]:
-    return {
-        f"{axis.sign} [{axis.alias_unit}]": _in_unit(axis.name, row[axis.column]) for axis in axes
-    }
 
 
 def _in_unit(name, value) -> str:
