@@ -106,6 +106,9 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
             return boxes.filter((box) => box.y < y - 1 || box.y + box.height > y + height + 1); }).length"""
     )
     assert outside == 0 or figure not in ("fig11", "fig12")
+    saved = [row["curve"] for row in csv.DictReader(downloaded(explorer, "#save-csv").splitlines())]
+    marks = {row["curve"].split("; ")[1] for row in rows if row["curve"].startswith("printed")}
+    assert {curve.removeprefix("printed; ") for curve in saved if "printed; " in curve} == marks
 
 
 def test_a_moved_slider_moves_the_curves_and_leaves_statements_unjudged(explorer):

@@ -114,3 +114,4 @@ def test_a_band_lies_around_the_shown_points_and_keeps_their_units(dataset, arou
     assert "0.95 quantile" in again["separation_high"].attrs["long_name"]
     assert json.loads(again.attrs["ensemble"]) == MEMBERS
     assert again.attrs["configuration_sha256"] != dataset.attrs["configuration_sha256"]
+    assert again.attrs["id"] != dataset.attrs["id"]

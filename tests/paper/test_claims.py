@@ -543,6 +543,9 @@ REQUIRED = {
 def test_a_statement_has_the_fields_of_its_kind_and_no_others(kind, tmp_path):
     entry = next(entry for entry in read_yaml(CONFIG, list) if entry["kind"] == kind)
     wrong = [{key: entry[key] for key in entry if key != name} for name in REQUIRED[kind]]
+    if kind == "ordering":  # of one curve
+        wrong.append({key: entry[key] for key in entry if key != "reference"})
+        wrong[-1]["conditions"] = dict.fromkeys(entry["conditions"], 1.0)
     for number, other in enumerate([*wrong, entry | {"level": 1.0}]):
         path = tmp_path / f"{number}.yaml"
         path.write_text(yaml.safe_dump([other]))

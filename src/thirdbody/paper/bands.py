@@ -1,6 +1,5 @@
 """The range of the ensemble around the curves of a dataset."""
 
-import hashlib
 import json
 import warnings
 from collections.abc import Mapping, Sequence
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.attributes import version_attributes
+from thirdbody.attributes import identity, version_attributes
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition, curves_of
@@ -72,7 +71,7 @@ def band(
         "title": f"{dataset.attrs['title']}: range of the ensemble",
         **ATTRIBUTES,
         **(version_attributes(version) if version else {}),
-        "configuration_sha256": hashlib.sha256(origin.encode()).hexdigest(),
+        **identity(origin),
         "rtol": BAND_RTOL,
         "ensemble": members,
     }

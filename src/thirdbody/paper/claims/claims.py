@@ -15,8 +15,8 @@ from thirdbody.plain_yaml import read_yaml
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order; ``ValueError`` for one without a field of its kind, or with
-    another."""
+    """Read the statements of the paper, in order; ``ValueError`` for one without a field of its kind, with
+    another, or with too few curves."""
     claims = []
     for entry in read_yaml(path, list):
         given = dict(entry["tolerance"])
@@ -25,7 +25,7 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
         fields = {"tolerance": size, "tolerance_kind": kind, "reason": reason}
         try:
             claims.append(KINDS[entry["kind"]](**entry | fields))
-        except TypeError as error:
+        except (TypeError, ValueError) as error:
             raise ValueError(f"{path}: {entry['id']}: {error}") from None
     return tuple(claims)
 

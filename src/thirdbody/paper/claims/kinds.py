@@ -193,6 +193,10 @@ class Ordering(Claim):
     direction: str = field()
     reference: Mapping[str, float] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        if len(self.curves) < 2 and not self.references:
+            raise ValueError("an order of one curve; allowed: two or more, or a reference")
+
     def check(self, evidence: "Evidence") -> Verdict:
         sign = -1.0 if self.direction == "decreasing" else 1.0
         gaps = [sign * gap for gap in self.gaps(evidence)]

@@ -315,7 +315,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, limits, x, y }, rows) {
+function described({ stars, printed, levels, limits, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -325,7 +325,7 @@ function described({ stars, printed, limits, x, y }, rows) {
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
   const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...limits] };
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...levels, ...limits] };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }
