@@ -40,7 +40,7 @@ def solve(
     progress: bool = True,
     **conditions: ArrayLike,
 ) -> Solution:
-    """Contact state of the interface at each point (Eqs. 1-10).
+    """Contact state of the interface at each point, by Equations 1 to 10.
 
     Each of the five conditions is given once, under one of its two names, and they broadcast against each other.
     The speed is by default that of ``parameters``.  A condition is a number or an array of numpy, a list of numbers,
