@@ -12,7 +12,7 @@ from thirdbody.plotting.drawing import STYLE, TWO_COLUMNS, Drawing
 HEIGHT = 2.9  # inches
 METHODS = {  # label, form and size; where two are the same, both are seen
     "library": ("tb.solve, rtol 1e-2 to 1e-11", "o-", 3.5),
-    "library_grid": ("tb.grid, with rtol above the points", "s-", 6.5),
+    "library_grid": ("tb.grid, rtol written at the points", "s-", 6.5),
     "array_roots": ("find_root on arrays", "D", 5.0),
     "nested_roots": ("quad and brentq, a point at a time", "^", 5.0),
 }
@@ -76,6 +76,6 @@ def _name_tolerances(axes, rows, errors) -> None:
             (0.0, 5.0),
             textcoords="offset points",
             fontsize=7.0,
-            rotation=35.0,
+            rotation=50.0,
             rotation_mode="anchor",
         )

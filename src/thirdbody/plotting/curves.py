@@ -35,7 +35,7 @@ CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
 NEARLY = 1.02  # of the ends of strips that touch, as their ratio
 # of the name of an upright line
-NAME_LOOK: Look = {"fontsize": NAME_SIZE, "rotation": 90, "ha": "right"}
+NAME_LOOK = {"fontsize": NAME_SIZE, "rotation": 90, "ha": "right"}
 UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
 
 
@@ -298,7 +298,7 @@ def _draw_panel(axes, panel, newtons_per_load):
 
 def _draw_uprights(axes, panel):
     """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap are
-    low, at the top, one below the other."""
+    low, one above the other at an edge that is free of curves, with the outline of their line."""
     names = {one.curve: _name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Series] = []
     lanes: list[list] = []
@@ -308,22 +308,25 @@ def _draw_uprights(axes, panel):
         drawn.append(series)
         for x in series.x:
             axes.axvline(x, **series.look)
-        if series.curve in names:
-            look = {**NAME_LOOK, "transform": axes.get_xaxis_transform()}
-            look["color"] = series.look["color"]
-            at_end = (
-                (0.02, "bottom") if panel.x == "load" else (0.98, "top")
-            )  # of the line, beside no strip or curve
-            axes.text(series.x[0], at_end[0], names[series.curve], va=at_end[1], **look)
         if series.tolerance:
             taken = [any(_overlap(series, one) for one in lane) for lane in (*lanes, [])]
             lanes += [[]] if all(taken[:-1]) else []
             lanes[taken.index(False)].append(series)
+    is_low = panel.x == "load"
+    several = len(lanes) > 1
+    for series in drawn:
+        if series.curve in names:
+            y = 0.02 + several * len(lanes) * LANE if is_low else 0.98
+            look = NAME_LOOK | {"color": series.look["color"], "va": "bottom" if is_low else "top"}
+            transform = axes.get_xaxis_transform()
+            axes.text(series.x[0], y, names[series.curve], transform=transform, **look)
     for place, lane in enumerate(lanes):
-        top = 1.0 - place * LANE
-        heights = (top - LANE, top) if len(lanes) > 1 else (0.0, 1.0)
+        low = place * LANE if is_low else 1.0 - (place + 1) * LANE
+        heights = (low, low + LANE) if several else (0.0, 1.0)
         for series in lane:
-            axes.axvspan(*series.tolerance[0], *heights, **series.tolerance_look)
+            own = {"edgecolor": series.look["color"], "linestyle": series.look["linestyle"]}
+            look = series.tolerance_look | (own if several else {})
+            axes.axvspan(*series.tolerance[0], *heights, **look)
 
 
 def _is_same(series, other) -> bool:

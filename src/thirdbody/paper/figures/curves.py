@@ -13,7 +13,7 @@ from thirdbody.plotting.panels import Curve, Series
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
 AREA, FILM = Content("total_contact_area"), Content("film_thickness")
 OURS = "not in the paper"
-RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=OURS)
+RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=f"of the same surface, {OURS}")
 TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio", remark=OURS)
 # the conditions of the curves have the same name in config/scenes.yaml; other scenes need no entry here
 CURVE_FIGURES: dict[str, CurveFigure] = {

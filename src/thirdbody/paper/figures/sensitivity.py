@@ -64,10 +64,10 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
     axes.set_xticks(np.arange(len(results)) + 0.5, map(typeset, results), **style)
     negligible = [_input_name(name, "") for name in weights if name not in inputs]
     notes = {
-        f"All below {LEAST:g} in size": negligible,
-        "Without a value at the default": missing,
+        f"Below {LEAST:g} in size: empty cells, and all of": negligible,
+        "Without a value at the default:": missing,
     }
-    texts = [f"{what}: {'; '.join(each)}." for what, each in notes.items() if each]
+    texts = [f"{what} {'; '.join(each)}." for what, each in notes.items() if each]
     lines = [
         textwrap.fill(text.replace(" = ", "\xa0=\xa0").replace(" nm", "\xa0nm"), LETTERS)
         for text in texts
