@@ -85,7 +85,7 @@ verify: $(VENV)/workflow.done
 	@for release in $(RELEASES); do $(BIN)/python verification/verify.py $$release --packed || exit 1; done
 
 release: $(VENV)/workflow.done
-	$(BIN)/snakemake -c$(CORES) release
+	$(BIN)/snakemake -c$(CORES) all release
 	rm -rf dist
 	$(BIN)/python -m hatchling build
 	$(MAKE) verify

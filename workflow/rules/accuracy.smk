@@ -119,3 +119,5 @@ rule accuracy:
         *ACCURACY_TABLES.values(),
         "<results>/accuracy/work_precision.png",
         "<results>/accuracy/targets.csv",
+    message:
+        "All measurements are there"

@@ -13,6 +13,8 @@ rule release:
     input:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
         provenance=RECORD,
+    message:
+        "The release is there"
 
 
 rule stage_release:

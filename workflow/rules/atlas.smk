@@ -35,3 +35,5 @@ rule solve_chunk:
 rule atlas:
     input:
         gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
+    message:
+        "The atlas is there"
