@@ -13,8 +13,8 @@ import thirdbody as tb
 from thirdbody.curves import Condition, condition_key
 from thirdbody.paper.claims.between_curves import BEND, area_slope
 from thirdbody.paper.claims.claims import load_claims, printed_rows
-from thirdbody.paper.figures.captions import MESSAGES, caption
-from thirdbody.paper.figures.curves import CURVE_FIGURES, plot
+from thirdbody.paper.figures.captions import caption
+from thirdbody.paper.figures.curves import CURVE_FIGURES, HEADLINES, plot
 from thirdbody.paper.figures.files import SUFFIXES, figure_record, save, write_wide
 from thirdbody.paper.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
 from thirdbody.paper.figures.schematics import SCHEMATICS
@@ -647,8 +647,8 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     drawing = plotted(name, datasets, printed=printed[name])
     title = datasets[name].attrs["title"]
     text = caption(name, drawing.panels, title).markdown()
-    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** {MESSAGES[name]}\n\n(A) ")
-    assert text.count(MESSAGES[name]) == 1
+    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** {HEADLINES[name]}")
+    assert text.count(HEADLINES[name]) == 1
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)
         assert f"({panel.letter}) " in text

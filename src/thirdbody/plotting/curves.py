@@ -22,7 +22,7 @@ from thirdbody.netcdf import Dataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import NAME_SIZE, hide_bars, hide_repeats, keep_apart, name_ends
-from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
+from thirdbody.plotting.drawing import BEHIND, TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
@@ -33,9 +33,8 @@ LANE = 0.05  # height of strips that overlap, in heights of a panel
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
-NEARLY = 1.02  # of the ends of strips that touch, as their ratio
 # of the name of an upright line
-NAME_LOOK = {"fontsize": NAME_SIZE, "rotation": 90, "ha": "right"}
+NAME_LOOK = {"fontsize": NAME_SIZE, "rotation": 90}
 UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
 
 
@@ -268,6 +267,10 @@ def _draw_panel(axes, panel, newtons_per_load):
         if series.drawn_as == LINE:
             y = np.maximum(series.y, unseen)
             (lines[series],) = axes.plot(series.x, y, **series.look)
+            if series.text:
+                place = {"xytext": (5.0, -5.0), "textcoords": "offset points", "va": "top"}
+                look = {"fontsize": NAME_SIZE, "bbox": BEHIND}
+                axes.annotate(series.text, (series.x[0], y[0]), **place, **look)
             if series.tolerance and series.x.size > 1:
                 axes.fill_between(series.x, *series.tolerance[1], **series.tolerance_look)
             elif series.tolerance:
@@ -298,7 +301,7 @@ def _draw_panel(axes, panel, newtons_per_load):
 
 def _draw_uprights(axes, panel):
     """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap are
-    low, one above the other at an edge that is free of curves, with the outline of their line."""
+    low, one above the other at an edge that is free of curves.  Strips of unlike lines have their outlines."""
     names = {one.curve: _name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Series] = []
     lanes: list[list] = []
@@ -314,18 +317,21 @@ def _draw_uprights(axes, panel):
             lanes[taken.index(False)].append(series)
     is_low = panel.x == "load"
     several = len(lanes) > 1
+    looks = {(str(one.look["color"]), str(one.look["linestyle"])) for one in drawn if one.tolerance}
     for series in drawn:
-        if series.curve in names:
+        if series.curve in names and series.tolerance:
             y = 0.02 + several * len(lanes) * LANE if is_low else 0.98
-            look = NAME_LOOK | {"color": series.look["color"], "va": "bottom" if is_low else "top"}
+            look = NAME_LOOK | {"color": series.look["color"]}
+            look |= {"va": "bottom", "ha": "left"} if is_low else {"va": "top", "ha": "right"}
             transform = axes.get_xaxis_transform()
-            axes.text(series.x[0], y, names[series.curve], transform=transform, **look)
+            x = series.tolerance[0][1] if is_low else series.x[0]
+            axes.text(x, y, names[series.curve], transform=transform, **look)
     for place, lane in enumerate(lanes):
         low = place * LANE if is_low else 1.0 - (place + 1) * LANE
         heights = (low, low + LANE) if several else (0.0, 1.0)
         for series in lane:
             own = {"edgecolor": series.look["color"], "linestyle": series.look["linestyle"]}
-            look = series.tolerance_look | (own if several else {})
+            look = series.tolerance_look | (own if len(looks) > 1 else {})
             axes.axvspan(*series.tolerance[0], *heights, **look)
 
 
@@ -336,9 +342,9 @@ def _is_same(series, other) -> bool:
 
 
 def _overlap(series, other) -> bool:
-    """Whether two strips overlap or nearly touch."""
+    """Whether two strips overlap."""
     (low, high), (first, last) = (each.tolerance[0] for each in (series, other))
-    return bool(low < NEARLY * last and first < NEARLY * high)
+    return bool(low < last and first < high)
 
 
 def _name(series) -> str:

@@ -17,7 +17,6 @@ MARKERS = "os^vPX>"
 MARKERS_PER_CURVE = 5
 # of the colour map: two-body contact is darker, lighter is faint on white paper
 DARKEST, LIGHTEST = 0.05, 0.59
-GREY = "0.5"
 BLUE = "#0072B2"  # of a single curve of an interface, or of the model
 # Dry curves are dashes on the lubricated ones, which then are seen below them; black differs from all
 # colours of levels, whatever colours a reader sees.
@@ -86,13 +85,16 @@ def curve_styles(
             look = DRY | thin | {"label": hidden + look["label"].lstrip("_")}
         styles[each] = look
     by_label = {look["label"]: look for look in styles.values()}
+    _, neutral, _ = _colours(
+        3
+    )  # for entries of several levels; a grey would be the last one to some readers
     entries = [look for label, look in by_label.items() if not label.startswith("_")]
     if weak:
         text = ", ".join(value_text(parameter, level) for level in weak)
-        entries.append({"color": GREY, "linewidth": 0.6, "label": text})
+        entries.append({"color": neutral, "linewidth": 0.6, "label": text})
     key: list[list[Look]] = [entries]
     if compares_media:
-        wet = {"color": GREY, "linestyle": "-"}
+        wet = {"color": neutral, "linestyle": "-"}
         texts = {v: f"{value_text('viscosity', v)} cSt" if v else "dry" for v in sorted(media)}
         key.append([(wet if v else DRY) | {"label": text} for v, text in texts.items()])
     return styles, key

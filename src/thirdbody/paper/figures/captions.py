@@ -7,7 +7,7 @@ import numpy as np
 
 from thirdbody.curves import Condition
 from thirdbody.paper.figures import printed
-from thirdbody.paper.figures.curves import OURS
+from thirdbody.paper.figures.curves import HEADLINES, OURS
 from thirdbody.paper.typeset import markdown_text
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel
@@ -108,59 +108,32 @@ CAPTIONS = {
         alternative="A heat map with a number in each cell that is not negligible.",
     ),
 }
-# what the paper concludes from a figure of curves
+# what the headline of a figure of curves leaves out
 MESSAGES = {
-    "fig03": (
-        "The paper: as the load grows, contact with particles larger than 300 nm passes from the "
-        "p-s through the hybrid to the s-s mode, and its area rises to that of two-body contact, "
-        "which is the largest."
-    ),
-    "fig04": (
-        "The paper: below 50 cSt a lubricant changes little; above 70 cSt it carries more of the "
-        "load as the load grows, and the slope of the contact area drops where that begins, in B "
-        "at the upright line."
-    ),
+    "fig03": "This is said of particles larger than 300 nm. Two-body contact has the largest area.",
+    "fig04": "Below 50 cSt it changes little. The slope of the area drops in B at the upright line.",
     "fig05": (
-        "The paper: on the smoother surface a thin lubricant is enough for mixed lubrication; on "
-        "the rougher one more than 70 cSt is needed, which is held against the curves at 90, 120 "
-        "and 150 cSt together: one of them is enough."
+        "There more than 70 cSt is needed, which is held against the curves at 90, 120 and 150 cSt "
+        "together: one of them is enough."
     ),
-    "fig06": (
-        "The paper: the larger the particles, the smaller the dry contact area; with a film "
-        "between the surfaces the order is reversed at high loads."
-    ),
-    "fig07": (
-        "The paper: more particles make the contact area smaller, but larger at high loads once "
-        "the lubrication is mixed."
-    ),
+    "fig06": "",
+    "fig07": "",
     "fig08": (
-        "The paper: in the p-s mode the contact area grows with the roughness, near the s-s mode "
-        "it falls; on the roughest surface the area ratio of particles rises and then falls, "
-        "which is the turning point of the contact area."
+        "On the roughest surface the area ratio of particles rises and then falls, which is the turning "
+        "point of the contact area."
     ),
     "fig09": (
-        "The paper: particles of about 250 to 400 nm, 0.83 to 1.33 times σ, have a turning "
-        "point, where the strips in D show what counts as about; larger ones enter the p-s "
-        "mode at low loads."
+        "These are about 250 to 400 nm; the strips in D show what counts as about. Larger ones enter the "
+        "p-s mode at low loads."
     ),
-    "fig10": (
-        "The paper: turning points occur at about the same ratios of diameter to roughness on "
-        "either surface, at loads that fall with that ratio."
-    ),
+    "fig10": "",
     "fig11": (
-        "The paper: viscosity shifts the turning point to higher loads once the lubrication is "
-        "mixed, but not its height; over the film thickness all curves coincide. In B the "
-        "diamond at 100 % stands for the boundary regime, which the paper names without a number. In C the "
-        "paper prints between which H_c it draws 70 and 120 cSt, but not at which loads."
+        "Over the film thickness all curves coincide. In B the diamond at 100 % stands for the boundary "
+        "regime, which the paper names without a number. In C the paper prints between which H_c it draws "
+        "70 and 120 cSt, but not at which loads."
     ),
-    "fig12": (
-        "The paper: on the smoother surface there is no turning point from 50 cSt on, as the "
-        "film carries the whole load; on the rougher one viscosity changes nothing."
-    ),
-    "fig13": (
-        "The paper: on the smoothest surface the density hardly changes the load of the turning "
-        "point; the rougher the surface, the more it rises with the density."
-    ),
+    "fig12": "On the smoother surface the film then carries the whole load.",
+    "fig13": "On the smoothest surface it hardly changes.",
 }
 DIFFERENCES = (
     "Where the curves differ from what the paper says, the verdicts on its statements say so."
@@ -191,11 +164,11 @@ MEANINGS = {
     printed.ALONG_X: (
         "Upright lines of dashes and dots: numbers that the paper prints along x alone, without the height, "
         "in the colour of their curve if it is one; the strip around a line is its tolerance; "
-        "strips that would overlap are low, at an edge, with the outline of their line."
+        "strips that would overlap are low, at an edge, and those of unlike lines have their outlines."
     ),
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (
-        "Hexagons, several with rims in the colours of their curves: the bends or the crossing of the computed curves "
+        "Hexagons, several with the names of their curves: the bends or the crossing of the computed curves "
         "for which the line is printed; "
         "outside the strip the model misses the number, unless it is printed for no curve in particular: then "
         "one in the strip is enough."
@@ -218,12 +191,12 @@ def caption(
     from its ``panels``.  ``notes`` are further sentences on what is shown."""
     if name in CAPTIONS:
         return replace(CAPTIONS[name], shows=" ".join(notes))
-    differences = [DIFFERENCES] if name in MESSAGES else []
+    differences = [DIFFERENCES] if name in HEADLINES else []
     return Caption(
-        place=f"Figure {int(name.removeprefix('fig'))}" if name in MESSAGES else "",
+        place=f"Figure {int(name.removeprefix('fig'))}" if name in HEADLINES else "",
         title=" ".join(title.split()),
         shows=" ".join([*_notes(panels), *notes, *differences]),
-        message=MESSAGES.get(name, ""),
+        message=" ".join(filter(None, (HEADLINES.get(name), MESSAGES.get(name)))),
         alternative=" ".join(map(_description, panels)),
     )
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from textwrap import fill
 
 from matplotlib.figure import Figure
 
@@ -9,6 +10,7 @@ from thirdbody.netcdf import PlainDataset
 from thirdbody.paper.figures import printed as printed_marks
 from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.panels import Curve, Series
+from thirdbody.plotting.scales import typeset
 
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
 AREA, FILM = Content("total_contact_area"), Content("film_thickness")
@@ -63,6 +65,21 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     # and with other particle densities
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
+# what the paper concludes from each, to be seen before its curves
+HEADLINES = {
+    "fig03": "The paper: as the load grows, summits take over from particles, and the area nears the two-body one.",
+    "fig04": "The paper: above 70 cSt the lubricant carries ever more of the load, and the contact area rises less.",
+    "fig05": "The paper: a thin lubricant gives mixed lubrication on the smoother surface, not on the rougher one.",
+    "fig06": "The paper: larger particles make the dry area smaller; with oil the order is reversed at high loads.",
+    "fig07": "The paper: more particles make the area smaller, but larger at high loads in mixed lubrication.",
+    "fig08": "The paper: with roughness the contact area grows in the p-s mode, and near the s-s mode it falls.",
+    "fig09": "The paper: particles of about 0.83 to 1.33 times the roughness have a turning point.",
+    "fig10": "The paper: turning points occur at about the same x_a/σ on either surface, at loads that fall with it.",
+    "fig11": "The paper: in mixed lubrication viscosity shifts the turning point to higher loads, but not its height.",
+    "fig12": "The paper: from 50 cSt on the smoother surface has no turning point; the rougher one always has it.",
+    "fig13": "The paper: the rougher the surface, the more the load of the turning point rises with particle density.",
+}
+LETTERS = 103  # of a headline in a line
 
 
 def plot(
@@ -82,7 +99,7 @@ def plot(
     def numbers(content: Content, curves: Sequence[Curve]) -> Iterator[Series]:
         return printed_marks.printed_series(content.x, content.y, curves, printed)
 
-    return (CURVE_FIGURES.get(name) or curve_figure(data)).plot(
+    figure = (CURVE_FIGURES.get(name) or curve_figure(data)).plot(
         data,
         turning_points,
         ensemble_range,
@@ -90,3 +107,7 @@ def plot(
         further=numbers,
         mark_looks=printed_marks.ALL_LOOKS,
     )
+    if name in HEADLINES:
+        lines = fill(HEADLINES[name], LETTERS)
+        figure.suptitle(typeset(lines), x=0.01, ha="left", fontsize="medium", fontweight="bold")
+    return figure

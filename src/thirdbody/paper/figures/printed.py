@@ -61,7 +61,6 @@ LOOKS: dict[str, dict[str, Any]] = {
         "markersize": 6.0,
         "markerfacecolor": "C1",
         "markeredgecolor": "black",
-        "markeredgewidth": 1.2,
         "zorder": 3.2,
     },
 }
@@ -73,6 +72,7 @@ SQUARE = {"label": STRIP["label"], "linestyle": "none", "marker": "s", "markersi
 LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": "#B8923A"}
 ALL_LOOKS = LOOKS | marks.LOOKS
 
+NEARLY = 0.1  # of loads, as their ratio, at which computed marks have one name
 SOLID = "solid_load_fraction"
 # panels over the load for numbers that are not variables: loads, and values at a turning point
 LOADS = {
@@ -196,11 +196,21 @@ def _computed(row, y, of_group, curves) -> Iterator[Series]:
             places.append((curve, bend_load(load, *slopes)))
     else:
         return
+    names: dict[float, list[str]] = {}  # of those that nearly coincide
+    for curve, at in places if len(places) > 1 else ():
+        first = next((one for one in names if abs(at / one - 1.0) < NEARLY), at)
+        names.setdefault(first, []).append(curve.look["label"])
     for curve, at in places:
         if load[0] <= at <= load[-1]:
-            place = np.array([at]), np.array([curve.at(y, at)])
-            edge = {} if len(places) == 1 else {"markeredgecolor": _colour([curve])["color"]}
-            yield Series(COMPUTED, row["id"], *place, curve.condition, LOOKS[COMPUTED] | edge)
+            yield Series(
+                kind=COMPUTED,
+                name=row["id"],
+                x=np.array([at]),
+                y=np.array([curve.at(y, at)]),
+                curve=curve.condition,
+                look=LOOKS[COMPUTED],
+                text=", ".join(names.get(at, [])),
+            )
 
 
 def _is_at_every_load(row, x, y) -> bool:

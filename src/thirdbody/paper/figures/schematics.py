@@ -9,11 +9,11 @@ from matplotlib.axes import Axes
 from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.netcdf import PlainDataset
 from thirdbody.paper.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
-from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
+from thirdbody.plotting.drawing import BEHIND, TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import label, shared_notes, typeset
 
-INTERFACE, MODES = 3.6, 2.75  # heights of the figures [inches]
+INTERFACE, MODES = 3.75, 2.9  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
 MICROMETRE = 1e-6
 SCALE = 0.5e-6  # height of the scale bar [m]
@@ -45,11 +45,10 @@ LOAD = FROM_END_TO_END | {
     "linewidth": 2.0,
     "mutation_scale": 14,
 }
-BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
 READING = (
-    f"orange: carries load by Eqs. 4 and 5; tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, "
-    "particles drawn round"
+    "orange: carries load, as its diameter exceeds $d - y - h_e$, wherever it rests (Eqs. 4, 5)\n"
+    f"tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, particles drawn round"
 )
 
 
@@ -159,7 +158,7 @@ def _name_parts(axes, section):
     x, y, size, carries = (section[name] for name in PARTICLES)
     if carries.any():
         largest = np.argmax(np.where(carries, size, 0.0))
-        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.62 * length, 0.5 * bottom))
+        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.6 * length, 0.4 * bottom))
     if section["viscosity"] > 0.0:
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
