@@ -126,7 +126,7 @@ MESSAGES = {
         "These are about 250 to 400 nm; the strips in D show what counts as about. Larger ones enter the "
         "p-s mode at low loads."
     ),
-    "fig10": "",
+    "fig10": "Their loads fall with that ratio.",
     "fig11": (
         "Over the film thickness all curves coincide. In B the diamond at 100 % stands for the boundary "
         "regime, which the paper names without a number. In C the paper prints between which H_c it draws "

@@ -74,7 +74,7 @@ HEADLINES = {
     "fig07": "The paper: more particles make the area smaller, but larger at high loads in mixed lubrication.",
     "fig08": "The paper: with roughness the contact area grows in the p-s mode, and near the s-s mode it falls.",
     "fig09": "The paper: particles of about 0.83 to 1.33 times the roughness have a turning point.",
-    "fig10": "The paper: turning points occur at about the same x_a/σ on either surface, at loads that fall with it.",
+    "fig10": "The paper: either surface has turning points at about the same ratios of size to roughness.",
     "fig11": "The paper: in mixed lubrication viscosity shifts the turning point to higher loads, but not its height.",
     "fig12": "The paper: from 50 cSt on the smoother surface has no turning point; the rougher one always has it.",
     "fig13": "The paper: the rougher the surface, the more the load of the turning point rises with particle density.",
