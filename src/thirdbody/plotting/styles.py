@@ -85,9 +85,8 @@ def curve_styles(
             look = DRY | thin | {"label": hidden + look["label"].lstrip("_")}
         styles[each] = look
     by_label = {look["label"]: look for look in styles.values()}
-    _, neutral, _ = _colours(
-        3
-    )  # for entries of several levels; a grey would be the last one to some readers
+    # of entries for several levels: to some readers a grey would be that of the last one
+    _, neutral, _ = _colours(3)
     entries = [look for label, look in by_label.items() if not label.startswith("_")]
     if weak:
         text = ", ".join(value_text(parameter, level) for level in weak)

@@ -116,8 +116,6 @@ MESSAGES = {
         "There more than 70 cSt is needed, which is held against the curves at 90, 120 and 150 cSt "
         "together: one of them is enough."
     ),
-    "fig06": "",
-    "fig07": "",
     "fig08": (
         "On the roughest surface the area ratio of particles rises and then falls, which is the turning "
         "point of the contact area."
