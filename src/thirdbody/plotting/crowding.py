@@ -12,7 +12,11 @@ from numpy.typing import NDArray
 NEAR = 0.03  # marks closer than this coincide, in widths and heights of a panel
 MOST_NAMES = 12  # of curves, written at their ends; a key has all
 COINCIDE = 0.015  # ends closer than this have one name, in heights of a panel
-LINE, TOP = 0.058, 1.02  # distance and highest place of names, in heights of a panel
+LINE, LOWEST, TOP = (
+    0.058,
+    0.03,
+    1.02,
+)  # distance, lowest and highest place of names, in heights of a panel
 NAME_SIZE = 7.0  # of names [points]
 LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
 TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0}
@@ -111,7 +115,7 @@ def _spread(heights) -> NDArray:
     lines = LINE * np.arange(len(heights))
     apart = np.array(heights) - lines
     up, down = np.maximum.accumulate(apart), np.minimum.accumulate(apart[::-1])[::-1]
-    spread = (up + down) / 2.0 + lines
+    spread = np.maximum((up + down) / 2.0, LOWEST) + lines
     spread -= max(spread[-1] - TOP, 0.0)
     return spread
 

@@ -21,8 +21,15 @@ from thirdbody.curves import (
 from thirdbody.netcdf import Dataset
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
-from thirdbody.plotting.crowding import NAME_SIZE, hide_bars, hide_repeats, keep_apart, name_ends
-from thirdbody.plotting.drawing import BEHIND, TWO_COLUMNS, empty_panels
+from thirdbody.plotting.crowding import (
+    NAME_SIZE,
+    TO_END,
+    hide_bars,
+    hide_repeats,
+    keep_apart,
+    name_ends,
+)
+from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
@@ -33,6 +40,7 @@ LANE = 0.05  # height of strips that overlap, in heights of a panel
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
+BESIDE = (26.0, -22.0)  # from a mark to its text [points]
 # of the name of an upright line
 NAME_LOOK = {"fontsize": NAME_SIZE, "rotation": 90}
 UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
@@ -268,9 +276,8 @@ def _draw_panel(axes, panel, newtons_per_load):
             y = np.maximum(series.y, unseen)
             (lines[series],) = axes.plot(series.x, y, **series.look)
             if series.text:
-                place = {"xytext": (5.0, -5.0), "textcoords": "offset points", "va": "top"}
-                look = {"fontsize": NAME_SIZE, "bbox": BEHIND}
-                axes.annotate(series.text, (series.x[0], y[0]), **place, **look)
+                look = {"fontsize": NAME_SIZE, "textcoords": "offset points", "arrowprops": TO_END}
+                axes.annotate(series.text, (series.x[0], y[0]), BESIDE, **look)
             if series.tolerance and series.x.size > 1:
                 axes.fill_between(series.x, *series.tolerance[1], **series.tolerance_look)
             elif series.tolerance:
@@ -323,9 +330,9 @@ def _draw_uprights(axes, panel):
             y = 0.02 + several * len(lanes) * LANE if is_low else 0.98
             look = NAME_LOOK | {"color": series.look["color"]}
             look |= {"va": "bottom", "ha": "left"} if is_low else {"va": "top", "ha": "right"}
-            transform = axes.get_xaxis_transform()
-            x = series.tolerance[0][1] if is_low else series.x[0]
-            axes.text(x, y, names[series.curve], transform=transform, **look)
+            look |= {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points"}
+            x, gap = (series.tolerance[0][1], 2.0) if is_low else (series.x[0], -2.0)
+            axes.annotate(names[series.curve], (x, y), (gap, 0.0), **look)
     for place, lane in enumerate(lanes):
         low = place * LANE if is_low else 1.0 - (place + 1) * LANE
         heights = (low, low + LANE) if several else (0.0, 1.0)

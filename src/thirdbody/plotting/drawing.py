@@ -25,7 +25,6 @@ FORMATS: dict[str, dict[str, Any]] = {
     "pdf": {"metadata": {"CreationDate": None}},
     "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
 }
-BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a text in a panel
 ONE_COLUMN, TWO_COLUMNS = 84.0 / 25.4, 174.0 / 25.4  # widths of figures in journals [inches]
 
 

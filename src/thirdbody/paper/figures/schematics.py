@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.netcdf import PlainDataset
 from thirdbody.paper.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
-from thirdbody.plotting.drawing import BEHIND, TWO_COLUMNS, Drawing, empty_panels
+from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import label, shared_notes, typeset
 
@@ -45,6 +45,7 @@ LOAD = FROM_END_TO_END | {
     "linewidth": 2.0,
     "mutation_scale": 14,
 }
+BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
 READING = (
     "orange: carries load, as its diameter exceeds $d - y - h_e$, wherever it rests (Eqs. 4, 5)\n"
