@@ -35,7 +35,9 @@ logging.raiseExceptions = False
 
 WORDY = "Union of exclusive params before and now across all output: "
 FILE_TEXT = re.compile(r"'([^' ]+) [0-9a-f]{8}'")  # of `file_text`
-FILES_NAMED = 3  # in the reason of a job; a first run would name all files of the workflow
+FILES_NAMED = 3  # in the reason of a job
+# reasons that are not told: there is no product yet, or another job of the run has its own
+FOLLOWS = "Missing output files", "Input files updated by another job"
 
 
 class OneLine(logging.Formatter):
@@ -49,7 +51,8 @@ class OneLine(logging.Formatter):
         does, reason = (getattr(record, name, None) for name in ("rule_msg", "reason"))
         if not does or reason is None:
             return self.of_snakemake.format(record)
-        return f"{does} ({'; '.join(map(self.shortened, reason.split('; ')))})"
+        causes = [each for each in reason.split("; ") if not each.startswith(FOLLOWS)]
+        return f"{does} ({'; '.join(map(self.shortened, causes))})" if causes else does
 
     def shortened(self, clause):
         """A clause of a reason with a few files: those in it, or those whose texts in the parameters differ; of
