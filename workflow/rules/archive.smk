@@ -14,7 +14,7 @@ rule release:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
         provenance=RECORD,
     message:
-        "The release is there"
+        "The release is {input.archive}"
 
 
 rule stage_release:
