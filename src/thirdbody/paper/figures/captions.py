@@ -117,8 +117,8 @@ MESSAGES = {
         "together: one of them is enough."
     ),
     "fig08": (
-        "On the roughest surface the area ratio of particles rises and then falls, which is the turning "
-        "point of the contact area."
+        "There the area ratio of particles rises and then falls. In the p-s mode the dry area grows with the "
+        "roughness, and near the s-s mode it falls."
     ),
     "fig09": (
         "These are about 250 to 400 nm; the strips in D show what counts as about. Larger ones enter the "

@@ -72,7 +72,7 @@ HEADLINES = {
     "fig05": "The paper: a thin lubricant gives mixed lubrication on the smoother surface, not on the rougher one.",
     "fig06": "The paper: larger particles make the dry area smaller; with oil the order is reversed at high loads.",
     "fig07": "The paper: more particles make the area smaller, but larger at high loads in mixed lubrication.",
-    "fig08": "The paper: with roughness the contact area grows in the p-s mode, and near the s-s mode it falls.",
+    "fig08": "The paper: at small loads oil changes nothing; the roughest surface has a turning point of the area.",
     "fig09": "The paper: particles of about 0.83 to 1.33 times the roughness have a turning point.",
     "fig10": "The paper: either surface has turning points at about the same ratios of size to roughness.",
     "fig11": "The paper: in mixed lubrication viscosity shifts the turning point to higher loads, but not its height.",
