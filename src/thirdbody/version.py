@@ -62,11 +62,19 @@ def _of_repository(*paths: str) -> Version | None:
         last = _git("log", "-1", "--no-show-signature", "--format=%H %cs", "--", *paths)
         # new files alone have no commit yet
         commit, date = (last or _git("log", "-1", "--no-show-signature", "--format=%H %cs")).split()
-        new = "--untracked-files=all" if paths else "--untracked-files=no"
-        is_changed = bool(_git("status", "--porcelain", new, "--", *paths))
+        edited, new = _changed_files()
+        is_changed = any(path in edited | new for path in paths) if paths else bool(edited)
         return Version(_numbered(*_described(commit), commit, is_changed), date, commit)
     except (OSError, subprocess.CalledProcessError, ValueError):  # no git, or no commit
         return None
+
+
+@cache
+def _changed_files() -> tuple[set[str], set[str]]:
+    """Files that differ from the last commit, and files that git does not know."""
+    lines = _git("status", "--porcelain", "--no-renames", "--untracked-files=all", "-z").split("\0")
+    new = {line[3:] for line in lines if line.startswith("??")}
+    return {line[3:] for line in lines if line} - new, new
 
 
 @cache
