@@ -51,7 +51,7 @@ def fitted(measured, points, **known):
     return fitted_coefficients(pd.DataFrame(measured), points, known)
 
 
-def test_coefficients_are_fitted(points, defaults):
+def test_coefficients_are_fitted(points):
     scatter = 1.0 + 0.02 * np.random.default_rng(3).standard_normal((2, 9))
     measured = {
         "friction_coefficient": tb.lab.friction(points, 0.15, 0.05) * scatter[0],

@@ -12,11 +12,8 @@ from numpy.typing import NDArray
 NEAR = 0.03  # marks closer than this coincide, in widths and heights of a panel
 MOST_NAMES = 12  # of curves, written at their ends; a key has all
 COINCIDE = 0.015  # ends closer than this have one name, in heights of a panel
-LINE, LOWEST, TOP = (
-    0.058,
-    0.03,
-    1.02,
-)  # distance, lowest and highest place of names, in heights of a panel
+LINE = 0.058  # distance of names, in heights of a panel
+LOWEST, TOP = 0.03, 1.02  # their places, likewise
 NAME_SIZE = 7.0  # of names [points]
 LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
 TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0}
@@ -56,9 +53,10 @@ def name_ends(
         if colours == {"black"} and not is_dry:  # black names are of dry contact
             colours = {SEVERAL}
         text = _joined(texts[line] for line, *_ in group)
+        says_dry = is_dry and compares_media and not text.startswith(("dry", "two-body"))
         x = group[0][1] if at_left else 1.0
         name = axes.annotate(
-            f"dry {text}" if is_dry and compares_media and text[:3] not in ("dry", "two") else text,
+            f"dry {text}" if says_dry else text,
             (x, end),
             (x, height),
             xycoords=base,

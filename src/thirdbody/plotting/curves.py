@@ -308,7 +308,7 @@ def _draw_panel(axes, panel, newtons_per_load):
 
 def _draw_uprights(axes, panel):
     """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap are
-    low, one above the other at an edge that is free of curves.  Strips of unlike lines have their outlines."""
+    low, at the top, one below the other.  Strips of unlike lines have their outlines."""
     names = {one.curve: _name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Series] = []
     lanes: list[list] = []
@@ -322,20 +322,19 @@ def _draw_uprights(axes, panel):
             taken = [any(_overlap(series, one) for one in lane) for lane in (*lanes, [])]
             lanes += [[]] if all(taken[:-1]) else []
             lanes[taken.index(False)].append(series)
-    is_low = panel.x == "load"
-    several = len(lanes) > 1
+    is_low = panel.x == "load"  # the name, where fewer curves are
     looks = {(str(one.look["color"]), str(one.look["linestyle"])) for one in drawn if one.tolerance}
     for series in drawn:
         if series.curve in names and series.tolerance:
-            y = 0.02 + several * len(lanes) * LANE if is_low else 0.98
+            y = 0.02 if is_low else 0.98
             look = NAME_LOOK | {"color": series.look["color"]}
             look |= {"va": "bottom", "ha": "left"} if is_low else {"va": "top", "ha": "right"}
             look |= {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points"}
             x, gap = (series.tolerance[0][1], 2.0) if is_low else (series.x[0], -2.0)
             axes.annotate(names[series.curve], (x, y), (gap, 0.0), **look)
     for place, lane in enumerate(lanes):
-        low = place * LANE if is_low else 1.0 - (place + 1) * LANE
-        heights = (low, low + LANE) if several else (0.0, 1.0)
+        top = 1.0 - place * LANE
+        heights = (top - LANE, top) if len(lanes) > 1 else (0.0, 1.0)
         for series in lane:
             own = {"edgecolor": series.look["color"], "linestyle": series.look["linestyle"]}
             look = series.tolerance_look | (own if len(looks) > 1 else {})

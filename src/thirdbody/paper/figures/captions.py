@@ -162,7 +162,7 @@ MEANINGS = {
     printed.ALONG_X: (
         "Upright lines of dashes and dots: numbers that the paper prints along x alone, without the height, "
         "in the colour of their curve if it is one; the strip around a line is its tolerance; "
-        "strips that would overlap are low, at an edge, and those of unlike lines have their outlines."
+        "strips that would overlap are low, at the top, and those of unlike lines have their outlines."
     ),
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (

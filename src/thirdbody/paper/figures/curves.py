@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from textwrap import fill
 
 from matplotlib.figure import Figure
 
@@ -10,7 +9,6 @@ from thirdbody.netcdf import PlainDataset
 from thirdbody.paper.figures import printed as printed_marks
 from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.panels import Curve, Series
-from thirdbody.plotting.scales import typeset
 
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
 AREA, FILM = Content("total_contact_area"), Content("film_thickness")
@@ -65,7 +63,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     # and with other particle densities
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
-# what the paper concludes from each, to be seen before its curves
+# what the paper concludes from each, to be seen before its curves; each fits into a line
 HEADLINES = {
     "fig03": "The paper: as the load grows, summits take over from particles, and the area nears the two-body one.",
     "fig04": "The paper: above 70 cSt the lubricant carries ever more of the load, and the contact area rises less.",
@@ -79,7 +77,6 @@ HEADLINES = {
     "fig12": "The paper: from 50 cSt on the smoother surface has no turning point; the rougher one always has it.",
     "fig13": "The paper: the rougher the surface, the more the load of the turning point rises with particle density.",
 }
-LETTERS = 103  # of a headline in a line
 
 
 def plot(
@@ -108,6 +105,5 @@ def plot(
         mark_looks=printed_marks.ALL_LOOKS,
     )
     if name in HEADLINES:
-        lines = fill(HEADLINES[name], LETTERS)
-        figure.suptitle(typeset(lines), x=0.01, ha="left", fontsize="medium", fontweight="bold")
+        figure.suptitle(HEADLINES[name], x=0.01, ha="left", fontsize="medium", fontweight="bold")
     return figure
