@@ -29,7 +29,7 @@ export PYTHONHASHSEED := 0
 .PHONY: reproduce test docs test-survival verify release accuracy lock vendor lowest format clean
 
 D3 := 7.9.0
-VENDOR := src/thirdbody/paper/page/vendor
+VENDOR := src/chenhorng/page/vendor
 
 # Snakemake does not quote the interpreter of a script
 ifneq ($(words $(CURDIR)),1)

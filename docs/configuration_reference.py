@@ -7,7 +7,7 @@ import yaml
 from thirdbody.core.parameters import BOUNDS
 
 ROOT = Path(__file__).resolve().parents[1]
-CONFIG, SCHEMAS = ROOT / "config", ROOT / "src/thirdbody/paper/configuration"
+CONFIG, SCHEMAS = ROOT / "config", ROOT / "src/chenhorng/configuration"
 LIMITS = {
     "minimum": "from {}",
     "exclusiveMinimum": "and above {}",

@@ -28,8 +28,8 @@ import thirdbody
 from benchmarks.ranges import CONDITIONS, shares_within
 from benchmarks.work_precision import largest_errors
 from thirdbody.core.film import Film
-from thirdbody.paper.calibration.calibration import Interpretation, Unknown
-from thirdbody.paper.tables import TABLES, read_csv
+from chenhorng.calibration.calibration import Interpretation, Unknown
+from chenhorng.tables import TABLES, read_csv
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 

@@ -9,9 +9,9 @@ from typing import Any
 
 from thirdbody.conditions import numbers_in
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
-from thirdbody.plain_yaml import config_directory, read_yaml
+from thirdbody.plain_yaml import read_yaml
 
-DEFAULT = "half_free"  # the file of config/calibrated/ that is the default
+CALIBRATED_FILE = Path(__file__).with_name("calibrated.yaml")  # the default
 
 
 def load_parameters(path: str | Path | None = None, **inputs: float | str) -> Parameters:
@@ -97,7 +97,7 @@ def _calibrated():
 @cache
 def _default_content():
     """Cached: reading the file takes longer than solving one point."""
-    return read_yaml(config_directory() / "calibrated" / f"{DEFAULT}.yaml")
+    return read_yaml(CALIBRATED_FILE)
 
 
 def ensemble(parameters: Parameters | None = None) -> tuple[Parameters, ...]:

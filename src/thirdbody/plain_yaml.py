@@ -1,4 +1,4 @@
-"""Reading plain YAML: no Python tags, no duplicate keys, and no more than a person would write."""
+"""Reading plain YAML: no Python tags, no duplicate keys, decimal numbers alone."""
 
 import re
 from pathlib import Path
@@ -9,17 +9,7 @@ import yaml
 from thirdbody.messages import format_path
 
 KINDS: dict[type, str] = {dict: "keys with values", list: "a list"}
-LARGEST = 1_000_000  # bytes of a file
-DEEPEST = 20  # lists and mappings in one another
-MOST_VALUES = 100_000  # with what aliases repeat
 OTHER_BASES = re.compile(r"[-+]?(0[0-9xb_]|.*:)")
-
-
-def config_directory() -> Path:
-    """The configuration folder: inside an installed package, otherwise beside ``src/``."""
-    package = Path(__file__).resolve().parent
-    home = package if (package / "config").is_dir() else package.parents[1]
-    return home / "config"
 
 
 class _KeysOnce(yaml.CSafeLoader):
@@ -54,17 +44,12 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     ``ValueError`` in one line with the file, the line in it, and the error."""
     name = format_path(path)
     try:
-        with Path(path).open("rb") as file:
-            read = file.read(LARGEST + 1)
-        text = read.decode("utf-8")
+        text = Path(path).read_text(encoding="utf-8")
     except OSError as error:
         raise ValueError(f"{name}: {error.strerror}; allowed: a readable YAML file") from None
     except UnicodeDecodeError as error:
         raise ValueError(f"{name}: byte {error.start} is not UTF-8") from None
-    if len(read) > LARGEST:
-        raise ValueError(f"{name}: has more than {LARGEST} bytes; allowed: smaller files")
     try:
-        _check_size(text)
         content = yaml.load(text, _KeysOnce)
     except (yaml.YAMLError, ValueError) as error:
         mark = getattr(error, "problem_mark", None)
@@ -76,33 +61,5 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     return content
 
 
-def _check_size(text: str) -> None:
-    """Refuse what is nested too deeply, or holds too many values once its aliases are replaced."""
-    open_sizes = [0]  # values in the document, and in each list or mapping that is not closed
-    anchors = []  # of these lists and mappings
-    sizes = {}  # values of what an anchor names
-    for event in yaml.parse(text, yaml.CSafeLoader):
-        if isinstance(event, yaml.CollectionStartEvent):
-            open_sizes.append(1)
-            anchors.append(event.anchor)
-            if len(anchors) > DEEPEST:
-                raise _fault(event, f"nested more than {DEEPEST} levels deep")
-            continue
-        if isinstance(event, yaml.CollectionEndEvent):
-            size = open_sizes.pop()
-            sizes[anchors.pop()] = size
-        elif isinstance(event, yaml.AliasEvent):
-            if event.anchor in anchors:
-                raise _fault(event, f"alias *{event.anchor} in what it names")
-            size = sizes.get(event.anchor, 1)
-        elif isinstance(event, yaml.ScalarEvent):
-            size = 1
-        else:
-            continue
-        open_sizes[-1] += size
-        if open_sizes[-1] > MOST_VALUES:
-            raise _fault(event, f"more than {MOST_VALUES} values, with what aliases repeat")
-
-
-def _fault(place: yaml.Node | yaml.Event, problem: str) -> yaml.MarkedYAMLError:
+def _fault(place: yaml.Node, problem: str) -> yaml.MarkedYAMLError:
     return yaml.MarkedYAMLError(problem=problem, problem_mark=place.start_mark)

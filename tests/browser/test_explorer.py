@@ -17,7 +17,8 @@ from thirdbody.conditions import entrainment_speed
 from thirdbody.curves import Condition
 from thirdbody.inputs import load_parameters
 from thirdbody.lab.oil import oil_viscosity
-from thirdbody.plain_yaml import config_directory, read_yaml
+from chenhorng.home import config_directory
+from thirdbody.plain_yaml import read_yaml
 from thirdbody.points import solve
 
 LARGEST = 3e6  # bytes of the page

@@ -9,8 +9,9 @@ import pytest
 from thirdbody.core.parameters import BOUNDS, WORDS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
-from thirdbody.paper.tables import TABLES, read_csv
-from thirdbody.plain_yaml import config_directory, read_yaml
+from chenhorng.tables import TABLES, read_csv
+from chenhorng.home import config_directory
+from thirdbody.plain_yaml import read_yaml
 from thirdbody.points import solve
 from thirdbody.variables import CONDITION_AXES, QUANTITIES
 

@@ -8,7 +8,8 @@ import yaml
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import DEFAULT, load_parameters
-from thirdbody.plain_yaml import config_directory, read_yaml
+from chenhorng.home import config_directory
+from thirdbody.plain_yaml import read_yaml
 
 CALIBRATED = config_directory() / "calibrated"
 

@@ -7,7 +7,7 @@ import matplotlib.style
 import pytest
 from small_release import make_release
 
-from thirdbody.paper.archive.citation import Release
+from chenhorng.archive.citation import Release
 from thirdbody.plotting.drawing import STYLE
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import thirdbody as tb
 from thirdbody.netcdf import write_dataset
-from thirdbody.paper.archive.citation import Release, software_versions
-from thirdbody.paper.archive.staging import pack, stage
-from thirdbody.paper.scenes import scene_dataset
-from thirdbody.paper.tables import DRAWN_POINTS, TABLES, write_csv
+from chenhorng.archive.citation import Release, software_versions
+from chenhorng.archive.staging import pack, stage
+from chenhorng.scenes import scene_dataset
+from chenhorng.tables import DRAWN_POINTS, TABLES, write_csv
 
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {

@@ -7,8 +7,8 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.core.regimes import CONTACT_MODES, LUBRICATION_REGIMES
-from thirdbody.paper.atlas.catalogue import open_atlas
-from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
+from chenhorng.atlas.catalogue import open_atlas
+from chenhorng.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.variables import DIMENSIONS
 
 RTOL = 1e-3

@@ -11,8 +11,8 @@ from small_release import KEYS
 
 from thirdbody.curves import Condition
 from thirdbody.netcdf import FILL_FLAG, read_plain, write_dataset
-from thirdbody.paper.bands import BAND_RTOL, band
-from thirdbody.paper.scenes import scene_dataset
+from chenhorng.bands import BAND_RTOL, band
+from chenhorng.scenes import scene_dataset
 from thirdbody.points import solve
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 

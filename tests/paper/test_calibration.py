@@ -10,14 +10,14 @@ import yaml
 from numpy.testing import assert_allclose
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.calibration.calibration import (
+from chenhorng.calibration.calibration import (
     Interpretation,
     Objective,
     Unknown,
     loss,
     make_folds,
 )
-from thirdbody.paper.calibration.choice import (
+from chenhorng.calibration.choice import (
     Candidate,
     choose_default,
     equal_ensemble,
@@ -27,8 +27,8 @@ from thirdbody.paper.calibration.choice import (
     printed_numbers,
     rank_interpretations,
 )
-from thirdbody.paper.calibration.results import acceptable, shortlist, summary
-from thirdbody.paper.calibration.search import (
+from chenhorng.calibration.results import acceptable, shortlist, summary
+from chenhorng.calibration.search import (
     _loss,
     _wide_loss,
     best_of,
@@ -39,12 +39,12 @@ from thirdbody.paper.calibration.search import (
     scattered_starts,
     search,
 )
-from thirdbody.paper.claims.claim import Verdict
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.claims.judge import Judge
-from thirdbody.paper.claims.kinds import Value, Window
-from thirdbody.paper.configuration.inputs import uncalibrated_values
-from thirdbody.paper.tables import TABLES
+from chenhorng.claims.claim import Verdict
+from chenhorng.claims.claims import load_claims
+from chenhorng.claims.judge import Judge
+from chenhorng.claims.kinds import Value, Window
+from chenhorng.configuration.inputs import uncalibrated_values
+from chenhorng.tables import TABLES
 from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"

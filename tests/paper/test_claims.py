@@ -10,10 +10,10 @@ import pytest
 import yaml
 
 from thirdbody.core.turning_points import PROMINENCE, TurningPoints
-from thirdbody.paper.claims import claims
-from thirdbody.paper.claims.claim import CONDITION_KEYS, MISSING_SCORE
-from thirdbody.paper.claims.evidence import FULL_EFFORT, curve_of
-from thirdbody.paper.claims.kinds import KINDS
+from chenhorng.claims import claims
+from chenhorng.claims.claim import CONDITION_KEYS, MISSING_SCORE
+from chenhorng.claims.evidence import FULL_EFFORT, curve_of
+from chenhorng.claims.kinds import KINDS
 from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"

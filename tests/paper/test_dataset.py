@@ -15,7 +15,7 @@ import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.grids import crossed
 from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, read_plain, write_dataset
-from thirdbody.paper.scenes import scene_dataset, scene_groups
+from chenhorng.scenes import scene_dataset, scene_groups
 from thirdbody.variables import FLAGS, NUMBERS
 
 ROOT = Path(__file__).parents[2]

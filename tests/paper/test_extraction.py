@@ -8,7 +8,7 @@ import pytest
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.curves import Condition
-from thirdbody.paper.extraction import tpca_rows, transition_rows
+from chenhorng.extraction import tpca_rows, transition_rows
 from thirdbody.variables import CONDITION_AXES
 
 AXES = {

@@ -11,15 +11,15 @@ from matplotlib.colors import to_rgb
 
 import thirdbody as tb
 from thirdbody.curves import Condition, condition_key
-from thirdbody.paper.claims.between_curves import BEND, area_slope
-from thirdbody.paper.claims.claims import load_claims, printed_rows
-from thirdbody.paper.figures.captions import caption
-from thirdbody.paper.figures.curves import CURVE_FIGURES, HEADLINES, plot
-from thirdbody.paper.figures.files import SUFFIXES, figure_record, save, write_wide
-from thirdbody.paper.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
-from thirdbody.paper.figures.schematics import SCHEMATICS
-from thirdbody.paper.figures.sections import STRETCH, sections, state_of
-from thirdbody.paper.scenes import scene_dataset
+from chenhorng.claims.between_curves import BEND, area_slope
+from chenhorng.claims.claims import load_claims, printed_rows
+from chenhorng.figures.captions import caption
+from chenhorng.figures.curves import CURVE_FIGURES, HEADLINES, plot
+from chenhorng.figures.files import SUFFIXES, figure_record, save, write_wide
+from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
+from chenhorng.figures.schematics import SCHEMATICS
+from chenhorng.figures.sections import STRETCH, sections, state_of
+from chenhorng.scenes import scene_dataset
 from thirdbody.plotting.curves import curve_figure, curves_in
 from thirdbody.plotting.marks import BAND, LOCUS, SLIGHT, WINDOW
 from thirdbody.plotting.marks import TURNING_POINTS as STARS

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from thirdbody.files import digest, unreadable
-from thirdbody.paper.job_log import job, logged, require_as_made
+from chenhorng.job_log import job, logged, require_as_made
 
 
 def test_what_is_printed_goes_to_the_log_in_utf_8(tmp_path, capsys, monkeypatch):

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.paper.claims.claims import load_claims, printed_rows
-from thirdbody.paper.claims.paper_tables import paper_table
-from thirdbody.paper.tables import TABLES, read_csv, write_csv
-from thirdbody.plain_yaml import config_directory, read_yaml
+from chenhorng.claims.claims import load_claims, printed_rows
+from chenhorng.claims.paper_tables import paper_table
+from chenhorng.tables import TABLES, read_csv, write_csv
+from chenhorng.home import config_directory
+from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import CONDITION_AXES
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"

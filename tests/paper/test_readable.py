@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from thirdbody.paper.sheets import Sheet, page, readable, result_name, rounded
+from chenhorng.sheets import Sheet, page, readable, result_name, rounded
 
 NEWTONS = 1e5  # per load
 CURVE = {"viscosity_m2_per_s": 9e-5, "particle_diameter_m": 3e-7, "roughness_m": 3e-7}

@@ -24,9 +24,9 @@ from rocrate_validator.services import ValidationSettings, validate
 from rocrate_validator.utils.http import HttpRequester
 from small_release import SCENES
 
-from thirdbody.paper.archive.descriptions import describe_content, schema_of
-from thirdbody.paper.archive.files import files_in, render, source_files
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.archive.descriptions import describe_content, schema_of
+from chenhorng.archive.files import files_in, render, source_files
+from chenhorng.tables import TABLES, write_csv
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "tests" / "schemas"

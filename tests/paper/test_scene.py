@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.paper.scenes import scene_groups
+from chenhorng.scenes import scene_groups
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import CONDITION_AXES
 

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.atlas.chunk import atlas_axes, axis_values
-from thirdbody.paper.configuration import schema
-from thirdbody.paper.configuration.schema import validate
+from chenhorng.atlas.chunk import atlas_axes, axis_values
+from chenhorng.configuration import schema
+from chenhorng.configuration.schema import validate
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import AXES
 

@@ -10,7 +10,7 @@ from thirdbody.core.particles import ParticleLayer
 from thirdbody.curves import Condition
 from thirdbody.netcdf import read_plain, write_dataset
 from thirdbody.notes import sizes_note
-from thirdbody.paper.figures.sections import (
+from chenhorng.figures.sections import (
     STRETCH,
     VARIABLES,
     section_through,

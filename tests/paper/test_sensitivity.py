@@ -8,9 +8,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.core.transitions import LIMITS
-from thirdbody.paper.claims.evidence import FULL_EFFORT, solve_evidence
-from thirdbody.paper.figures.sensitivity import LEAST, NUMBERS, plot
-from thirdbody.paper.sensitivity import (
+from chenhorng.claims.evidence import FULL_EFFORT, solve_evidence
+from chenhorng.figures.sensitivity import LEAST, NUMBERS, plot
+from chenhorng.sensitivity import (
     STEP,
     Subject,
     elasticities,
@@ -18,7 +18,7 @@ from thirdbody.paper.sensitivity import (
     sensitivity_rows,
     varied_inputs,
 )
-from thirdbody.paper.tables import TABLES, read_csv, write_csv
+from chenhorng.tables import TABLES, read_csv, write_csv
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.points import solve
 

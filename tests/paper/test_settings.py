@@ -9,7 +9,7 @@ import yaml
 
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
 from thirdbody.inputs import load_parameters
-from thirdbody.paper.configuration.settings import read_settings, workflow_settings
+from chenhorng.configuration.settings import read_settings, workflow_settings
 from thirdbody.plain_yaml import read_yaml
 
 ROOT = Path(__file__).parents[2]

@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from thirdbody.paper.claims import words
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.figures import claims
-from thirdbody.paper.places import part_of_paper
-from thirdbody.paper.typeset import mathtext
+from chenhorng.claims import words
+from chenhorng.claims.claims import load_claims
+from chenhorng.figures import claims
+from chenhorng.places import part_of_paper
+from chenhorng.typeset import mathtext
 
 pytestmark = pytest.mark.usefixtures("style")
 

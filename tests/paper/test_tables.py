@@ -2,7 +2,7 @@
 
 import pytest
 
-from thirdbody.paper.tables import TABLES, Column, read_csv, table_schema, write_csv
+from chenhorng.tables import TABLES, Column, read_csv, table_schema, write_csv
 
 COLUMNS = (
     Column("figure", "string", "", "figure of the paper"),

@@ -2,7 +2,7 @@
 
 import pytest
 
-from thirdbody.paper.typeset import html, latex, mathtext
+from chenhorng.typeset import html, latex, mathtext
 
 
 @pytest.mark.parametrize(

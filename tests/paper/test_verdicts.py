@@ -7,22 +7,23 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from thirdbody.paper.calibration.calibration import Interpretation
-from thirdbody.paper.claims import verdicts
-from thirdbody.paper.claims.claim import Verdict
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.claims.departures import (
+from chenhorng.calibration.calibration import Interpretation
+from chenhorng.claims import verdicts
+from chenhorng.claims.claim import Verdict
+from chenhorng.claims.claims import load_claims
+from chenhorng.claims.departures import (
     departure_rows,
     departure_words,
     random_inputs,
 )
-from thirdbody.paper.claims.evidence import QUICK_EFFORT
-from thirdbody.paper.claims.judge import Judge, count_once
-from thirdbody.paper.claims.kinds import Value
-from thirdbody.paper.claims.verdicts import claims_html, claims_json, claims_markdown
-from thirdbody.paper.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
-from thirdbody.paper.tables import TABLES
-from thirdbody.plain_yaml import config_directory, read_yaml
+from chenhorng.claims.evidence import QUICK_EFFORT
+from chenhorng.claims.judge import Judge, count_once
+from chenhorng.claims.kinds import Value
+from chenhorng.claims.verdicts import claims_html, claims_json, claims_markdown
+from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+from chenhorng.tables import TABLES
+from chenhorng.home import config_directory
+from thirdbody.plain_yaml import read_yaml
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
 CALIBRATED = read_yaml(config_directory() / "config.yaml")["calibrated"]

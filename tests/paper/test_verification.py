@@ -22,11 +22,11 @@ import small_release
 import thirdbody as tb
 from thirdbody.files import digest
 from thirdbody.netcdf import write_dataset
-from thirdbody.paper.archive.crate import crate
-from thirdbody.paper.archive.descriptions import data_package
-from thirdbody.paper.archive.files import files_in, write_json
-from thirdbody.paper.archive.staging import pack, seal
-from thirdbody.paper.scenes import scene_dataset
+from chenhorng.archive.crate import crate
+from chenhorng.archive.descriptions import data_package
+from chenhorng.archive.files import files_in, write_json
+from chenhorng.archive.staging import pack, seal
+from chenhorng.scenes import scene_dataset
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"

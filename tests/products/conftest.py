@@ -41,7 +41,7 @@ def dataset(figure, datasets):
 @pytest.fixture(scope="session")
 def curves(dataset):
     """Conditions (4, curves), and each variable as (loads, curves), of the shown curves."""
-    from thirdbody.paper.extraction import curves_of
+    from chenhorng.extraction import curves_of
 
     conditions, shown = curves_of(dataset)
     return conditions, {name: dataset[name].values[:, shown] for name in dataset.data_vars}

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from thirdbody.core.transitions import LIMITS
-from thirdbody.paper.tables import TABLES, read_csv
+from chenhorng.tables import TABLES, read_csv
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 

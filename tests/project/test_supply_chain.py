@@ -26,8 +26,8 @@ def hook(event, given):
 import thirdbody
 sys.addaudithook(hook)
 names = [module.name for module in pkgutil.walk_packages(thirdbody.__path__, "thirdbody.")]
-left_out = "thirdbody.plotting", "thirdbody.paper.figures"
-left_out += "thirdbody.paper.calibration.search", "thirdbody.paper.calibration.choice"
+left_out = "thirdbody.plotting", "chenhorng.figures"
+left_out += "chenhorng.calibration.search", "chenhorng.calibration.choice"
 names = [name for name in names if not name.startswith(left_out)]
 for name in names:
     importlib.import_module(name)

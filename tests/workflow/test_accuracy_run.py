@@ -7,7 +7,7 @@ from workspace import MINIMAL, ROOT
 from benchmarks.classes import CLASSES, TIMED
 from tests.oracle.comparison import PLACES, RTOLS
 from tests.oracle.extended import why_not
-from thirdbody.paper.tables import TABLES, read_csv
+from chenhorng.tables import TABLES, read_csv
 
 NAMES = "errors", "extremes", "oracle", "times", "uses", "targets"
 PRODUCTS = {f"accuracy/{name}.csv" for name in NAMES} | {"accuracy/work_precision.png"}

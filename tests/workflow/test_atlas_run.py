@@ -8,7 +8,7 @@ import yaml
 from workspace import ROOT
 
 import thirdbody as tb
-from thirdbody.paper.atlas.catalogue import open_atlas
+from chenhorng.atlas.catalogue import open_atlas
 
 SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
 CHUNKS = [f"{number}-of-{SETTINGS['chunks']}" for number in range(1, SETTINGS["chunks"] + 1)]

@@ -82,13 +82,13 @@ def test_another_definition_of_a_turning_point_extracts_solves_nothing_and_is_na
 
 def test_another_style_of_one_figure_draws_that_figure(workspace):
     jobs = jobs_in(
-        dry_run_after(workspace, "src/thirdbody/paper/figures/sensitivity.py", commented)
+        dry_run_after(workspace, "src/chenhorng/figures/sensitivity.py", commented)
     )
     assert jobs == {"render_sensitivity": 1} | PUBLISHED
 
 
 def test_another_template_of_verdicts_judges_again_and_draws_no_figure(workspace):
-    jobs = jobs_in(dry_run_after(workspace, "src/thirdbody/paper/claims/claims.html.j2", commented))
+    jobs = jobs_in(dry_run_after(workspace, "src/chenhorng/claims/claims.html.j2", commented))
     assert jobs == {"judge_claims": 1, "render_claims": 1, "build_explorer": 1} | PUBLISHED
 
 
@@ -103,13 +103,13 @@ def test_another_style_draws_again_and_solves_nothing(workspace):
 
 
 def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
-    workspace.rewrite("src/thirdbody/paper/claims/paper_tables.py", commented)
+    workspace.rewrite("src/chenhorng/claims/paper_tables.py", commented)
     assert remade(workspace) == workspace.products(*PAPER_TABLES, *TABLES_SHOWN)
     assert not workspace.pending()
 
 
 def test_another_layout_of_tables_writes_them_and_solves_nothing(workspace):
-    workspace.rewrite("src/thirdbody/paper/tables.py", commented)
+    workspace.rewrite("src/chenhorng/tables.py", commented)
     pending = workspace.pending()
     assert pending >= workspace.products("tables/*", *PAGE)
     assert pending.isdisjoint(workspace.products("datasets/*", "bands/*"))

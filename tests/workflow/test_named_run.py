@@ -5,7 +5,7 @@ import re
 import pytest
 from workspace import ROOT
 
-from thirdbody.paper.configuration.schema import read_schema, validate
+from chenhorng.configuration.schema import read_schema, validate
 
 SOFT = "inputs: {hardness_surface_1: 3.0e+9}\nrun: soft\n"
 CHANGES = "--config", "changes=soft.yaml"

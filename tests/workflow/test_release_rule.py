@@ -13,8 +13,8 @@ import pytest
 from workspace import MINIMAL, ROOT, Workspace
 
 from thirdbody.files import digest
-from thirdbody.paper.archive.citation import Release
-from thirdbody.paper.archive.files import files_in
+from chenhorng.archive.citation import Release
+from chenhorng.archive.files import files_in
 
 FILES = ROOT / "pyproject.toml", ROOT / "CITATION.cff"
 PAPER = Release.of(*FILES)

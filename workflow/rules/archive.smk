@@ -1,6 +1,6 @@
 # The release: a folder, its archive file, and their provenance.
-from thirdbody.paper.archive.citation import Release, software_versions
-from thirdbody.paper.archive.files import source_files
+from chenhorng.archive.citation import Release, software_versions
+from chenhorng.archive.files import source_files
 
 # only the configuration of the paper is archived under the name and version of the project
 RELEASE = Release.of("pyproject.toml", "CITATION.cff", settings["is_paper"])

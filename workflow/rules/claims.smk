@@ -8,7 +8,7 @@ CALIBRATED_TEXTS = [settings_text(path) for path in dict.fromkeys([DEFAULT, *CAL
 rule judge_claims:
     input:
         templates=[
-            project_file(f"src/thirdbody/paper/claims/claims.{kind}.j2")
+            project_file(f"src/chenhorng/claims/claims.{kind}.j2")
             for kind in ("md", "html", "macros")
         ],
     output:

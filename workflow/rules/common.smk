@@ -9,15 +9,13 @@ from pathlib import Path
 
 # ---- where files are
 
-PACKAGE = Path(thirdbody.__file__).resolve().parent
+PACKAGES = Path(thirdbody.__file__).resolve().parents[1]  # src/, or where both packages are installed
 HOME = config_directory().parent  # the repository, or the installed package
-LIBRARY = "src/thirdbody/"
 
 
 def project_file(name):
     """The path of a file of the project, relative if the current folder is its repository."""
-    in_library = str(name).startswith(LIBRARY)
-    path = PACKAGE / str(name).removeprefix(LIBRARY) if in_library else HOME / name
+    path = PACKAGES / str(name).removeprefix("src/") if str(name).startswith("src/") else HOME / name
     return str(path.relative_to(HOME) if Path.cwd() == HOME else path)
 
 
@@ -53,7 +51,7 @@ if (
 # ---- what a job depends on, as parameters of its rule: Snakemake names the text that has changed
 
 SOFTWARE = settings["software"]
-IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
+IMPORTS = grimp.build_graph("thirdbody", "chenhorng", exclude_type_checking_imports=True, cache_dir=None)
 
 
 def sources_of(script):
@@ -110,7 +108,7 @@ def version_of(product):
 @cache
 def module_files(name):
     """A module, and the data beside it under the same name; templates are inputs of rules."""
-    path = PACKAGE.parent.joinpath(*name.split("."))
+    path = PACKAGES.joinpath(*name.split("."))
     beside = path.parent.glob(f"{path.name}.*")
     return [file for file in beside if file.suffix not in (".j2", ".html")] or [
         path / "__init__.py"

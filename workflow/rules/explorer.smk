@@ -9,7 +9,7 @@ rule build_explorer:
         page=[
             project_file(path)
             for folder in ("page", "vendor")
-            for path in sorted(PACKAGE.glob(f"paper/page/{folder}/*.*"))
+            for path in sorted(PACKAGES.glob(f"chenhorng/page/{folder}/*.*"))
         ],
     output:
         page=report(

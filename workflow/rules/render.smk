@@ -87,7 +87,7 @@ rule write_table:
             part=SCENES if wildcards.table in OF_SCENES else "all",
         ),
         printed=lambda wildcards: PRINTED if wildcards.table in BESIDE_PRINTED else [],
-        template=project_file("src/thirdbody/paper/sheets.html"),
+        template=project_file("src/chenhorng/sheets.html"),
     output:
         csv="<results>/tables/{table}.csv",
         tex="<results>/tables/{table}.tex",
@@ -116,7 +116,7 @@ use rule write_table as write_scene_table with:
     input:
         parts=["<results>/extracted/{table}/{scene}.csv"],
         printed=[],
-        template=project_file("src/thirdbody/paper/sheets.html"),
+        template=project_file("src/chenhorng/sheets.html"),
     output:
         csv="<results>/tables/{scene}_{table}.csv",
         tex="<results>/tables/{scene}_{table}.tex",

@@ -19,8 +19,9 @@ try:
     import grimp
 
     from thirdbody import version
-    from thirdbody.paper.configuration.settings import read_settings
-    from thirdbody.plain_yaml import config_directory, read_yaml
+    from chenhorng.configuration.settings import read_settings
+    from chenhorng.home import config_directory
+    from thirdbody.plain_yaml import read_yaml
 except ModuleNotFoundError as missing:
     sys.exit(f"{missing.name} is not installed for {sys.executable}; allowed: {INSTALL}")
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 import yaml
 
-from thirdbody.paper.job_log import job
+from chenhorng.job_log import job
 from thirdbody.plain_yaml import read_yaml
 
 PLACE = Path("config/calibrated")

@@ -8,8 +8,8 @@ from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
 from thirdbody.conditions import OIL_DENSITY
 from thirdbody.core.parameters import Parameters
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
-from thirdbody.paper.job_log import job
-from thirdbody.paper.page.page import page_content, page_text
+from chenhorng.job_log import job
+from chenhorng.page.page import page_content, page_text
 from thirdbody.plain_yaml import read_yaml
 
 

@@ -2,10 +2,10 @@
 
 import json
 
-from thirdbody.paper.calibration.choice import choose_default
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.claims.judge import Judge
-from thirdbody.paper.job_log import job
+from chenhorng.calibration.choice import choose_default
+from chenhorng.claims.claims import load_claims
+from chenhorng.claims.judge import Judge
+from chenhorng.job_log import job
 from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:

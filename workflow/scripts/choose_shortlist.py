@@ -3,9 +3,9 @@
 import json
 from pathlib import Path
 
-from thirdbody.paper.calibration.calibration import read_rows
-from thirdbody.paper.calibration.results import shortlist
-from thirdbody.paper.job_log import job
+from chenhorng.calibration.calibration import read_rows
+from chenhorng.calibration.results import shortlist
+from chenhorng.job_log import job
 
 with job(snakemake) as output:
     least = {

@@ -1,8 +1,8 @@
 """Compare the library with the oracle in extended precision, for all interpretations."""
 
 from benchmarks.oracle import oracle_rows
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     rows = oracle_rows(snakemake.params.settings, snakemake.threads)

@@ -1,8 +1,8 @@
 """Compare the measurements with the targets; nothing is measured here."""
 
 from benchmarks.targets import target_rows
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, read_csv, write_csv
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, read_csv, write_csv
 
 MEASURED = "errors", "extremes", "oracle", "times", "uses"
 

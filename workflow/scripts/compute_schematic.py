@@ -7,8 +7,8 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.curves import Condition
 from thirdbody.netcdf import write_dataset
-from thirdbody.paper.figures.sections import sections, state_of
-from thirdbody.paper.job_log import job
+from chenhorng.figures.sections import sections, state_of
+from chenhorng.job_log import job
 from thirdbody.variables import VARIABLES
 from thirdbody.version import Version
 

@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.claims.evidence import FULL_EFFORT
-from thirdbody.paper.job_log import job
-from thirdbody.paper.sensitivity import Subject, elasticities, sensitivity_rows, varied_inputs
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.claims.evidence import FULL_EFFORT
+from chenhorng.job_log import job
+from chenhorng.sensitivity import Subject, elasticities, sensitivity_rows, varied_inputs
+from chenhorng.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     subject = Subject.of(snakemake.params.settings)

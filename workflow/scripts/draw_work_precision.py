@@ -1,8 +1,8 @@
 """Draw time over true error, of the library and of plain solvers."""
 
 from benchmarks.work_precision import draw
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, read_csv
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, read_csv
 from thirdbody.plotting.drawing import save_figure
 
 with job(snakemake) as output:

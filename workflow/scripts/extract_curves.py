@@ -2,9 +2,9 @@
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain
-from thirdbody.paper.extraction import tpca_rows, transition_rows
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.extraction import tpca_rows, transition_rows
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene

@@ -4,8 +4,8 @@ import numpy as np
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.windows import WindowSearch, turning_point_windows
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 from thirdbody.variables import AXES
 
 with job(snakemake) as output:

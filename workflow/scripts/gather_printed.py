@@ -1,8 +1,8 @@
 """The printed numbers of the paper, with their tolerances, as a table."""
 
-from thirdbody.paper.claims.claims import load_claims, printed_rows
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.claims.claims import load_claims, printed_rows
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     rows = printed_rows(load_claims(snakemake.params.claims))

@@ -1,10 +1,10 @@
 """The verdict on every statement of the paper, as a table, as pages and as data."""
 
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.claims.judge import Judge
-from thirdbody.paper.claims.verdicts import Report, claims_html, claims_json, claims_markdown
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.claims.claims import load_claims
+from chenhorng.claims.judge import Judge
+from chenhorng.claims.verdicts import Report, claims_html, claims_json, claims_markdown
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:

@@ -2,12 +2,12 @@
 
 import json
 
-from thirdbody.paper.calibration.choice import printed_numbers
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.claims.departures import departure_rows, departure_words
-from thirdbody.paper.claims.judge import Judge
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.calibration.choice import printed_numbers
+from chenhorng.claims.claims import load_claims
+from chenhorng.claims.departures import departure_rows, departure_words
+from chenhorng.claims.judge import Judge
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     settings, parameters = snakemake.params.settings, snakemake.params.parameters

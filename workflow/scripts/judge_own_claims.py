@@ -1,10 +1,10 @@
 """The verdict on statements of one's own, as a table."""
 
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.claims.judge import Judge, claim_columns
-from thirdbody.paper.configuration.schema import read_schema, validate
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.claims.claims import load_claims
+from chenhorng.claims.judge import Judge, claim_columns
+from chenhorng.configuration.schema import read_schema, validate
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:

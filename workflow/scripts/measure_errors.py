@@ -6,8 +6,8 @@ from benchmarks.accuracy import error_rows
 from benchmarks.baselines import load_plain_model
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import read_rows
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     rtols = snakemake.params.rtol

@@ -10,8 +10,8 @@ from importlib.metadata import distributions
 from pathlib import Path
 
 from thirdbody.files import digest
-from thirdbody.paper.archive.staging import pack
-from thirdbody.paper.job_log import job
+from chenhorng.archive.staging import pack
+from chenhorng.job_log import job
 from thirdbody.version import current
 
 

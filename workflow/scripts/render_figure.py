@@ -5,11 +5,11 @@ import json
 import matplotlib.style
 
 from thirdbody.netcdf import read_plain
-from thirdbody.paper.figures.captions import caption
-from thirdbody.paper.figures.curves import plot
-from thirdbody.paper.figures.files import save, write_wide
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, read_csv
+from chenhorng.figures.captions import caption
+from chenhorng.figures.curves import plot
+from chenhorng.figures.files import save, write_wide
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, read_csv
 from thirdbody.plotting.marks import read_turning_points
 
 with job(snakemake) as output:

@@ -5,11 +5,11 @@ import matplotlib.style
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain
 from thirdbody.notes import sizes_note
-from thirdbody.paper.figures.captions import caption
-from thirdbody.paper.figures.files import save
-from thirdbody.paper.figures.schematics import SCHEMATICS
-from thirdbody.paper.figures.sections import VARIABLES, condition_of, panels_of
-from thirdbody.paper.job_log import job
+from chenhorng.figures.captions import caption
+from chenhorng.figures.files import save
+from chenhorng.figures.schematics import SCHEMATICS
+from chenhorng.figures.sections import VARIABLES, condition_of, panels_of
+from chenhorng.job_log import job
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.schematic

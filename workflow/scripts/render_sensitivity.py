@@ -2,11 +2,11 @@
 
 import matplotlib.style
 
-from thirdbody.paper.figures.captions import caption
-from thirdbody.paper.figures.files import save
-from thirdbody.paper.figures.sensitivity import plot
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, read_csv
+from chenhorng.figures.captions import caption
+from chenhorng.figures.files import save
+from chenhorng.figures.sensitivity import plot
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, read_csv
 from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from thirdbody.paper.calibration.calibration import Interpretation, Objective, write_rows
-from thirdbody.paper.calibration.search import scatter
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.job_log import job
+from chenhorng.calibration.calibration import Interpretation, Objective, write_rows
+from chenhorng.calibration.search import scatter
+from chenhorng.claims.claims import load_claims
+from chenhorng.job_log import job
 
 with job(snakemake) as output:
     settings = snakemake.params.settings

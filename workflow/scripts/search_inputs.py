@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from thirdbody.paper.calibration.calibration import (
+from chenhorng.calibration.calibration import (
     Interpretation,
     Objective,
     make_folds,
     read_rows,
     write_rows,
 )
-from thirdbody.paper.calibration.search import find_inputs, nearby_starts, scattered_starts
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.job_log import job
+from chenhorng.calibration.search import find_inputs, nearby_starts, scattered_starts
+from chenhorng.claims.claims import load_claims
+from chenhorng.job_log import job
 
 with job(snakemake) as output:
     fold, settings = snakemake.params.fold, snakemake.params.settings

@@ -3,8 +3,8 @@
 import numpy as np
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.atlas.chunk import atlas_axes, write_chunk
-from thirdbody.paper.job_log import job
+from chenhorng.atlas.chunk import atlas_axes, write_chunk
+from chenhorng.job_log import job
 from thirdbody.version import Version
 
 with job(snakemake) as output:

@@ -2,8 +2,8 @@
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain, write_dataset
-from thirdbody.paper.bands import band
-from thirdbody.paper.job_log import job
+from chenhorng.bands import band
+from chenhorng.job_log import job
 from thirdbody.version import Version
 
 with job(snakemake) as output:

@@ -2,8 +2,8 @@
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import write_dataset
-from thirdbody.paper.job_log import job
-from thirdbody.paper.scenes import scene_dataset
+from chenhorng.job_log import job
+from chenhorng.scenes import scene_dataset
 from thirdbody.version import Version
 
 with job(snakemake) as output:

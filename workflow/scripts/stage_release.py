@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from thirdbody.paper.archive.citation import Release
-from thirdbody.paper.archive.staging import stage
-from thirdbody.paper.job_log import logged, require_as_made
+from chenhorng.archive.citation import Release
+from chenhorng.archive.staging import stage
+from chenhorng.job_log import logged, require_as_made
 
 with logged(snakemake.log[0]):
     place = Path(snakemake.output.sealed).parent

@@ -2,10 +2,10 @@
 
 import yaml
 
-from thirdbody.paper.calibration.calibration import Interpretation, read_rows
-from thirdbody.paper.calibration.results import summary
-from thirdbody.paper.claims.claims import load_claims
-from thirdbody.paper.job_log import job
+from chenhorng.calibration.calibration import Interpretation, read_rows
+from chenhorng.calibration.results import summary
+from chenhorng.claims.claims import load_claims
+from chenhorng.job_log import job
 
 with job(snakemake) as output:
     settings = snakemake.params.settings

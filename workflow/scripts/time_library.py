@@ -6,8 +6,8 @@ from benchmarks.accuracy import time_rows
 from benchmarks.baselines import load_plain_model
 from benchmarks.uses import use_rows
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.job_log import job
-from thirdbody.paper.tables import TABLES, write_csv
+from chenhorng.job_log import job
+from chenhorng.tables import TABLES, write_csv
 
 with job(snakemake) as output:
     budget = snakemake.params.budget

@@ -9,9 +9,9 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
-from thirdbody.paper.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
-from thirdbody.paper.job_log import job
-from thirdbody.paper.typeset import html, markdown_text
+from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+from chenhorng.job_log import job
+from chenhorng.typeset import html, markdown_text
 
 FRONT = "fig11"  # the figure on the first screen
 # a line on each table

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from thirdbody.paper.job_log import job, require_as_made
+from chenhorng.job_log import job, require_as_made
 
 with job(snakemake) as output:
     place, logs = Path(snakemake.output.sums).parent, Path(snakemake.log[0]).parent

@@ -1,9 +1,9 @@
 """Combine the parts of a table, and write it as CSV and, to be read, as HTML and LaTeX."""
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.job_log import job
-from thirdbody.paper.sheets import page, readable
-from thirdbody.paper.tables import TABLES, read_csv, write_csv
+from chenhorng.job_log import job
+from chenhorng.sheets import page, readable
+from chenhorng.tables import TABLES, read_csv, write_csv
 from thirdbody.version import Version
 
 with job(snakemake) as output:

@@ -13,7 +13,7 @@ import pytest
 from harm import LONG, WAYS, assert_same, complete, jobs_begun, kill_at, release_in
 from workspace import Workspace, ended, start
 
-from thirdbody.paper.archive.files import files_in
+from chenhorng.archive.files import files_in
 
 KILLS = 30 if LONG else 2  # those that the run of the atlas does not undergo
 ELSEWHERE = {"TZ": "Pacific/Kiritimati", "LC_ALL": "C", "PYTHONHASHSEED": "1"}

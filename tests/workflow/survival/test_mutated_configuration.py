@@ -11,8 +11,8 @@ from harm import LONG
 from workspace import ROOT
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.paper.configuration.settings import read_settings
-from thirdbody.paper.scenes import scene_groups
+from chenhorng.configuration.settings import read_settings
+from chenhorng.scenes import scene_groups
 
 FILES = {  # and how many mutations of each
     "config/config.yaml": 110,

@@ -1,0 +1,70 @@
+"""Files of a release: its sources, their names and types, and texts from the templates in
+``templates/``."""
+
+import json
+import mimetypes
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from chenhorng.typeset import markdown_text
+
+DATA_LICENCE = "CC-BY-4.0"
+KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
+
+
+def media_type(name: str) -> str:
+    """Media type of a file by its suffix; unknown suffixes give plain text."""
+    return KNOWN_TYPES.guess_type(name)[0] or "text/plain"
+
+
+def source_files() -> list[str]:
+    """Sorted paths of the sources in the current folder, the root of the project: the files that
+    git tracks; in an unpacked archive, those that ``.gitignore`` does not name."""
+    listing = ["ls-files", "-z", "--cached"]
+    with tempfile.TemporaryDirectory() as empty:
+        if not Path(".git").exists():
+            _git("init", "--quiet", "--bare", empty)
+            git = [f"--git-dir={empty}", "--work-tree=."]
+            listing = [*git, *listing, "--others", "--exclude-standard"]
+        names = _git(*listing).split("\0")
+    return sorted({name for name in names if name and Path(name).is_file()})
+
+
+def _git(*arguments: str) -> str:
+    command = ["git", *arguments]
+    return subprocess.run(command, stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
+
+
+def files_in(folder: Path, root: Path) -> list[str]:
+    """Sorted names of all files below ``folder``, relative to ``root``, with forward slashes."""
+    paths = (path for path in folder.rglob("*") if path.is_file())
+    return sorted(path.relative_to(root).as_posix() for path in paths)
+
+
+def write_json(path: Path, content: Any) -> None:
+    """Write ``content`` to the file ``path``; its folder is created if missing."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def render(template: str, **values: Any) -> str:
+    """Text of a template with ``values`` and the filter ``text`` (``markdown_text``)."""
+    environment = Environment(
+        loader=PackageLoader("chenhorng.archive"),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters["text"] = markdown_text
+    environment.policies["json.dumps_kwargs"] = {}  # keys in their order
+    return environment.get_template(template).render(data_licence=DATA_LICENCE, **values)
+
+
+def render_json(template: str, **values: Any) -> dict[str, Any]:
+    """Content of a template that is JSON."""
+    return json.loads(render(template, **values))

@@ -1,0 +1,126 @@
+"""The folder of a release, sealed as a bag of BagIt 1.0 (RFC 8493), and its zip file.
+
+The package ``bagit`` is not used for writing: it declares version 0.97 and lists tag files in disk
+order, so that two bags of the same files differ.  Tests validate bags with it.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from collections.abc import Iterable, Mapping, Sequence
+from datetime import date
+from pathlib import Path
+from runpy import run_path
+from typing import Any
+
+import yaml
+
+from thirdbody.files import digest
+from chenhorng.archive.citation import Release
+from chenhorng.archive.crate import KINDS, METADATA, crate
+from chenhorng.archive.descriptions import data_package, describe_content
+from chenhorng.archive.files import files_in, render, render_json, write_json
+from thirdbody.version import current
+
+LICENCES = ("LICENSE", "LICENSE-DATA")
+VERIFICATION = "verification/"
+VERSION = "src/thirdbody/version.json"
+DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
+FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
+UNIX = 3  # code of the system with these modes
+
+
+def stage(
+    folder: Path,
+    products: Sequence[str | os.PathLike],
+    sources: Iterable[str],
+    settings: Mapping[str, Any],
+    software: dict[str, str],
+    release: Release,
+    versions: Mapping[str, Sequence[str]],
+) -> None:
+    """Fill the folder of a release, from the root of the repository: copy the files, describe them,
+    and add checksums, ``tagmanifest-sha256.txt`` last.
+
+    ``products`` are files in the folders ``KINDS`` of ``results/``, ``settings`` the content of
+    ``configuration/``, by file name; ``software`` are the versions of the packages used, ``versions`` those of the
+    sources of each kind of product, which the sources cannot tell without their repository.
+    ``ValueError`` if the version of the release is not known.
+    """
+    if not release.date:
+        raise ValueError(
+            f"the version is {release.version}; allowed: a repository, or a copy made by git archive or a release"
+        )
+    shutil.rmtree(folder, ignore_errors=True)
+    data = folder / "data"
+    for path in map(Path, products):
+        _copy(path, data / path.parent.name / path.name)
+    for source in sources:
+        _copy(source, data / "source" / source)
+        if source.startswith(VERIFICATION):
+            _copy(source, folder / source)
+    stored = {"version": current().text, "date": release.date, "commit": current().commit}
+    write_json(data / "source" / VERSION, stored | {"products": versions})
+    for licence in LICENCES:
+        _copy(licence, data / licence)
+    content_sha256 = run_path(f"{VERIFICATION}content_hash.py")["content_sha256"]
+    contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
+    write_json(data / "datasets" / "content-sha256.json", contents)
+    for name, content in settings.items():
+        write_json(data / "configuration" / f"{name}.json", content)
+    cited = yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
+    (data / "CITATION.cff").write_text(cited, encoding="utf-8")
+    write_json(data / "zenodo.json", render_json("zenodo.json", release=release))
+    kinds = {kind: title for kind, title in KINDS.items() if (data / kind).is_dir()}
+    write_json(data / "datapackage.json", data_package(data, kinds, release))
+    write_json(data / METADATA, crate(data, kinds, release))
+    content = describe_content(data, kinds)
+    readme = render("README.md", release=release, software=software, **content)
+    (folder / "README.md").write_text(readme, encoding="utf-8")
+    seal(folder, release)
+
+
+def _copy(path: str | os.PathLike, place: Path) -> None:
+    """Copy the content of a file, but not its mode, owner or time."""
+    place.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(path, place)
+
+
+def seal(folder: Path, release: Release) -> None:
+    """Make a bag of a folder with a payload in ``data/``; the same files give the same bytes."""
+    payload = files_in(folder / "data", folder)
+    size = sum((folder / name).stat().st_size for name in payload)
+    information = render("bag-info.txt", release=release, oxum=f"{size}.{len(payload)}")
+    (folder / "bag-info.txt").write_text(information, encoding="utf-8")
+    (folder / "bagit.txt").write_text(DECLARATION, encoding="utf-8")
+    _write_manifest(folder, "manifest", payload)
+    not_tags = ("data/", "tagmanifest-")
+    tags = [name for name in files_in(folder, folder) if not name.startswith(not_tags)]
+    _write_manifest(folder, "tagmanifest", tags)
+
+
+def _write_manifest(folder: Path, kind: str, names: list[str]) -> None:
+    lines = [f"{digest(folder / name)}  {name}\n" for name in names]
+    (folder / f"{kind}-sha256.txt").write_text("".join(lines), encoding="utf-8")
+
+
+def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
+    """Write a sealed folder as a zip file, with the date ``day`` (ISO 8601); the same files give the
+    same bytes, which are not compressed, because compression depends on the version.
+
+    Raises ``ValueError``, and writes nothing, if the folder does not match its checksums.
+    """
+    command = [sys.executable, "verification/verify.py", str(folder), "--sums"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        reason = (done.stdout or done.stderr).strip()
+        raise ValueError(f"{folder} is not packed: {reason}; stage the release again")
+    moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
+        for name in files_in(folder, folder):
+            member = zipfile.ZipInfo(f"{folder.name}/{name}", moment)
+            member.create_system = UNIX
+            member.external_attr = FILE_MODE
+            packed.writestr(member, (folder / name).read_bytes())

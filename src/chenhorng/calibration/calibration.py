@@ -1,0 +1,182 @@
+"""Calibration of the unprinted inputs as an inverse problem.
+
+An *interpretation* of the printed equations fixes some inputs and leaves others unknown, as defined in
+``config/calibration.yaml``.  The search works on *positions*: the value of each unknown between its
+bounds, scaled to 0 to 1, linearly or logarithmically.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from chenhorng.claims.claim import MISSING_SCORE, Claim
+from chenhorng.claims.evidence import QUICK_EFFORT
+from chenhorng.claims.judge import Judge
+
+# The loss of a statement that fails badly is nearly flat: this slope still rewards improvement.
+SLOPE_OF_LOSS = 0.1
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """An input that is searched between ``bounds`` and penalised outside the ``usual`` range."""
+
+    name: str
+    bounds: tuple[float, float]
+    usual: tuple[float, float]
+    logarithmic: bool
+
+    def value(self, position: float) -> float:
+        """Value of the input at a position between 0 and 1."""
+        low, high = self.bounds
+        if self.logarithmic:
+            return float(low * (high / low) ** position)
+        return float(low + (high - low) * position)
+
+    def position(self, value: float) -> float:
+        """Position of a value, the inverse of ``value``, clipped to 0 and 1."""
+        low, high = self.bounds
+        if self.logarithmic:
+            low, high, value = np.log(low), np.log(high), np.log(value)
+        return float(np.clip((value - low) / (high - low), 0.0, 1.0))
+
+    def penalty(self, value: float) -> float:
+        """Squared distance of a value from the usual range, in decades or in widths of the range [1]."""
+        low, high = self.usual
+        if self.logarithmic:
+            return max(0.0, np.log10(low / value), np.log10(value / high)) ** 2
+        return (max(0.0, low - value, value - high) / (high - low)) ** 2
+
+
+@dataclass(frozen=True)
+class Interpretation:
+    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of positions."""
+
+    name: str
+    fixed: dict[str, Any]
+    unknowns: tuple[Unknown, ...]
+
+    @classmethod
+    def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
+        """The interpretation of this name in the content of ``config/calibration.yaml``."""
+        entry = settings["interpretations"][name]
+        unknowns = []
+        for each in (*settings["always"], *entry.get("unknowns", ())):
+            if each not in entry["fixed"]:
+                given = settings["unknowns"][each]
+                ends = tuple(given["bounds"]), tuple(given["usual"])
+                unknowns.append(Unknown(each, *ends, given["scale"] == "logarithmic"))
+        return cls(name, entry["fixed"], tuple(unknowns))
+
+    def values(self, positions: Iterable[float]) -> dict[str, float]:
+        """Values of the unknowns at ``positions``, shape (unknowns,), by name, SI."""
+        pairs = zip(self.unknowns, positions, strict=True)
+        return {unknown.name: unknown.value(position) for unknown, position in pairs}
+
+    def positions(self, inputs: Mapping[str, Any]) -> NDArray:
+        """Positions of the unknowns, shape (unknowns,), from their values by name, SI."""
+        return np.array([unknown.position(inputs[unknown.name]) for unknown in self.unknowns])
+
+    def penalty(self, inputs: Mapping[str, Any]) -> float:
+        """How unusual the unknowns are [1], from their values by name, SI."""
+        return float(sum(unknown.penalty(inputs[unknown.name]) for unknown in self.unknowns))
+
+
+@dataclass(frozen=True)
+class Objective:
+    """The objective of a calibration [1]: weighted losses of statements and penalties for unusual inputs."""
+
+    judge: Judge
+    weights: NDArray
+
+    @classmethod
+    def of(
+        cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
+    ) -> Objective:
+        """The objective over ``claims`` that are not set aside, with the weight of their kind divided among the
+        statements of a cluster; ``base`` has all other inputs."""
+        fitted = [claim for claim in claims if not claim.aside]
+        sizes = Counter(claim.counted_as for claim in fitted)
+        weights = [
+            settings["weights"].get(claim.kind, 1.0) / sizes[claim.counted_as] for claim in fitted
+        ]
+        return cls(Judge(fitted, base, settings["newtons"]), np.array(weights))
+
+    @property
+    def claims(self) -> Sequence[Claim]:
+        """Statements to which the inputs are fitted."""
+        return self.judge.claims
+
+    def scores(self, interpretation: Interpretation, inputs: Mapping[str, Any]) -> NDArray:
+        """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these inputs."""
+        try:
+            verdicts = self.judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
+        except ValueError:
+            return np.full(len(self.claims), MISSING_SCORE)
+        return np.array([verdict.score for verdict in verdicts.values()])
+
+    def losses(self, scores: ArrayLike, claims: Sequence[Claim]) -> NDArray:
+        """The weighted loss [1] of each of some ``claims`` with these scores."""
+        weights = dict(zip((claim.id for claim in self.claims), self.weights, strict=True))
+        return np.array([weights[claim.id] for claim in claims]) * loss(np.asarray(scores))
+
+    def value(self, penalty: float, scores: ArrayLike) -> float:
+        """The objective [1]: the penalty plus the weighted losses of the scores."""
+        return float(penalty + np.sum(self.weights * loss(np.asarray(scores))))
+
+    def take(self, every: Objective, scores: NDArray) -> NDArray:
+        """The columns of ``scores`` [..., statements of ``every``] that belong to ``claims``."""
+        ids = {claim.id for claim in self.claims}
+        return scores[..., [claim.id in ids for claim in every.claims]]
+
+    def __call__(self, interpretation: Interpretation, positions: Iterable[float]) -> float:
+        """The objective [1] at the ``positions`` of the unknowns."""
+        inputs = interpretation.values(positions)
+        return self.value(interpretation.penalty(inputs), self.scores(interpretation, inputs))
+
+
+def loss(score: NDArray) -> NDArray:
+    """Loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1]: steepest at the tolerance, and nearly
+    flat far away, so that a statement that cannot hold does not outweigh the others."""
+    return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
+
+
+class Fold(NamedTuple):
+    """One fold of the cross-validation: statements of some figures are ``left_out`` and judged with the result
+    of a search over those ``fitted``, which neither refer to these figures nor repeat or contradict them."""
+
+    left_out: tuple[Claim, ...]
+    fitted: tuple[Claim, ...]
+
+
+def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> list[Fold]:
+    """Divide the statements into folds: each is judged once, in the fold of its first figure."""
+    folds = []
+    for part in map(set, figures):
+        left_out = tuple(claim for claim in claims if min(claim.all_figures) in part)
+        seen = {claim.counted_as for claim in left_out}
+        seen |= {other for claim in left_out for other in claim.contradicts}
+        fitted = tuple(
+            claim
+            for claim in claims
+            if not (claim.all_figures & part or {claim.id, claim.counted_as} & seen)
+        )
+        folds.append(Fold(left_out=left_out, fitted=fitted))
+    return folds
+
+
+def write_rows(path: Path, rows: NDArray) -> None:
+    """Write positions and objectives, shape (rows, unknowns + 1), with all digits."""
+    np.savetxt(path, rows, fmt="%.17g", delimiter=",")
+
+
+def read_rows(path: Path) -> NDArray:
+    """Read a file of ``write_rows``."""
+    return np.loadtxt(path, delimiter=",", ndmin=2)

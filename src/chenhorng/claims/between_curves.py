@@ -1,0 +1,75 @@
+"""Quantities that compare whole curves: where two of them part or cross, and how sharply."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.core.regimes import BOUNDARY_LIMIT
+from chenhorng.sampling import TINY, first_fall, logarithm
+
+if TYPE_CHECKING:
+    from chenhorng.claims.claim import Claim
+    from chenhorng.claims.evidence import Evidence
+
+BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
+
+
+def area_slope(load: NDArray, area: NDArray) -> NDArray:
+    """The slope of A_t* over F_t*, both on logarithmic axes [1]."""
+    return np.gradient(np.log(np.maximum(area, np.finfo(float).tiny)), np.log(load))
+
+
+def crossings(load: NDArray, areas: NDArray) -> NDArray:
+    """Loads F_t* [1] above which A_t* increases from each curve to the next; shape (curves - 1,)."""
+    gaps = np.diff(logarithm(areas), axis=0)
+    return np.array([first_fall(load[::-1], gap[::-1]) for gap in gaps])
+
+
+def bend_load(load: NDArray, slope: NDArray, reference: NDArray) -> float:
+    """The load F_t* [1] at which the ``slope`` of A_t* has fallen by ``BEND`` below that of the reference."""
+    return first_fall(load, BEND - (reference - slope))
+
+
+def reversal_load(claim: "Claim", evidence: "Evidence") -> list[float]:
+    """Load F_t* [1] above which A_t* increases from curve to curve, in the order of the claim."""
+    return [np.max(crossings(*claim.table(evidence, claim.curves, "total_contact_area")))]
+
+
+def bend_loads(claim: "Claim", evidence: "Evidence") -> list[float]:
+    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below that of the reference."""
+    slope = "total_contact_area_slope"
+    pairs = claim.pairs(evidence)
+    return [bend_load(curve["load"], curve[slope], other[slope]) for other, curve in pairs]
+
+
+def mixed_loads(claim: "Claim", evidence: "Evidence") -> list[float]:
+    """Loads F_t* [1] at which mixed lubrication begins."""
+    curves = [evidence.curves[condition] for condition in claim.curves]
+    excess = [logarithm(curve["solid_load_fraction"] / BOUNDARY_LIMIT) for curve in curves]
+    return [first_fall(curve["load"], each) for curve, each in zip(curves, excess)]
+
+
+def departure_sharpness(claim: "Claim", evidence: "Evidence") -> list[float]:
+    """Sharpness of the departure of H_c from the reference [1]: the largest change of the slope of their
+    ratio on logarithmic axes within a tenth of a decade, over the largest slope; 1 at a kink."""
+    found = []
+    for dry, wet in claim.pairs(evidence):
+        log_load = np.log(wet["load"])
+        slope = np.diff(logarithm(wet["film_thickness"] / dry["film_thickness"])) / np.diff(
+            log_load
+        )
+        middle = 0.5 * (log_load[1:] + log_load[:-1])
+        later = np.interp(middle + 0.1 * np.log(10.0), middle, slope)
+        found.append(np.max(later - slope) / np.maximum(np.max(slope), TINY))
+    return found
+
+
+LOADS_BETWEEN_CURVES = {
+    "total_contact_area_reversal_load": reversal_load,
+    "bend_load": bend_loads,
+    "bend_load_over_mixed_load": lambda claim, evidence: np.divide(
+        bend_loads(claim, evidence), mixed_loads(claim, evidence)
+    ),
+}
+BETWEEN_CURVES = LOADS_BETWEEN_CURVES | {"departure_sharpness": departure_sharpness}

@@ -1,0 +1,69 @@
+"""The verdicts on the statements of the paper for any inputs of the model."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from thirdbody.core.parameters import Parameters
+from chenhorng.claims.claim import Claim, Verdict
+from chenhorng.claims.claims import referenced_conditions
+from chenhorng.claims.evidence import FULL_EFFORT, Effort, solve_evidence
+from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+
+Verdicts = dict[str, Verdict]  # by the id of the statement
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Evaluates the same statements for any inputs: ``base`` has inputs missing in a set, fields of
+    ``Parameters`` in SI; ``newtons`` are the first and last normal load of every curve [N]."""
+
+    claims: Sequence[Claim]
+    base: Mapping[str, Any]
+    newtons: tuple[float, float]
+
+    def __call__(
+        self,
+        inputs: Mapping[str, Any],
+        effort: Effort = FULL_EFFORT,
+        claims: Sequence[Claim] | None = None,
+    ) -> dict[str, Verdict]:
+        """Evaluate all statements, or some ``claims``, for ``inputs``, fields of ``Parameters`` in SI:
+        verdicts by the ids of the statements, in order.  Unphysical inputs raise ``ValueError``."""
+        some = self.claims if claims is None else claims
+        parameters = Parameters(**{**self.base, **inputs})
+        evidence = solve_evidence(parameters, referenced_conditions(some), self.newtons, effort)
+        return {claim.id: claim.verdict(evidence) for claim in some}
+
+
+def claim_columns(claim: Claim, verdict: Verdict) -> dict[str, Any]:
+    """The columns of the table ``claims`` that follow from a statement and its verdict alone, among its fields."""
+    return {
+        **vars(claim),
+        **verdict._asdict(),
+        "curves": claim.curves_text,
+        "published": claim.published_text,
+        "score": verdict.score,
+        "value": verdict.value,
+        "verdict": outcome(claim, verdict),
+        "contradicts": " ".join(claim.contradicts),
+    }
+
+
+def outcome(claim: Claim, verdict: Verdict) -> str:
+    """The word for a verdict; a claim that is set aside neither holds nor fails."""
+    if claim.aside:
+        return CONTRADICTED
+    if not verdict.tested:
+        return NOT_TESTED
+    return HOLDS if verdict.holds else FAILS
+
+
+def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
+    """Numbers of statements that hold and are tested; a cluster holds once, if all tested in it do."""
+    held: dict[str, bool] = {}
+    for claim in claims:
+        word = outcome(claim, verdicts[claim.id]) if claim.id in verdicts else NOT_TESTED
+        if word in (HOLDS, FAILS):
+            held[claim.counted_as] = held.get(claim.counted_as, True) and word == HOLDS
+    return sum(held.values()), len(held)

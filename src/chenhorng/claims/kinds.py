@@ -1,0 +1,330 @@
+"""The ten kinds of claims: the fields that each has beside those of all, and its check."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chenhorng.claims.between_curves import (
+    BETWEEN_CURVES,
+    LOADS_BETWEEN_CURVES,
+    bend_loads,
+    mixed_loads,
+)
+from chenhorng.claims.claim import TURNING_POINT_QUANTITIES, WINDOW_QUANTITIES, Claim, Verdict
+from chenhorng.claims.courses import COURSES, passed_states, peak_height, sequence_miss
+from chenhorng.claims.words import NAMES, beginning, listed, passed, sentence, size
+
+if TYPE_CHECKING:
+    from chenhorng.claims.evidence import Evidence
+
+ROUNDING = 1e-9  # of the solver: curves that lie against an order by less are in order
+
+
+@dataclass(frozen=True, kw_only=True)
+class NumberClaim(Claim):
+    """A claim on one number of each curve: at a load, the ``extreme`` over loads, or where curves part; or on
+    its relative change from the ``reference``."""
+
+    quantity: str = field()
+    extreme: str = ""
+    reference: Mapping[str, float] = field(default_factory=dict)
+
+    def numbers(self, evidence: "Evidence") -> NDArray:
+        """The quantity as one number per curve, or its relative change from the reference."""
+        if self.quantity in BETWEEN_CURVES:
+            return np.array(BETWEEN_CURVES[self.quantity](self, evidence))
+        if self.source == "turning_point":
+            pick = TURNING_POINT_QUANTITIES[self.quantity]
+            values = np.array([pick(evidence.turning_points[each]) for each in self.curves])
+            references = [pick(evidence.turning_points[each]) for each in self.references]
+            return values / references - 1.0 if references else values
+        if self.source == "window":
+            end = WINDOW_QUANTITIES[self.quantity]
+            return np.array([evidence.windows[each.roughness][end] for each in self.curves])
+        extreme = np.max if self.extreme == "maximum" else np.min
+        return np.array([extreme(course) for course in self.courses(evidence)])
+
+    def texts_of(self, evidence: "Evidence", values: NDArray) -> list[str]:
+        """Numbers as texts; a load beyond the computed ones is written ``> last`` or ``< first``."""
+        texts = [f"{value:.4g}" for value in values]
+        if self.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
+            first, last = evidence.curves[self.curves[0]]["load"][[0, -1]]
+            texts = [f"> {last:.4g}" if v >= last else text for v, text in zip(values, texts)]
+            texts = [f"< {first:.4g}" if v <= first else text for v, text in zip(values, texts)]
+        return texts
+
+    def finding(self, texts: Sequence[str], published: str = "") -> str:
+        """The numbers in a sentence, with what is ``published``."""
+        is_change = bool(self.references) and self.quantity not in BETWEEN_CURVES
+        start = beginning(self.quantity, self.extreme, self.limits, is_change)
+        return sentence(f"{start} {listed(texts)}", published and f"{published} is printed")
+
+    def is_tested(self, evidence: "Evidence") -> bool:
+        """Whether a claim on loads is decided: a load beyond the last one is only known to be larger."""
+        if self.quantity not in ("load", *LOADS_BETWEEN_CURVES):
+            return True
+        last = evidence.curves[self.curves[0]]["load"][-1]
+        if self.quantity == "bend_load_over_mixed_load":
+            return bool(np.max([bend_loads(self, evidence), mixed_loads(self, evidence)]) < last)
+        return bool(self.is_decided(self.numbers(evidence), last))
+
+    def is_decided(self, loads: NDArray, last: float) -> bool:
+        """Whether the claim on ``loads`` is decided, if those beyond the ``last`` are only known to be so."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Value(NumberClaim):
+    """The number agrees on each curve, or with ``any_curve`` on one of them."""
+
+    published: float = field()
+    any_curve: bool = False
+
+    def compared(self, values: NDArray) -> NDArray:
+        """The ``values`` that are compared with the published one."""
+        return values
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        values = self.numbers(evidence)
+        texts = self.texts_of(evidence, values)
+        finding = self.finding(texts, self.published_words)
+        each = [
+            self.against_published(value, ", ".join(texts), finding)
+            for value in self.compared(values)
+        ]
+        pick = np.argmin if self.any_curve else np.argmax
+        chosen = int(pick([found.distance for found in each]))
+        return each[chosen]._replace(numbers=tuple(values.tolist()), worst=chosen)
+
+    @property
+    def published_words(self) -> str:
+        """What the paper prints."""
+        return f"{self.published:g}"
+
+    def is_decided(self, loads: NDArray, last: float) -> bool:
+        # a published number is missed if the last load already misses it
+        at_most = np.minimum(loads, last)
+        return bool((loads < last).all()) or self.against_published(at_most, "").distance > 1.0
+
+    @property
+    def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
+        is_change = self.reference and self.quantity not in LOADS_BETWEEN_CURVES
+        return () if is_change else [(self.extreme, self.quantity, self.published)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reach(Value):
+    """The least (greatest) value along each curve is the published one or beyond it."""
+
+    extreme: str = field()
+    printed_numbers = ()
+
+    @property
+    def published_words(self) -> str:
+        return f"{self.published:g} or {'less' if self.extreme == 'minimum' else 'more'}"
+
+    def compared(self, values: NDArray) -> NDArray:
+        beyond = np.maximum if self.extreme == "minimum" else np.minimum
+        return beyond(values, self.published)
+
+    def is_decided(self, loads: NDArray, last: float) -> bool:
+        return not (loads >= last).all()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Span(Claim):
+    """Both published numbers occur along the curve; the text has their loads."""
+
+    quantity: str = field()
+    published: Sequence[float] = field()
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        (curve,) = (evidence.curves[condition] for condition in self.curves)
+        (course,) = self.courses(evidence)
+        ends = course.min(), course.max()
+        order = np.argsort(course)
+        newtons = np.interp(self.published, course[order], curve["normal_load"][order])
+        loads = " and ".join(f"{newton:.3g} N" for newton in newtons)
+        text = f"{ends[0]:.4g} to {ends[1]:.4g}; nearest to the printed ends at {loads}"
+        low, high = self.published
+        finding = sentence(
+            f"{NAMES[self.quantity]} goes from {ends[0]:.4g} to {ends[1]:.4g}",
+            f"{low:.4g} to {high:.4g} is printed",
+        )
+        found = self.against_published(np.clip(self.published, *ends), text, finding)
+        return found._replace(numbers=tuple(map(float, ends)))
+
+    @property
+    def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
+        return list(zip(("minimum", "maximum"), [self.quantity] * 2, self.published, strict=True))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Window(Claim):
+    """The ends of the range of x_a/sigma with a turning point agree on each surface."""
+
+    published: Sequence[float] = field()
+    source = "window"
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        windows = np.array([evidence.windows[condition.roughness] for condition in self.curves])
+        texts = [f"{low:.3f} to {high:.3f}" for low, high in windows]
+        low, high = self.published
+        finding = sentence(
+            f"Turning points occur at x_a/sigma of {listed(texts)}",
+            f"{low:.4g} to {high:.4g} is printed",
+        )
+        return self.against_published(windows, ", ".join(texts), finding)
+
+    @property
+    def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
+        return list(zip(("", ""), WINDOW_QUANTITIES, self.published, strict=True))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ordering(Claim):
+    """Neighbouring curves, or each curve and its reference, are nowhere in the opposite order, and somewhere
+    apart."""
+
+    quantity: str = field()
+    direction: str = field()
+    reference: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if len(self.curves) < 2 and not self.references:
+            raise ValueError("an order of one curve; allowed: two or more, or a reference")
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        sign = -1.0 if self.direction == "decreasing" else 1.0
+        gaps = [sign * gap for gap in self.gaps(evidence)]
+        against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
+        text = f"in order, apart by up to {apart:.3g}"
+        distance = size(max(apart, 0.0), self.relative)
+        finding = f"neighbouring curves of {NAMES[self.quantity]} are up to {distance} apart in this order"
+        if against > ROUNDING:
+            text = (
+                f"with the order by up to {max(apart, 0.0):.3g}, against it by up to {against:.3g}"
+            )
+            finding += f", and elsewhere up to {size(against, self.relative)} in the opposite one"
+        return self.missed(text, np.max([against, 2.0 * self.step - apart]), sentence(finding))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Coincidence(Claim):
+    """Curves overlap with their references, plotted ``against`` the load or another quantity."""
+
+    quantity: str = field()
+    reference: Mapping[str, float] = field()
+    against: str = "load"
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        widest = np.max([np.abs(gap).max() for gap in self.gaps(evidence)])
+        finding = (
+            f"the curves of {NAMES[self.quantity]} are up to {size(widest, self.relative)} apart"
+        )
+        return self.missed(f"apart by up to {widest:.3g}", widest, sentence(finding))
+
+
+class CourseClaim(Claim):
+    """A claim on the course of a quantity."""
+
+    def miss(self, course: NDArray) -> float:
+        """Shortfall of a ``course``, scaled, from the one that the claim names."""
+        raise NotImplementedError
+
+    def check_courses(self, courses: Sequence[NDArray]) -> tuple[NDArray, Verdict]:
+        """The course that misses most, and the verdict on it."""
+        misses = [self.miss(self.scaled(course)) for course in courses]
+        worst = int(np.argmax(misses))
+        course = courses[worst]
+        points = course[0], course[-1], course.min(), course.max()
+        first, last, least, most = (f"{value:.4g}" for value in points)
+        text = f"from {first} to {last}"
+        if not {least, most} <= {first, last}:
+            text += f", between {least} and {most}"
+        return course, self.missed(text, misses[worst])
+
+    def check_along_load(self, evidence: "Evidence") -> Verdict:
+        """The verdict on the quantity along each curve."""
+        _, found = self.check_courses(self.courses(evidence))
+        change = "the change of " if self.references else ""
+        text = f"{change}{NAMES[self.quantity]} goes {found.computed}"
+        return found._replace(finding=sentence(text))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Trend(CourseClaim, NumberClaim):
+    """Each curve has this course along the load, or the numbers have it from curve to curve."""
+
+    direction: str = field()
+    along: str = field()
+
+    def miss(self, course: NDArray) -> float:
+        return COURSES[self.direction](course, self.step)
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        if self.along == "load":
+            return self.check_along_load(evidence)
+        course, found = self.check_courses([self.numbers(evidence)])
+        texts = self.texts_of(evidence, course)
+        return found._replace(computed=", ".join(texts), finding=self.finding(texts))
+
+    def is_decided(self, loads: NDArray, last: float) -> bool:
+        # the order of two neighbours beyond the last load is unknown
+        beyond = loads >= last
+        return not (beyond[1:] & beyond[:-1]).any()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Absence(CourseClaim):
+    """No interior maximum over load stands out by more than the tolerance."""
+
+    quantity: str = field()
+
+    def miss(self, course: NDArray) -> float:
+        return peak_height(course)
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        return self.check_along_load(evidence)
+
+
+@dataclass(frozen=True, kw_only=True)
+class StateSequence(Claim):
+    """Exactly these regimes, modes or both occur in order on each curve, or with ``any_curve`` on one; with
+    ``open_end`` the last may lie beyond the loads."""
+
+    published: Sequence[str] = field()
+    any_curve: bool = False
+    open_end: bool = False
+
+    def check(self, evidence: "Evidence") -> Verdict:
+        curves = [evidence.curves[condition] for condition in self.curves]
+        how = self.published, self.tolerance, self.open_end
+        misses = [sequence_miss(curve, *how) for curve in curves]
+        chosen = int(np.argmin(misses) if self.any_curve else np.argmax(misses))
+        states = passed_states(curves[chosen], self.published)
+        finding = sentence(
+            f"the states are {passed(states)}", f"the paper: {passed(self.published)}"
+        )
+        return self.missed(" > ".join(states).strip(), misses[chosen], finding)
+
+    @property
+    def published_text(self) -> str:
+        return " > ".join(self.published)
+
+
+KINDS: dict[str, type[Claim]] = {
+    "value": Value,
+    "reach": Reach,
+    "span": Span,
+    "window": Window,
+    "ordering": Ordering,
+    "coincidence": Coincidence,
+    "trend": Trend,
+    "absence": Absence,
+    "regime_sequence": StateSequence,
+    "mode_sequence": StateSequence,
+}

@@ -1,0 +1,273 @@
+"""The verdict on every statement of the paper: as tables, pages for readers and data for programs.
+
+``Report.of`` evaluates all statements for many sets of inputs: the default, its ensemble,
+the inputs of every interpretation, and those of every fold of the cross-validation.
+"""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+import pandas as pd
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+
+from thirdbody.core.turning_points import PROMINENCE
+from chenhorng.calibration.choice import Candidate, rank_interpretations
+from chenhorng.claims.claim import Claim
+from chenhorng.claims.evidence import QUICK_EFFORT
+from chenhorng.claims.judge import (
+    CONTRADICTED,
+    FAILS,
+    HOLDS,
+    Judge,
+    Verdicts,
+    claim_columns,
+    count_once,
+    outcome,
+)
+from chenhorng.places import part_of_paper
+from chenhorng.tables import TABLES
+from chenhorng.typeset import html
+from thirdbody.ranges import spread
+
+COUNTED = {
+    "holds": "hold",
+    "fails": "fail",
+    CONTRADICTED: "are " + CONTRADICTED,
+    "not tested": "are not tested",
+}
+NO_RANGE = (np.nan, np.nan)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """All statements, evaluated for all sets of inputs.
+
+    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file
+    whose inputs ``verdicts`` are for.  ``predicted`` has the statements whose figure was left out, and ``comparison`` is the table from ``rank_interpretations``.
+    """
+
+    claims: Sequence[Claim]
+    settings: Mapping[str, Any]
+    default: Mapping[str, Any]
+    verdicts: Verdicts
+    members: tuple[Verdicts, ...]
+    interpretations: dict[str, Verdicts]
+    predicted: Verdicts
+    comparison: pd.DataFrame
+
+    @classmethod
+    def of(
+        cls,
+        judge: Judge,
+        default: Mapping[str, Any],
+        contents: Sequence[Mapping[str, Any]],
+        settings: Mapping[str, Any],
+    ) -> Self:
+        """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
+        interpretations."""
+        inputs = judge.base | default["inputs"]
+        verdicts = judge(inputs)
+        candidates = [
+            Candidate.of(judge, each, verdicts if judge.base | each["inputs"] == inputs else None)
+            for each in contents
+        ]
+        predicted = {each.name: each.predicted for each in candidates}
+        return cls(
+            claims=judge.claims,
+            settings=settings,
+            default=default,
+            verdicts=verdicts,
+            members=tuple(
+                judge({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]
+            ),
+            interpretations={each.name: each.verdicts for each in candidates},
+            predicted=predicted.get(default["interpretation"], {}),
+            comparison=rank_interpretations(judge, candidates, settings),
+        )
+
+    @cached_property
+    def table(self) -> pd.DataFrame:
+        """The table ``claims`` of ``chenhorng.tables``: a row for each statement, in the order of the paper."""
+        rows, others = [], self.interpretations.values()
+        for claim in self.claims:
+            verdict, predicted = self.verdicts[claim.id], self.predicted.get(claim.id)
+            ranges = number_ranges(self, claim.id)
+            low, high = ranges[verdict.worst] if verdict.numbers else NO_RANGE
+            rows.append(
+                {
+                    **claim_columns(claim, verdict),
+                    "range_low": low,
+                    "range_high": high,
+                    "predicted": outcome(claim, predicted) if predicted else "",
+                    "ensemble_agree": _agreeing(self, self.members, claim.id),
+                    "ensemble_size": len(self.members),
+                    "interpretations_agree": _agreeing(self, others, claim.id),
+                    "interpretations_size": len(others),
+                }
+            )
+        return pd.DataFrame(rows)[[column.name for column in TABLES["claims"]]]
+
+
+def headline_table(report: Report) -> pd.DataFrame:
+    """The headline numbers in the paper, in the model and in the ensemble."""
+    table = report.table[report.table["id"].isin(report.settings["headline"])]
+    return pd.DataFrame(
+        {
+            "statement": table["statement"],
+            "id": table["id"],
+            "paper": table["published"],
+            "model": table["computed"].map(once),
+            "ensemble, 5 to 95 %": [once(_range_text(report, id)) for id in table["id"]],
+            "verdict": table["verdict"],
+        }
+    )
+
+
+def _range_text(report: Report, id: str) -> str:
+    """The range of each number or, without numbers, how many members agree with the verdict."""
+    ends = number_ranges(report, id)
+    if not report.members:
+        return "no ensemble"
+    if np.isfinite(ends).any():
+        return ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
+    same = _agreeing(report, report.members, id)
+    return f"{same} of {len(report.members)} agree"
+
+
+def number_ranges(report: Report, id: str) -> np.ndarray:
+    """Range, 5 to 95 %, of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
+    members = [each[id].numbers for each in report.members if each[id].numbers]
+    places = range(len(report.verdicts[id].numbers))
+    ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
+    return np.reshape(ends, (-1, 2))
+
+
+def once(text: str) -> str:
+    """A list of results, reduced to one if all are equal: ``0.2, 0.2`` to ``0.2``."""
+    parts = text.split(", ")
+    return parts[0] if len(set(parts)) == 1 else text
+
+
+def _agreeing(report: Report, sets: Iterable[Verdicts], id: str) -> int:
+    """Number of sets of verdicts that agree with the default on a statement."""
+    same = report.verdicts[id].tested, report.verdicts[id].holds
+    return sum((other[id].tested, other[id].holds) == same for other in sets)
+
+
+def claims_markdown(report: Report) -> str:
+    """The page ``claims.md``: a summary, then every statement."""
+    table = report.table
+    numbers = headline_table(report)
+    failing = table[table["verdict"] == FAILS]
+    names = failing["cluster"].replace("", None).fillna(failing["id"])
+    return ENVIRONMENT.get_template("claims.md.j2").render(
+        report=report,
+        score=score_sentence(report),
+        reached=numbers["verdict"].eq(HOLDS).sum(),
+        headline=numbers.drop(columns="id"),
+        misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
+        words=dict(zip(table["id"], table["verdict"], strict=True)),
+        comparison=report.comparison,
+        claims={claim.id: claim for claim in report.claims},
+        statements=table.to_dict("records"),
+        failing=failing.to_dict("records"),
+    )
+
+
+def claims_html(report: Report) -> str:
+    """The statements and their verdicts as an HTML table, by figure, of which a verdict can be chosen."""
+    score = score_sentence(report).replace("**", "")
+    parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
+    groups = [(part, rows.to_dict("records")) for part, rows in parts]
+    return ENVIRONMENT.get_template("claims.html.j2").render(
+        score=score,
+        counts=counts_sentence(report),
+        groups=groups,
+        verdicts=report.verdicts,
+        claims={claim.id: claim for claim in report.claims},
+    )
+
+
+def claims_json(report: Report) -> str:
+    """The same data for programs, as JSON: statements have the columns of the table ``claims``, lists and
+    objects instead of texts, the part of the paper, a sentence on what was found, the ensemble range of each number,
+    the reason of the tolerance, and ``verdicts_of``, the verdict with the inputs of each interpretation."""
+    held, of = count_once(report.claims, report.verdicts)
+    predicted, predicted_of = count_once(report.claims, report.predicted)
+    rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")
+    content = {
+        "score": score_sentence(report).replace("**", ""),
+        "counts": counts_sentence(report),
+        "held": held,
+        "judged": of,
+        "predicted": predicted,
+        "predicted_of": predicted_of,
+        "interpretation": report.default["interpretation"],
+        "inputs": report.default["inputs"],
+        "identification": report.default["identification"],
+        "headline": headline_table(report).to_dict("records"),
+        "interpretations": report.comparison.to_dict("records"),
+        "statements": [
+            row
+            | {
+                "part": part_of_paper(claim.place),
+                "finding": report.verdicts[claim.id].finding,
+                "curves": [condition._asdict() for condition in claim.curves],
+                "references": [condition._asdict() for condition in claim.references],
+                "loads": claim.limits,
+                "published": claim.published,
+                "numbers": report.verdicts[claim.id].numbers,
+                "range": number_ranges(report, claim.id).tolist(),
+                "contradicts": list(claim.contradicts),
+                "reason": claim.reason,
+                "verdicts_of": {
+                    name: outcome(claim, verdicts[claim.id])
+                    for name, verdicts in report.interpretations.items()
+                },
+            }
+            for row, claim in zip(rows, report.claims, strict=True)
+        ],
+    }
+    # null for every number that is nan
+    content = json.loads(json.dumps(content), parse_constant=lambda name: None)
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def score_sentence(report: Report) -> str:
+    """Numbers of statements that hold, predicted and fitted."""
+    fitted = count_once(report.claims, report.verdicts)
+    predicted = count_once(report.claims, report.predicted)
+    texts: Any = ENVIRONMENT.get_template("claims.macros.j2").module  # its macros are attributes
+    compared = len(report.settings["interpretations"])
+    return texts.score(
+        fitted=fitted, predicted=predicted, compared=compared, prominence=PROMINENCE
+    ).replace("\n", " ")
+
+
+def counts_sentence(report: Report) -> str:
+    """Numbers of statements by verdict, repeats included."""
+    counts = report.table["verdict"].value_counts()
+    texts = [f"{counts[verdict]} {text}" for verdict, text in COUNTED.items() if verdict in counts]
+    return f"With repeats the paper makes {counts.sum()} statements: {', '.join(texts)}."
+
+
+def _cell(value: Any) -> str:
+    """A value as a cell of a table in Markdown."""
+    return str(value).replace("|", "\\|")
+
+
+def _as_markdown(table: pd.DataFrame) -> str:
+    return table.map(_cell).to_markdown(index=False, disable_numparse=True)
+
+
+ENVIRONMENT = Environment(
+    loader=PackageLoader("chenhorng.claims", "."),
+    autoescape=select_autoescape(["html.j2"]),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+)
+ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once, "cell": _cell, "typeset": html}

@@ -1,0 +1,61 @@
+"""The inputs of a run: those of a calibrated file, with others of the configuration laid over them."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from thirdbody.core.parameters import Parameters
+from thirdbody.inputs import changed_inputs, parameters_of
+from chenhorng.home import config_directory
+from thirdbody.plain_yaml import read_yaml
+
+Values = dict[str, float | str]
+
+
+def uncalibrated_values(folder: Path | None = None) -> Values:
+    """The inputs that no search finds, SI, from ``inputs.yaml`` in a folder, by default ``config/``."""
+    entries = read_yaml((folder or config_directory()) / "inputs.yaml")
+    return {name: entry["value"] for name, entry in entries.items() if "value" in entry}
+
+
+def choose_inputs(
+    folder: Path, calibrated: str | Path, laid_over: str | Path | Mapping
+) -> dict[str, Any]:
+    """The inputs of a run, checked.
+
+    ``laid_over``, inputs or a file of them, overrides those of the file ``calibrated``, or is a calibrated file
+    that replaces it.  Returns ``parameters``, the value of each input, SI; ``calibrated``, the path of the
+    calibrated file; ``ensemble``, its members with the overrides; and ``inputs``, the overrides.
+    """
+    if isinstance(laid_over, Mapping):
+        changes, place = laid_over, "inputs"
+    else:
+        changes, place = read_yaml(laid_over), str(laid_over)
+        if "inputs" in changes:
+            calibrated, changes = laid_over, {}
+    try:
+        parameters = parameters_of(read_yaml(calibrated))
+        changes = changed_inputs(changes)
+        chosen = parameters.changed(**changes)
+        chosen.check_ball()
+    except (TypeError, ValueError, KeyError) as error:
+        raise ValueError(f"{place}: {error}") from None
+    _check_printed(uncalibrated_values(folder), parameters, calibrated)
+    return {
+        "parameters": chosen.as_dict(),
+        "calibrated": str(calibrated),
+        "ensemble": [member.as_dict() for member in chosen.members],
+        "inputs": changes,
+    }
+
+
+def _check_printed(values: Values, parameters: Parameters, calibrated: str | Path) -> None:
+    """Raise ``ValueError`` for a value of ``inputs.yaml`` that the calibrated file was not found with."""
+    for name, value in values.items():
+        used = getattr(parameters, name)
+        if not math.isclose(float(value), used, rel_tol=1e-12):
+            raise ValueError(
+                f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, with which {calibrated} was found "
+                "(inputs in config.yaml override it)"
+            )

@@ -1,0 +1,109 @@
+"""The figures of curves in the paper, and those of other scenes, with the printed numbers."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from matplotlib.figure import Figure
+
+from thirdbody.netcdf import PlainDataset
+from chenhorng.figures import printed as printed_marks
+from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
+from thirdbody.plotting.panels import Curve, Series
+
+RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
+AREA, FILM = Content("total_contact_area"), Content("film_thickness")
+OURS = "not in the paper"
+RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=f"of the same surface, {OURS}")
+TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio", remark=OURS)
+# the conditions of the curves have the same name in config/scenes.yaml; other scenes need no entry here
+CURVE_FIGURES: dict[str, CurveFigure] = {
+    # dry: from the p-s over the hybrid to the s-s mode
+    "fig03": CurveFigure("particle_diameter", (RATIO, AREA, RELATIVE_AREA)),
+    # lubricants, with dry and two-body contact
+    "fig04": CurveFigure("viscosity", (RATIO, AREA, SOLID, FILM)),
+    # the same on two surfaces
+    "fig05": CurveFigure("viscosity", (SOLID,), each=("roughness",)),
+    # lubricated and dry contact
+    "fig06": CurveFigure(
+        "particle_diameter",
+        (AREA, SOLID, RATIO, RELATIVE_AREA),
+        strong=(300e-9, 500e-9, 700e-9, 1000e-9),
+    ),
+    "fig07": CurveFigure(
+        "particle_density",
+        (AREA, SOLID, RATIO, RELATIVE_AREA),
+        strong=(1e10, 1e11, 5e11, 5e12),
+    ),
+    "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE_AREA), two_body=False),
+    # dry: where the turning point occurs
+    "fig09": CurveFigure(
+        "particle_diameter",
+        (
+            RATIO,
+            replace(AREA, locus=True),
+            replace(RELATIVE_AREA, locus=True),
+            TURNING_POINTS,
+        ),
+        two_body=False,
+        strong=(250e-9, 300e-9, 350e-9, 400e-9, 500e-9),
+    ),
+    "fig10": CurveFigure(
+        "diameter_ratio",
+        (RATIO, TURNING_POINTS),
+        each=("roughness",),
+        strong=(0.8, 1.0, 1.2, 1.3, 1.5),
+    ),
+    # how lubricants shift it: over the load and over the film
+    "fig11": CurveFigure("viscosity", (RATIO, SOLID, replace(RATIO, x="film_thickness"))),
+    # on two surfaces
+    "fig12": CurveFigure(
+        "viscosity",
+        (replace(RATIO, surface=0), replace(SOLID, surface=0), replace(RATIO, surface=-1)),
+    ),
+    # and with other particle densities
+    "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
+}
+# what the paper concludes from each, to be seen before its curves; each fits into a line
+HEADLINES = {
+    "fig03": "The paper: as the load grows, summits take over from particles, and the area nears the two-body one.",
+    "fig04": "The paper: above 70 cSt the lubricant carries ever more of the load, and the contact area rises less.",
+    "fig05": "The paper: a thin lubricant gives mixed lubrication on the smoother surface, not on the rougher one.",
+    "fig06": "The paper: larger particles make the dry area smaller; with oil the order is reversed at high loads.",
+    "fig07": "The paper: more particles make the area smaller, but larger at high loads in mixed lubrication.",
+    "fig08": "The paper: at small loads oil changes nothing; the roughest surface has a turning point of the area.",
+    "fig09": "The paper: particles of about 0.83 to 1.33 times the roughness have a turning point.",
+    "fig10": "The paper: either surface has turning points at about the same ratios of size to roughness.",
+    "fig11": "The paper: in mixed lubrication viscosity shifts the turning point to higher loads, but not its height.",
+    "fig12": "The paper: from 50 cSt on the smoother surface has no turning point; the rougher one always has it.",
+    "fig13": "The paper: the rougher the surface, the more the load of the turning point rises with particle density.",
+}
+
+
+def plot(
+    name: str,
+    data: PlainDataset,
+    turning_points: Sequence[Mapping] = (),
+    ensemble_range: PlainDataset | None = None,
+    printed: Sequence[Mapping] = (),
+    windows: Sequence[Mapping] = (),
+) -> Figure:
+    """Draw the figure ``name`` of the paper, or that of any other scene.
+
+    ``printed`` and ``windows`` are rows of the tables ``printed``, those of this figure, and
+    ``tpca_windows``; the other arguments and errors are those of ``CurveFigure.plot``.
+    """
+
+    def numbers(content: Content, curves: Sequence[Curve]) -> Iterator[Series]:
+        return printed_marks.printed_series(content.x, content.y, curves, printed)
+
+    figure = (CURVE_FIGURES.get(name) or curve_figure(data)).plot(
+        data,
+        turning_points,
+        ensemble_range,
+        windows,
+        further=numbers,
+        mark_looks=printed_marks.ALL_LOOKS,
+    )
+    if name in HEADLINES:
+        figure.suptitle(HEADLINES[name], x=0.01, ha="left", fontsize="medium", fontweight="bold")
+    return figure

@@ -1,0 +1,205 @@
+"""Figures 1 and 2: the three-body interface and its contact modes, with stretched heights."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from thirdbody.core.regimes import CONTACT_MODES
+from thirdbody.netcdf import PlainDataset
+from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
+from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
+from thirdbody.plotting.panels import CURVE, Panel, Series
+from thirdbody.plotting.scales import label, shared_notes, typeset
+
+INTERFACE, MODES = 3.75, 2.9  # heights of the figures [inches]
+INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
+MICROMETRE = 1e-6
+SCALE = 0.5e-6  # height of the scale bar [m]
+
+SUMMITS, LUBRICANT = "contact of summits", "lubricant"
+PARTICLE = "particles under load"
+# titles of the modes in the order of the panels of figure 2
+MODE_TITLES = {
+    "surface_surface": "s-s mode",
+    "particle_surface": "p-s mode",
+    "hybrid": "hybrid mode",
+}
+# how matplotlib draws what they show
+LOOKS: dict[str, dict[str, Any]] = {
+    "surface 1": {"facecolor": "0.86", "edgecolor": "0.2", "linewidth": 0.8},
+    "surface 2": {"facecolor": "0.76", "edgecolor": "0.2", "linewidth": 0.8},
+    LUBRICANT: {"facecolor": "#D6ECF8", "edgecolor": "0.2", "linewidth": 0.8, "zorder": 2.3},
+    PARTICLE: {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8},
+    "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.3},
+    SUMMITS: {"color": "C1", "linewidth": 3.2, "zorder": 2.4},
+    "elastic zone": {"facecolor": "C1", "alpha": 0.13, "linewidth": 0.0, "zorder": 2.2},
+}
+FROM_END_TO_END = {"shrinkA": 0, "shrinkB": 0}
+LEADER = FROM_END_TO_END | {"arrowstyle": "-", "color": "0.2", "linewidth": 0.7}
+SEPARATION = FROM_END_TO_END | {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8}
+LOAD = FROM_END_TO_END | {
+    "arrowstyle": "-|>",
+    "color": "black",
+    "linewidth": 2.0,
+    "mutation_scale": 14,
+}
+BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
+MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
+READING = (
+    "orange: carries load, as its diameter exceeds $d - y - h_e$, wherever it rests (Eqs. 4, 5)\n"
+    f"tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, particles drawn round"
+)
+
+
+def plot_interface(data: PlainDataset) -> Drawing:
+    """Figure 1: one section; ``ValueError`` without lubricant or particles."""
+    (section,) = panels_of(data)
+    condition = condition_of(section)
+    if condition.is_dry or condition.is_two_body:
+        raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
+    title = ", ".join(shared_notes([condition]))
+    figure = empty_panels([_panel(title, section)], (TWO_COLUMNS, INTERFACE), columns=1)
+    (axes,) = figure.axes
+    _draw_section(axes, figure.panels[0], section, INTERFACE_SHAPE)
+    _draw_arrows(axes, section)
+    _name_parts(axes, section)
+    figure.supxlabel(READING, fontsize="medium")
+    return figure
+
+
+def plot_modes(data: PlainDataset) -> Drawing:
+    """Figure 2: a section for each of ``MODE_TITLES``; ``ValueError`` if the model finds other modes."""
+    sections = panels_of(data)
+    common = shared_notes([condition_of(section) for section in sections])
+    panels = []
+    for letter, section, mode in zip("ABC", sections, MODE_TITLES, strict=True):
+        condition, found = condition_of(section), CONTACT_MODES[section["contact_mode"]]
+        if found != mode:
+            raise ValueError(
+                f"figure 2{letter} shows the {mode} mode; at its conditions "
+                f"({label(condition)}) the model finds {found}"
+            )
+        own = (text for text in shared_notes([condition]) if text not in common)
+        panels.append(_panel(", ".join((MODE_TITLES[mode], *own)), section))
+    figure = empty_panels(panels, (TWO_COLUMNS, MODES), columns=3)
+    for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
+        _draw_section(axes, panel, section, MODES_SHAPE)
+        _name_parts(axes, section)
+    _draw_height(figure.axes[0], 0.06, *_elastic_zone(figure.axes[0], sections[0]), "$h_e$")
+    figure.supxlabel(typeset(", ".join(common)) + f"\n{READING}", fontsize="medium")
+    return figure
+
+
+def _panel(title, section: Section) -> Panel:
+    """The lines of a section: surfaces, contacts of summits, and the particles, which are round on paper."""
+    position, touch = section["position"], section["surfaces_touch"]
+    lines = {"surface 1": section["upper"], "surface 2": section["lower"]}
+    if touch.any():
+        lines[SUMMITS] = np.where(touch, section["lower"], np.nan)
+    series = [Series(CURVE, name, position, line, look=LOOKS[name]) for name, line in lines.items()]
+    angle = np.linspace(0.0, 2.0 * np.pi, 121)
+    for x, y, size, carries_load in zip(*(section[name] for name in PARTICLES), strict=True):
+        if not np.isnan(x):
+            circle = x + 0.5 * STRETCH * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
+            state = "carries load" if carries_load else "free"
+            look = LOOKS[PARTICLE if carries_load else "free particle"]
+            series.append(Series(CURVE, f"particle of {size:.4g} m; {state}", *circle, look=look))
+    return Panel(title, "position", "height", series)
+
+
+def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> None:
+    """Draw the lines of a section, with stretched heights; ``shape`` is height over length on paper."""
+    position, length = section["position"], section["position"][-1]
+    middle, reach = 0.5 * section["separation"], 0.5 * shape * length / STRETCH
+    edges = {"surface 1": middle + reach, "surface 2": middle - reach}
+    if section["viscosity"] > 0.0:
+        axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
+    for series in panel.series:
+        if series.name in edges:
+            axes.fill_between(series.x, series.y, edges[series.name], **series.look)
+        elif series.name == SUMMITS:
+            axes.plot(series.x, series.y, solid_capstyle="round", **series.look)
+        else:
+            axes.fill(series.x, series.y, zorder=2.5, **series.look)
+    axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
+    axes.set_aspect(STRETCH)
+    axes.axhspan(*_elastic_zone(axes, section), **LOOKS["elastic zone"])
+    corner, end = middle - 0.94 * reach, 0.9 * length
+    start = end - STRETCH * SCALE
+    bar = [start, end, end], [corner, corner, corner + SCALE]
+    axes.plot(*bar, color="black", linewidth=1.5, zorder=4)
+    across, up = f"{STRETCH * SCALE / MICROMETRE:g} µm", f"{SCALE / MICROMETRE:g} µm"
+    axes.text(start, corner, f"{across} ", ha="right", va="center", zorder=4)
+    axes.text(end, corner + 0.38 * SCALE, f"{up} ", ha="right", va="center", zorder=4, bbox=BEHIND)
+    facts = [
+        f"$F_t$ = {section['normal_load']:.3g} N",
+        f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
+        f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
+    ]
+    if section["viscosity"] > 0.0:
+        facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
+    axes.set_xlabel(", ".join(facts), fontsize="medium")
+
+
+def _name_parts(axes, section):
+    """Names on the drawing, with lines to the lubricant, a contact of summits and the largest of the particles under load."""
+    position, length = section["position"], section["position"][-1]
+    for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
+        look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
+        axes.text(0.02, height, name, **look)
+    bottom, top = axes.get_ylim()
+    middle = 0.5 * (section["upper"] + section["lower"])
+    touching = np.flatnonzero(section["surfaces_touch"])
+    if touching.size:
+        place = touching[np.argmax(middle[touching])]
+        beside = 0.3 * length, 0.7 * top
+        _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
+    x, y, size, carries = (section[name] for name in PARTICLES)
+    if carries.any():
+        largest = np.argmax(np.where(carries, size, 0.0))
+        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.6 * length, 0.4 * bottom))
+    if section["viscosity"] > 0.0:
+        inside = (0.7 * length < position) & (position < 0.9 * length)
+        widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
+        beside = position[widest] + 0.05 * length, 0.92 * top
+        _point_at(axes, LUBRICANT, (position[widest], middle[widest]), beside)
+
+
+def _point_at(axes, text, place, beside):
+    look = {"ha": "center", "va": "center", "arrowprops": LEADER, "zorder": 4}
+    axes.annotate(text, place, beside, **look)
+    axes.plot(*place, "o", color=LEADER["color"], markersize=2.2, zorder=4)
+
+
+def _draw_arrows(axes, section):
+    """The separation of the mean planes, the elastic zone below the upper one, and the load on both surfaces."""
+    length, d = section["position"][-1], section["separation"]
+    for height in (0.0, d):
+        axes.axhline(height, **MEAN_PLANE)
+    bottom, top = axes.get_ylim()
+    _draw_height(axes, 0.02, 0.0, d, "$d$")
+    _draw_height(axes, 0.06, *_elastic_zone(axes, section), "$h_e$")
+    for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
+        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
+        axes.text(0.53 * length, start, "$F_t$", va="top" if start > 0.0 else "bottom")
+
+
+def _elastic_zone(axes, section) -> tuple[float, float]:
+    """Lower and upper end of the elastic zone, as far as it is seen."""
+    d = section["separation"]
+    return max(d - section["elastic_depth"], axes.get_ylim()[0]), d
+
+
+def _draw_height(axes, place, low, high, symbol):
+    """An arrow from ``low`` to ``high`` with its symbol, at a ``place`` in widths of the panel."""
+    x = place * axes.get_xlim()[1]
+    axes.annotate("", (x, low), (x, high), arrowprops=SEPARATION, zorder=5)
+    axes.text(x, 0.35 * low + 0.65 * high, f" {symbol}", va="center", zorder=4, bbox=BEHIND)
+
+
+SCHEMATICS: dict[str, Callable[[PlainDataset], Drawing]] = {
+    "fig01": plot_interface,
+    "fig02": plot_modes,
+}

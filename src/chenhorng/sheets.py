@@ -1,0 +1,407 @@
+"""Tables for reading, as HTML and LaTeX: one row per curve, in engineering units, beside the numbers of the paper."""
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from itertools import groupby
+from pathlib import Path
+from statistics import fmean, median
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from thirdbody.curves import row_key
+from chenhorng.tables import TABLES
+from chenhorng.typeset import html, latex
+from thirdbody.variables import AXES, CONDITION_AXES
+
+DIGITS = 3
+NEGLIGIBLE = 0.005  # of an elasticity
+LOAD_UNIT = 1e-6  # of F_t* in headings
+RESULTS = {
+    "turning_point_load": "turning point: load",
+    "turning_point_ratio": "turning point: Aₛₐ,ₜ*",
+    "window_low": "window: low end",
+    "window_high": "window: high end",
+    "solid_load_fraction": "load where Lₛ = {:.0%}",
+    "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
+}
+CROSSINGS = {  # columns of the transitions: symbol, limit, quantity and level
+    ("Lₛ", "90 %"): ("solid_load_fraction", 0.9),
+    ("Lₛ", "3 %"): ("solid_load_fraction", 0.03),
+    ("Aₛₐ,ₜ*", "0.95"): ("particle_contact_area_ratio", 0.95),
+    ("Aₛₐ,ₜ*", "0.05"): ("particle_contact_area_ratio", 0.05),
+}
+NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
+ARROWS = {"rising": "↑", "falling": "↓"}
+WORDS = ("", "none", "dry")  # in columns of numbers
+HEADING = re.compile(r"(.+) \[(.+)\]")  # a name and its unit
+UNITS_IN_LATEX = {
+    "nm": r"\nm",
+    "cSt": "cSt",
+    "N": r"\N",
+    "%": r"\percent",
+    "m-2": r"\per\m\squared",
+}
+NUMBER = re.compile(r"[+-]?[0-9.]+(e-?[0-9]+)?( ± [0-9.]+)?")
+DOCUMENT = r"""% needs \usepackage{{booktabs, longtable, siunitx}} and \sisetup{{separate-uncertainty}}
+\begin{{longtable}}{{{columns}}}
+\caption{{{title}. {note}}}\label{{tab:{label}}}\\
+\toprule
+{headings}
+\midrule
+\endfirsthead
+\toprule
+{headings}
+\midrule
+\endhead
+\bottomrule
+\endfoot
+{rows}
+\end{{longtable}}
+"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sheet:
+    """A table for reading: title, note, and rows of texts by heading."""
+
+    title: str
+    note: str
+    rows: Sequence[Mapping[str, str]]
+
+    @cached_property
+    def decimals(self) -> dict[str, int]:
+        """The largest number of digits behind the point in each column of numbers."""
+        columns = {name: [row[name] for row in self.rows] for name in (self.rows or [{}])[0]}
+        return {
+            name: max(map(_decimals, texts))
+            for name, texts in columns.items()
+            if all(text in WORDS or NUMBER.fullmatch(text) for text in texts)
+        }
+
+    def padding(self, name: str, text: str) -> str:
+        """What a number lacks behind it, so that the points of a column of numbers stand below each other."""
+        missing = self.decimals.get(name, 0) - _decimals(text)
+        if missing == 0 or text in WORDS or "e" in text:
+            return ""
+        return "0" * missing if _decimals(text) else "." + "0" * missing
+
+    def latex(self, label: str) -> str:
+        """The table for LaTeX, with its caption and ``label``; columns of numbers are those of siunitx."""
+        names = [*self.rows[0]] if self.rows else []
+        numeric = {name: name in self.decimals for name in names}
+        lines = [
+            " & ".join(_latex_cell(text, numeric[name]) for name, text in row.items())
+            for row in self.rows
+        ]
+        return DOCUMENT.format(
+            columns="".join("S" if numeric[name] else "l" for name in names) or "l",
+            title=latex(self.title),
+            note=latex(self.note),
+            label=label,
+            headings=" & ".join(map(_latex_heading, names)) + r" \\",
+            rows="\n".join(rf"{line} \\" for line in lines),
+        )
+
+
+def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
+    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger; None (missing)
+    gives an empty text, and nan (does not exist) gives "none"."""
+    if value is None:
+        return ""
+    if math.isnan(value):
+        return "none"
+    if value == 0.0:
+        return "0"
+    places = digits - 1 - int(f"{value:.{digits - 1}e}".partition("e")[2])
+    if error > 0.0:
+        places = min(places, -math.floor(math.log10(error)))
+    return f"{round(value, places) + 0.0:.{max(places, 0)}f}"
+
+
+def result_name(row: Mapping) -> str:
+    """The result in a row of the table ``sensitivity``, with the condition that distinguishes it."""
+    name = RESULTS[row["quantity"] or row["output"]].format(row["level"]).replace("%", " %")
+    varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
+    axis = AXES[varied[row["output"].partition("_")[0]]]
+    value = row[axis.column]
+    if axis.name == "viscosity" and value == 0.0:
+        return f"{name}, dry"
+    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.alias_unit}"
+
+
+def readable(
+    table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
+) -> Sheet:
+    """The sheet of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``, without empty
+    columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
+    sheet = READABLE[table](rows, printed, newtons_per_load)
+    if not sheet.rows:
+        return replace(sheet, note="There are none.")
+    names = [name for name in sheet.rows[0] if any(row[name] for row in sheet.rows)]
+    return replace(sheet, rows=[{name: row[name] for name in names} for row in sheet.rows])
+
+
+def page(sheet: Sheet, made_by: str = "") -> str:
+    """A self-contained HTML page of a ``sheet``, and what it was made by."""
+    return ENVIRONMENT.get_template("sheets.html").render(sheet=sheet, made_by=made_by)
+
+
+def _decimals(text):
+    """How many digits a number, or its last one, has behind the point."""
+    return 0 if "e" in text else len(text.rpartition(" ")[2].partition(".")[2])
+
+
+def _latex_cell(text, numeric):
+    """A number as siunitx reads it, or a text."""
+    if numeric and NUMBER.fullmatch(text):
+        return text.replace("±", r"\pm")
+    return f"{{{latex(text)}}}" if numeric and text else latex(text)
+
+
+def _latex_heading(name):
+    """A heading, with its unit by siunitx; in braces, so that it is not read as a number."""
+    parts = HEADING.fullmatch(name)
+    if parts is None:
+        return f"{{{latex(name)}}}"
+    unit = UNITS_IN_LATEX.get(parts[2])
+    in_unit = rf"\unit{{{unit}}}" if unit else latex(parts[2])
+    return f"{{{latex(parts[1])} [{in_unit}]}}"
+
+
+def _paper_table(title, rows, _printed, _newtons_per_load) -> Sheet:
+    """A table of the paper, with printed and recomputed values side by side."""
+    lines = [
+        _headed(
+            "paper_table",
+            {name: row[name] for name in ("property", "symbol", "unit")}
+            | {f"{name}_low": _range(row, name) for name in ("printed", "recomputed")}
+            | {"verdict": row["verdict"], "remark": row["remark"] or ""},
+        )
+        for row in rows
+    ]
+    title += ", as printed and recomputed"
+    note = (
+        "Recomputed from the other printed values where possible. A value agrees if it is the printed one "
+        "once it is rounded to as many digits as the paper prints."
+    )
+    return Sheet(title=title, note=note, rows=lines)
+
+
+def _turning_points(rows, printed, newtons_per_load) -> Sheet:
+    lines = []
+    ratio, solid = "turning_point_ratio", "turning_point_solid_load_fraction"
+    for curve, some, paper in _curves(rows, printed):
+        row = some[0]
+        load, error = row["load"], row["load_error"]
+        texts = {
+            "load": rounded(load / LOAD_UNIT, error / LOAD_UNIT),
+            "normal_load_N": rounded(load * newtons_per_load, error * newtons_per_load),
+            "peak_ratio": rounded(row["peak_ratio"]),
+            "solid_load_fraction": rounded(100.0 * row["solid_load_fraction"]),
+            "separation_m": rounded(row["separation_m"] / 1e-9),
+            "solution_status": _statuses(some),
+        }
+        beside = {
+            "load": _spread(paper, LOAD_UNIT, quantity="turning_point_load"),
+            "peak_ratio": _spread(paper, quantity=ratio),
+            "solid_load_fraction": _spread(paper, 0.01, quantity=solid),
+        }
+        lines.append(curve | _headed("tpca_loads", texts, beside))
+    note = f"Each row is a curve. Numbers of the paper are given with their tolerances. {NEWTONS}"
+    return Sheet(title="Turning points of the contact area", note=note, rows=lines)
+
+
+def _windows(rows, printed, _newtons_per_load) -> Sheet:
+    lines = []
+    for roughness, ends in groupby(rows, key=lambda row: row["roughness_m"]):
+        line, sizes = {"σ [nm]": _in_unit("roughness", roughness)}, []
+        for row in ends:
+            end, ratio, error = (row[n] for n in ("end", "diameter_over_roughness", "error"))
+            paper = _spread(printed, quantity=f"window_{end}", roughness_m=roughness)
+            line |= {f"{end} end of xₐ/σ": rounded(ratio, error), f"{end} end (paper)": paper}
+            sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
+        lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
+    note = "Turning points occur between two ends of xₐ/σ. Ends of the paper have their tolerances."
+    return Sheet(title="Windows of the turning point in dry contact", note=note, rows=lines)
+
+
+def _transitions(rows, printed, newtons_per_load) -> Sheet:
+    lines = []
+    for line, some, paper in _curves(rows, printed):
+        for (symbol, limit), (quantity, level) in CROSSINGS.items():
+            for direction, arrow in ARROWS.items():
+                loads = dict.fromkeys(
+                    rounded(row["load"] * newtons_per_load)
+                    for row in some
+                    if (row["quantity"], row["level"], row["direction"])
+                    == (quantity, level, direction)
+                )
+                line[f"{symbol} {arrow} {limit} [N]"] = ", ".join(loads)
+            at = {"quantity": "load", "at_quantity": quantity, "at_level": level}
+            line[f"{symbol} = {limit} (paper)"] = _spread(paper, 1.0 / newtons_per_load, **at)
+        lines.append(line | {"status": _statuses(some)})
+    note = (
+        "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. Without an entry "
+        f"it does not cross the limit within the loads. {NEWTONS}"
+    )
+    return Sheet(title="Loads at which the regime or mode changes", note=note, rows=lines)
+
+
+def _sensitivities(rows, _printed, _newtons_per_load) -> Sheet:
+    known = [row for row in rows if row["elasticity"] is not None]
+    results = dict.fromkeys(map(result_name, known), "")
+    lines: dict[str, dict[str, str]] = {}
+    for row in known:
+        line = lines.setdefault(row["input"], {"input": row["input"].replace("_", " "), **results})
+        line[result_name(row)] = _elasticity(row)
+    title = "Sensitivities: elasticities, d ln(result)/d ln(input)"
+    note = f"0 means less than {NEGLIGIBLE:g}."
+    return Sheet(title=title, note=note, rows=[*lines.values()])
+
+
+def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
+    sizes = sorted(abs(row["deviation"]) for row in rows)
+    lines = [
+        _headed(
+            "deviations",
+            {
+                "place": row["place"].removesuffix(", section 3.3"),
+                "statement": row["statement"],
+                "printed": _short(f"{row['printed']:.4g}"),
+                "computed": "none" if row["computed"] is None else _short(f"{row['computed']:.4g}"),
+                "deviation": f"{100.0 * row['deviation']:+.1f} %".replace("-0.0", "0.0"),
+            },
+        )
+        for row in rows
+    ]
+    note = (
+        f"All numbers that the headline statements print. The median of the deviations is "
+        f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of H_c are those from "
+        "0.04 to 80 N."
+    )
+    return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
+
+
+def _departures(rows, _printed, _newtons_per_load) -> Sheet:
+    lines = [
+        _headed(
+            "departures",
+            {
+                "departure": row["departure"],
+                "inputs": row["inputs"] or "",
+                "holds": _of(row["holds"], row["judged"]),
+                "headline": _of(row["headline"], row["headline_statements"]),
+                "median_deviation": _percent(row["median_deviation"]),
+                "mean_deviation": _percent(row["mean_deviation"]),
+            },
+        )
+        for row in rows
+    ]
+    note = (
+        "Each departure of the calibrated inputs from the words of the paper is taken back alone."
+    )
+    return Sheet(title="What carries the agreement", note=note, rows=lines)
+
+
+def _of(count, whole) -> str:
+    return "" if count is None else f"{count:g} of {whole:g}"
+
+
+def _percent(fraction) -> str:
+    return "" if fraction is None else f"{100.0 * fraction:.1f} %"
+
+
+READABLE: dict[str, Callable[..., Sheet]] = {
+    "table1": partial(_paper_table, "Table 1. Properties of the materials"),
+    "table2": partial(_paper_table, "Table 2. Operating conditions"),
+    "tpca_loads": _turning_points,
+    "tpca_windows": _windows,
+    "transitions": _transitions,
+    "sensitivity": _sensitivities,
+    "deviations": _deviations,
+    "departures": _departures,
+}
+
+
+def _curves(rows, printed):
+    """The cells of each curve, which several figures may share, its rows, and its printed numbers."""
+    names = "roughness", "particle_diameter", "particle_density", "viscosity"
+    ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
+    for key, group in groupby(ordered, key=row_key):
+        some = [*group]
+        numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in some)
+        figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
+        cells = {"figures": figures}
+        for axis in CONDITION_AXES:
+            cells[f"{axis.sign} [{axis.alias_unit}]"] = _in_unit(axis.name, some[0][axis.column])
+        yield cells, some, [number for number in printed if row_key(number) == key]
+
+
+def _headed(
+    table: str, texts: Mapping[str, str], printed: Mapping[str, str] | None = None
+) -> dict[str, str]:
+    """The ``texts`` of columns of a ``table`` under their headings, those ``printed`` in the paper beside them."""
+    line = {}
+    for column in TABLES[table]:
+        if column.name in texts:
+            heading = column.heading or column.name
+            line[heading] = texts[column.name]
+            if printed and column.name in printed:
+                line[f"{heading.partition(' [')[0]} (paper)"] = printed[column.name]
+    return line
+
+
+def _in_unit(name, value) -> str:
+    if name == "viscosity" and value == 0.0:
+        return "dry"
+    return _short(f"{AXES[name].from_si(value):.6g}")
+
+
+def _statuses(rows) -> str:
+    """Statuses of points that have not converged."""
+    statuses = dict.fromkeys(row["solution_status"] for row in rows)
+    return ", ".join(each.replace("_", " ") for each in statuses if each != "converged")
+
+
+def _range(row, name) -> str:
+    """A range in a row, or a single value."""
+    ends = row[f"{name}_low"], row[f"{name}_high"]
+    digits = 6 if name == "printed" else 4
+    return " to ".join(_short(f"{value:.{digits}g}") for value in ends if value is not None)
+
+
+def _short(text) -> str:
+    """A number without the sign and the zero of an exponent."""
+    return re.sub(r"e\+?(-?)0*", r"e\1", text)
+
+
+ENVIRONMENT = Environment(
+    loader=FileSystemLoader(Path(__file__).parent),
+    autoescape=True,
+    trim_blocks=True,
+    lstrip_blocks=True,
+    undefined=StrictUndefined,
+)
+ENVIRONMENT.filters["typeset"] = lambda text: Markup(html(text))
+
+
+def _elasticity(row) -> str:
+    """An elasticity to hundredths."""
+    value, error = row["elasticity"], max(row["error"] or 0.0, NEGLIGIBLE)
+    return "0" if abs(value) < NEGLIGIBLE else rounded(value, error)
+
+
+def _spread(printed, unit=1.0, **fields) -> str:
+    """The printed numbers that have these ``fields``, with their tolerances, in ``unit``."""
+    texts: dict[str, None] = {}
+    for number in printed:
+        if fields.items() <= number.items():
+            value, low, high = (number[name] / unit for name in ("value", "low", "high"))
+            is_even = math.isclose(high - value, value - low, rel_tol=1e-6)
+            tolerance = f"± {high - value:.2g}" if is_even else f"({low:.3g} to {high:.3g})"
+            texts[f"{value:.3g} {tolerance}"] = None
+    return "; ".join(texts)
