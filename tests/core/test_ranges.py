@@ -12,12 +12,12 @@ from methods import ENGINEERING
 import thirdbody as tb
 from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, shares_within
 from thirdbody.core.parameters import WORDS
-from thirdbody.inputs import BELONGS_TO, CALIBRATED, DEFAULT
+from thirdbody.inputs import BELONGS_TO, CALIBRATED
 from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.ranges import ENDS
 
-CALIBRATED_FILE = config_directory() / "calibrated" / f"{DEFAULT}.yaml"
+CALIBRATED_FILE = config_directory() / "calibrated" / "half_free.yaml"
 
 
 def differing(members):
