@@ -47,7 +47,6 @@ rule all:
     input:
         expand("<results>/datasets/{figure}.nc", figure=SCENES),
         expand("<results>/bands/{figure}.nc", figure=SCENES if settings["bands"] else []),
-        expand("<results>/schematics/{figure}.nc", figure=SCHEMATICS),
         expand("<results>/extracted/tpca_loads/{figure}.csv", figure=SCENES),
         expand("<results>/extracted/transitions/{figure}.csv", figure=SCENES),
         "<results>/extracted/tpca_windows/all.csv",

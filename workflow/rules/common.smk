@@ -80,7 +80,6 @@ def files_of(script):
 COMPUTED_BY = {
     "datasets": ["solve_scene.py"],
     "bands": ["solve_scene.py", "solve_ensemble.py"],
-    "schematics": ["compute_schematic.py"],
     "tpca_loads": ["solve_scene.py", "extract_curves.py"],
     "transitions": ["solve_scene.py", "extract_curves.py"],
     "tpca_windows": ["find_windows.py"],

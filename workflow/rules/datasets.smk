@@ -1,4 +1,4 @@
-# Solving: one dataset per figure, the ensemble ranges of its curves, and the sections of the schematics.
+# Solving: one dataset per figure, and the ensemble ranges of its curves.
 
 
 rule solve_scene:
@@ -35,20 +35,3 @@ rule solve_ensemble:
         "Solve the curves of {wildcards.scene} for the ensemble"
     script:
         "../scripts/solve_ensemble.py"
-
-
-rule compute_schematic:
-    output:
-        sections="<results>/schematics/{schematic}.nc",
-    log:
-        "<logs>/compute_schematic/{schematic}.log",
-    params:
-        *sources_of("compute_schematic.py"),
-        *SOFTWARE,
-        panels=lookup(dpath="{schematic}", within=settings["schematics"]),
-        version=version_of("schematics"),
-        parameters=settings["parameters"],
-    message:
-        "Compute the sections of {wildcards.schematic}"
-    script:
-        "../scripts/compute_schematic.py"

@@ -28,21 +28,22 @@ rule render_figure:
         "../scripts/render_figure.py"
 
 
-rule render_schematic:
+rule draw_schematic:
     input:
-        sections="<results>/schematics/{schematic}.nc",
         style=STYLE,
     output:
         **figure_files("{schematic}", "Figures"),
     log:
-        "<logs>/render_schematic/{schematic}.log",
+        "<logs>/draw_schematic/{schematic}.log",
     params:
-        *sources_of("render_schematic.py"),
+        *sources_of("draw_schematic.py"),
+        *SOFTWARE,
+        panels=lookup(dpath="{schematic}", within=settings["schematics"]),
         parameters=settings["parameters"],
     message:
         "Draw {wildcards.schematic}"
     script:
-        "../scripts/render_schematic.py"
+        "../scripts/draw_schematic.py"
 
 
 rule render_claims:

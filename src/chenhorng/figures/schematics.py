@@ -1,14 +1,13 @@
 """Figures 1 and 2: the three-body interface and its contact modes, with stretched heights."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from thirdbody.core.regimes import CONTACT_MODES
-from thirdbody.netcdf import PlainDataset
-from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of, panels_of
+from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import label, shared_notes, typeset
@@ -53,9 +52,9 @@ READING = (
 )
 
 
-def plot_interface(data: PlainDataset) -> Drawing:
+def plot_interface(sections: Sequence[Section]) -> Drawing:
     """Figure 1: one section; ``ValueError`` without lubricant or particles."""
-    (section,) = panels_of(data)
+    (section,) = sections
     condition = condition_of(section)
     if condition.is_dry or condition.is_two_body:
         raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
@@ -69,9 +68,8 @@ def plot_interface(data: PlainDataset) -> Drawing:
     return figure
 
 
-def plot_modes(data: PlainDataset) -> Drawing:
+def plot_modes(sections: Sequence[Section]) -> Drawing:
     """Figure 2: a section for each of ``MODE_TITLES``; ``ValueError`` if the model finds other modes."""
-    sections = panels_of(data)
     common = shared_notes([condition_of(section) for section in sections])
     panels = []
     for letter, section, mode in zip("ABC", sections, MODE_TITLES, strict=True):
@@ -101,11 +99,10 @@ def _panel(title, section: Section) -> Panel:
     series = [Series(CURVE, name, position, line, look=LOOKS[name]) for name, line in lines.items()]
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
     for x, y, size, carries_load in zip(*(section[name] for name in PARTICLES), strict=True):
-        if not np.isnan(x):
-            circle = x + 0.5 * STRETCH * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
-            state = "carries load" if carries_load else "free"
-            look = LOOKS[PARTICLE if carries_load else "free particle"]
-            series.append(Series(CURVE, f"particle of {size:.4g} m; {state}", *circle, look=look))
+        circle = x + 0.5 * STRETCH * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
+        state = "carries load" if carries_load else "free"
+        look = LOOKS[PARTICLE if carries_load else "free particle"]
+        series.append(Series(CURVE, f"particle of {size:.4g} m; {state}", *circle, look=look))
     return Panel(title, "position", "height", series)
 
 
@@ -199,7 +196,7 @@ def _draw_height(axes, place, low, high, symbol):
     axes.text(x, 0.35 * low + 0.65 * high, f" {symbol}", va="center", zorder=4, bbox=BEHIND)
 
 
-SCHEMATICS: dict[str, Callable[[PlainDataset], Drawing]] = {
+SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {
     "fig01": plot_interface,
     "fig02": plot_modes,
 }

@@ -1,11 +1,11 @@
-"""Random sections through the three-body interface, and their dataset.
+"""Random sections through the three-body interface.
 
 The surfaces are Gaussian, the particles follow the size distribution of the model, and the mean
 planes are at the solved separation.  Lengths are as in the model; on paper heights are stretched, and
 particles, which are drawn round, touch the surfaces as they are drawn.  Those that touch both, or are
 large enough by Eqs. 4 and 5, carry load; sections are chosen where no other reaches into the elastic
-zone h_e.  The seed is fixed.  A section is a mapping by the names of
-``VARIABLES``, and ``position`` along it; its state has the condition and the solution.
+zone h_e.  The seed is fixed.  A section is a mapping: its state, which has the condition and the solution,
+``elastic_depth`` h_e, ``position`` along it, and by the names of ``LINES`` and ``PARTICLES`` [m].
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,12 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
-from thirdbody.attributes import coordinate_attributes, variable_attributes
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.curves import Condition
-from thirdbody.netcdf import PlainDataset, Variable
-from thirdbody.variables import AXES, FLAGS, NORMAL_LOAD, QUANTITIES
+from thirdbody.variables import NORMAL_LOAD
 
 SEED = 20240507  # publication date of the paper
 STRETCH = 25.0  # of heights over lengths, so that several summits are seen
@@ -40,37 +38,9 @@ TOUCHING = {
 
 Section = Mapping[str, Any]
 
-
 NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
-STATE = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
-STATE |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
-STATE |= {NORMAL_LOAD.name: coordinate_attributes(NORMAL_LOAD)}
-STATE |= {"contact_mode": variable_attributes(FLAGS["contact_mode"])}
-# attributes of the other variables, over the position and over the particles
-POSITION = {"units": "m", "long_name": "along the section"}
-DEPTH: dict[str, dict[str, str]] = {
-    "elastic_depth": {
-        "units": "m",
-        "long_name": "elastic zone h_e, through which particles carry load",
-    },
-}
-LINES: dict[str, dict[str, str]] = {
-    "lower": {"units": "m", "long_name": "height of the lower surface"},
-    "upper": {"units": "m", "long_name": "height of the upper surface"},
-    "surfaces_touch": {"long_name": "whether the surfaces touch"},
-}
-PARTICLES: dict[str, dict[str, str]] = {
-    "particle_position": {
-        "units": "m",
-        "long_name": "position of the centre of a particle; nan: no particle",
-    },
-    "particle_height": {"units": "m", "long_name": "height of the centre of a particle"},
-    "particle_size": {"units": "m", "long_name": "diameter of a particle"},
-    "particle_carries_load": {
-        "long_name": "whether a particle carries load: it touches both surfaces or reaches into h_e"
-    },
-}
-VARIABLES = STATE | DEPTH | LINES | PARTICLES
+LINES = ("lower", "upper", "surfaces_touch")
+PARTICLES = ("particle_position", "particle_height", "particle_size", "particle_carries_load")
 
 
 def state_of(
@@ -90,31 +60,9 @@ def condition_of(section: Section) -> Condition:
     return Condition(*(float(section[name]) for name in Condition._fields))
 
 
-def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> PlainDataset:
-    """The sections of ``fig01`` or ``fig02`` as one dataset, a panel for each state; errors as below."""
-    found = [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
-    most = max(section["particle_size"].size for section in found)
-    variables = {}
-    for name, attributes in VARIABLES.items():
-        dims: tuple[str, ...] = ("panel",)
-        values = [section[name] for section in found]
-        if name in LINES:
-            dims = ("panel", "position")
-        elif name in PARTICLES:  # panels with fewer particles are padded with nan
-            dims, nothing = ("panel", "particle"), np.nan if values[0].dtype == float else 0
-            values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
-        variables[name] = Variable(dims, np.array(values), attributes)
-    position = Variable(("position",), found[0]["position"], POSITION)
-    return PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
-
-
-def panels_of(data: PlainDataset) -> list[Section]:
-    """The section of each panel in a dataset of ``sections``."""
-    return [
-        {name: variable.values[panel] for name, variable in data.data_vars.items()}
-        | {"position": data["position"].values}
-        for panel in range(data.sizes["panel"])
-    ]
+def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> list[Section]:
+    """The sections of ``fig01`` or ``fig02``, a panel for each state; errors as below."""
+    return [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
 
 
 def section_through(state: Section, parameters: Parameters, length: float, seed: int) -> Section:
