@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.attributes import identity, version_attributes
+from thirdbody.attributes import identity
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition, curves_of
 from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable
 from thirdbody.ranges import ENDS
 from thirdbody.variables import DIMENSIONS, QUANTITIES
-from thirdbody.version import Version
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
 SUFFIXES = "low", "high"
@@ -38,11 +37,9 @@ def band(
     dataset: PlainDataset,
     base: Parameters,
     ensemble: Sequence[Mapping[str, Any]],
-    version: Version | None = None,
 ) -> PlainDataset:
     """Both ends of the range of each quantity, ``<quantity>_low`` and ``_high``, over the ``ensemble``, whose
-    members have the inputs that differ from ``base``, SI, at the points of ``dataset``.  The ``version`` of the
-    software is by default that of ``dataset``."""
+    members have the inputs that differ from ``base``, SI, at the points of ``dataset``."""
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
     points = {"load": load, **Condition(*conditions)._asdict()}
@@ -70,7 +67,6 @@ def band(
         **dataset.attrs,
         "title": f"{dataset.attrs['title']}: range of the ensemble",
         **ATTRIBUTES,
-        **(version_attributes(version) if version else {}),
         **identity(origin),
         "rtol": BAND_RTOL,
         "ensemble": members,

@@ -11,7 +11,6 @@ from thirdbody.curves import Condition
 from thirdbody.grids import Axes, crossed
 from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset
 from thirdbody.variables import CONDITION_AXES, DIMENSIONS, FLAGS, NUMBERS, decimal
-from thirdbody.version import Version
 
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
 
@@ -43,11 +42,9 @@ def scene_dataset(
     scene: Mapping,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
-    version: Version | None = None,
 ) -> PlainDataset:
     """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables
     over the five axes.  Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
-    It says the ``version`` of the software, by default that of what runs.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {
@@ -65,4 +62,4 @@ def scene_dataset(
         "load": axes["load"].tolist(),
         "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
     }
-    return described_grid(axes, values, parameters, rtol, scene["title"], request, version=version)
+    return described_grid(axes, values, parameters, rtol, scene["title"], request)

@@ -145,9 +145,9 @@ def readable(
     return replace(sheet, rows=[{name: row[name] for name in names} for row in sheet.rows])
 
 
-def page(sheet: Sheet, made_by: str = "") -> str:
-    """A self-contained HTML page of a ``sheet``, and what it was made by."""
-    return ENVIRONMENT.get_template("sheets.html").render(sheet=sheet, made_by=made_by)
+def page(sheet: Sheet) -> str:
+    """A self-contained HTML page of a ``sheet``."""
+    return ENVIRONMENT.get_template("sheets.html").render(sheet=sheet)
 
 
 def _decimals(text):

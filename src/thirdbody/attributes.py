@@ -14,9 +14,8 @@ from thirdbody.core.regimes import NO_FLAG
 from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, Variable
 from thirdbody.variables import AXES, DIMENSIONS, NORMAL_LOAD, NUMBERS, STATUS, VARIABLES
 from thirdbody.variables import Variable as Described
-from thirdbody.version import Version, current
 
-# Attributes of a dataset in their order; null if they depend on its content or on the version.
+# Attributes of a dataset in their order; null if they depend on its content.
 EVERYWHERE = json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8"))
 # Keys of the attribute model_parameters by the names of inputs and of fields of a surface.
 KEYS = EVERYWHERE["model_parameters"]
@@ -65,12 +64,6 @@ def identity(origin: str) -> dict[str, str]:
     return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
 
 
-def version_attributes(version: Version) -> dict[str, str]:
-    """What says which software computed a dataset; its date, so that the same inputs give the same bytes."""
-    known = {"software_version": version.text, "date_created": version.date}
-    return {name: text for name, text in known.items() if text}
-
-
 def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
     """The attribute ``model_parameters`` of a dataset with the coordinates ``roughness`` [m]: a
     flat JSON object, in SI, with lists for values that depend on the roughness."""
@@ -91,11 +84,10 @@ def described_grid(
     title: str = "Three-body contact on a grid",
     request: Mapping | None = None,
     load_key: str = "load",
-    version: Version | None = None,
 ) -> PlainDataset:
     """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
     attributes; the load was given by the name ``load_key``.  Its SHA-256 depends on the parameters, ``rtol`` and
-    ``request``, by default the axes.  The ``version`` is by default that of what runs."""
+    ``request``, by default the axes."""
     variables = {
         name: Variable(
             DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
@@ -117,7 +109,6 @@ def described_grid(
         **EVERYWHERE,
         **identity(json.dumps(configuration, sort_keys=True)),
         "title": title,
-        **version_attributes(version or current()),
         "rtol": rtol,
         "model_parameters": model_attribute(parameters, axes["roughness"]),
     }

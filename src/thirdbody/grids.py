@@ -27,6 +27,7 @@ from thirdbody.messages import format_path, format_value
 from thirdbody.netcdf import declare
 from thirdbody.progress import Progress
 from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
+from thirdbody.version import current
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -130,7 +131,7 @@ def _solved_grid(
             values = solve_points(crossed(axes), parameters, rtol, names, bar.add)
     listed = {name: axis.tolist() for name, axis in request.items()}
     described = described_grid(axes, values, parameters, rtol, request=listed, load_key=load_key)
-    return described.to_xarray()
+    return described.to_xarray().assign_attrs(software_version=current().text)
 
 
 def stream(

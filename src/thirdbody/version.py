@@ -32,20 +32,9 @@ def current() -> Version:
     return _of_repository() or _stored()
 
 
-def of_files(*paths: str) -> Version:
-    """The version of the last commit that changed one of some files, with their paths in the repository;
-    without a repository, the version of what runs."""
-    return _of_repository(*paths) or _stored()
-
-
-def stored_content() -> dict:
-    """What ``version.json`` says."""
-    return json.loads(STORED.read_text(encoding="utf-8"))
-
-
 @cache
 def _stored() -> Version:
-    content = stored_content()
+    content = json.loads(STORED.read_text(encoding="utf-8"))
     if "version" in content:
         return Version(content["version"], content["date"], content["commit"])
     if content["commit"].startswith("$"):  # a copy that git archive did not make
@@ -55,29 +44,17 @@ def _stored() -> Version:
 
 
 @cache
-def _of_repository(*paths: str) -> Version | None:
+def _of_repository() -> Version | None:
     if not (REPOSITORY / ".git").exists():
         return None
     try:
-        last = _git("log", "-1", "--no-show-signature", "--format=%H %cs", "--", *paths)
-        # new files alone have no commit yet
-        commit, date = (last or _git("log", "-1", "--no-show-signature", "--format=%H %cs")).split()
-        edited, new = _changed_files()
-        is_changed = any(path in edited | new for path in paths) if paths else bool(edited)
+        commit, date = _git("log", "-1", "--no-show-signature", "--format=%H %cs").split()
+        is_changed = bool(_git("status", "--porcelain", "--untracked-files=no"))
         return Version(_numbered(*_described(commit), commit, is_changed), date, commit)
     except (OSError, subprocess.CalledProcessError, ValueError):  # no git, or no commit
         return None
 
 
-@cache
-def _changed_files() -> tuple[set[str], set[str]]:
-    """Files that differ from the last commit, and files that git does not know."""
-    lines = _git("status", "--porcelain", "--no-renames", "--untracked-files=all", "-z").split("\0")
-    new = {line[3:] for line in lines if line.startswith("??")}
-    return {line[3:] for line in lines if line} - new, new
-
-
-@cache
 def _described(commit: str) -> tuple[str, int]:
     """What ``git describe`` says of a commit, and the number of commits before it if there is no tag."""
     tags = ("--tags", "--match=v[0-9]*", "--exclude=*[!v0-9.]*")  # v0.1.0

@@ -31,7 +31,6 @@ rule stage_release:
         settings={"config": settings["config"], "parameters": settings["parameters"]},
         software=software_versions("pyproject.toml"),
         is_paper=settings["is_paper"],
-        versions=lambda wildcards: {product: version_of(product) for product in COMPUTED_BY},
     message:
         "Gather the release"
     script:

@@ -25,7 +25,6 @@ rule solve_chunk:
         rtol=ATLAS["rtol"],
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
-        version=lambda wildcards: version_of("atlas"),
     message:
         "Solve chunk {wildcards.scatteritem} of the atlas"
     script:

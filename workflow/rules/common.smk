@@ -76,34 +76,6 @@ def files_of(script):
     return {path}.union(*map(module_files, modules | packages))
 
 
-# the scripts that compute the numbers of products
-COMPUTED_BY = {
-    "datasets": ["solve_scene.py"],
-    "bands": ["solve_scene.py", "solve_ensemble.py"],
-    "tpca_loads": ["solve_scene.py", "extract_curves.py"],
-    "transitions": ["solve_scene.py", "extract_curves.py"],
-    "tpca_windows": ["find_windows.py"],
-    "sensitivity": ["compute_sensitivities.py"],
-    "table1": ["recompute_paper_tables.py"],
-    "table2": ["recompute_paper_tables.py"],
-    "deviations": ["judge_departures.py"],
-    "departures": ["judge_departures.py"],
-    "claims": ["judge_claims.py"],
-}
-COMPUTED_BY["index"] = [*set().union(*COMPUTED_BY.values())]
-COMPUTED_BY["atlas"] = ["solve_chunk.py"]
-
-
-@cache
-def version_of(product):
-    """The version of what computes a product: that of the last commit that changed one of its files. A release
-    has no commits, and stores it."""
-    stored = version.stored_content().get("products", {})
-    files = set().union(*map(files_of, COMPUTED_BY[product]))
-    names = sorted(str(file.relative_to(HOME)) for file in files)
-    return stored.get(product) or list(version.of_files(*names))
-
-
 @cache
 def module_files(name):
     """A module, and the data beside it under the same name; templates are inputs of rules."""

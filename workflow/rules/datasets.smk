@@ -10,7 +10,6 @@ rule solve_scene:
         *sources_of("solve_scene.py"),
         *SOFTWARE,
         scene=lookup(dpath="{scene}", within=settings["scenes"]),
-        version=version_of("datasets"),
         parameters=settings["parameters"],
     message:
         "Solve the curves of {wildcards.scene}"
@@ -30,7 +29,6 @@ rule solve_ensemble:
         *SOFTWARE,
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
-        version=version_of("bands"),
     message:
         "Solve the curves of {wildcards.scene} for the ensemble"
     script:

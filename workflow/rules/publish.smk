@@ -24,7 +24,6 @@ rule write_index:
     params:
         *sources_of("write_index.py"),
         titles={figure: settings["scenes"][figure]["title"] for figure in SCENES},
-        version=version_of("index")[0],
     message:
         "Write the index page"
     script:

@@ -104,7 +104,6 @@ rule write_table:
         table="|".join(TABLES),
     params:
         *sources_of("write_table.py"),
-        version=lambda wildcards: version_of(wildcards.table),
         parameters=settings["parameters"],
     message:
         "Write the table {wildcards.table}"

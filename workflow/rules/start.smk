@@ -18,7 +18,6 @@ if BESIDE.is_dir() and not BESIDE.samefile(Path(thirdbody.__file__).parent):
 try:
     import grimp
 
-    from thirdbody import version
     from chenhorng.configuration.settings import read_settings
     from chenhorng.home import config_directory
     from thirdbody.plain_yaml import read_yaml

@@ -5,7 +5,6 @@ import numpy as np
 from thirdbody.core.parameters import Parameters
 from chenhorng.atlas.chunk import atlas_axes, write_chunk
 from chenhorng.job_log import job
-from thirdbody.version import Version
 
 with job(snakemake) as output:
     settings = snakemake.params
@@ -13,5 +12,5 @@ with job(snakemake) as output:
     axes = atlas_axes(settings.axes)
     axes["roughness"] = np.array_split(axes["roughness"], chunks)[number - 1]
     default = Parameters(**settings.parameters)
-    asked = settings.ensemble, settings.variables, settings.rtol, Version(*settings.version)
+    asked = settings.ensemble, settings.variables, settings.rtol
     write_chunk(output.chunk, axes, default, *asked)

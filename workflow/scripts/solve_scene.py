@@ -4,13 +4,12 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import write_dataset
 from chenhorng.job_log import job
 from chenhorng.scenes import scene_dataset
-from thirdbody.version import Version
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene
     scene = snakemake.params.scene
     inputs = Parameters(**snakemake.params.parameters)
-    solved = scene_dataset(scene, inputs, scene["rtol"], Version(*snakemake.params.version))
+    solved = scene_dataset(scene, inputs, scene["rtol"])
     write_dataset(solved, output.dataset)
     shape = " x ".join(map(str, solved.sizes.values()))
     print(f"{figure}: {shape} points")

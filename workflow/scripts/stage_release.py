@@ -19,6 +19,5 @@ with logged(snakemake.log[0]):
         snakemake.params.settings,
         snakemake.params.software,
         release,
-        snakemake.params.versions,
     )
     print(f"{place}: {len(products)} products, {len(sources)} sources")

@@ -12,6 +12,7 @@ from markupsafe import Markup
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 from chenhorng.job_log import job
 from chenhorng.typeset import html, markdown_text
+from thirdbody.version import current
 
 FRONT = "fig11"  # the figure on the first screen
 # a line on each table
@@ -87,7 +88,7 @@ with job(snakemake) as output:
             base64.b64encode(Path(path).read_bytes()).decode() for path in snakemake.input.precision
         ],
         "score": f"{judged['score']} {judged['counts']}",
-        "version": snakemake.params.version,
+        "version": current().text,
     }
     for path, template in zip((output.page, output.captions), templates, strict=True):
         text = environment.get_template(template.name).render(content)

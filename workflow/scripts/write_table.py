@@ -4,7 +4,6 @@ from thirdbody.core.parameters import Parameters
 from chenhorng.job_log import job
 from chenhorng.sheets import page, readable
 from chenhorng.tables import TABLES, read_csv, write_csv
-from thirdbody.version import Version
 
 with job(snakemake) as output:
     table = snakemake.wildcards.table
@@ -15,7 +14,5 @@ with job(snakemake) as output:
     unit = Parameters(**snakemake.params.parameters).newtons_per_load
     sheet = readable(table, rows, numbers, unit)
     write_csv(output.csv, rows, columns)
-    version = Version(*snakemake.params.version)
-    made_by = f"thirdbody {version.text} {version.date}".strip()
-    output.html.write_text(page(sheet, made_by), encoding="utf-8")
-    output.tex.write_text(f"% {made_by}\n{sheet.latex(table)}", encoding="utf-8")
+    output.html.write_text(page(sheet), encoding="utf-8")
+    output.tex.write_text(sheet.latex(table), encoding="utf-8")

@@ -39,14 +39,12 @@ def stage(
     settings: Mapping[str, Any],
     software: dict[str, str],
     release: Release,
-    versions: Mapping[str, Sequence[str]],
 ) -> None:
     """Fill the folder of a release, from the root of the repository: copy the files, describe them,
     and add checksums, ``tagmanifest-sha256.txt`` last.
 
     ``products`` are files in the folders ``KINDS`` of ``results/``, ``settings`` the content of
-    ``configuration/``, by file name; ``software`` are the versions of the packages used, ``versions`` those of the
-    sources of each kind of product, which the sources cannot tell without their repository.
+    ``configuration/``, by file name; ``software`` are the versions of the packages used.
     ``ValueError`` if the version of the release is not known.
     """
     if not release.date:
@@ -62,7 +60,7 @@ def stage(
         if source.startswith(VERIFICATION):
             _copy(source, folder / source)
     stored = {"version": current().text, "date": release.date, "commit": current().commit}
-    write_json(data / "source" / VERSION, stored | {"products": versions})
+    write_json(data / "source" / VERSION, stored)
     for licence in LICENCES:
         _copy(licence, data / licence)
     content_sha256 = run_path(f"{VERIFICATION}content_hash.py")["content_sha256"]

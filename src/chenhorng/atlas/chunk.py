@@ -18,7 +18,6 @@ from thirdbody.core.state import type_of
 from thirdbody.grids import Axes, grid
 from thirdbody.netcdf import declare
 from thirdbody.variables import AXES, CONDITION_AXES, DIMENSIONS, FLAGS, STATUS
-from thirdbody.version import Version
 
 SAFE_DIGITS = 2  # written in addition to the requested ones
 APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own
@@ -57,20 +56,19 @@ def write_chunk(
     members: Sequence[Mapping[str, Any]],
     kept: Collection[str],
     rtol: float,
-    version: Version | None = None,
 ) -> None:
     """Solve some surfaces of the atlas for all inputs, and write the results part by part.
 
     ``axes`` are those of ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs of
     each member of the ensemble that differ from the default, SI; the quantities ``kept`` are stored
-    at each point for the default.  The ``version`` of the software is by default that of what runs.
+    at each point for the default.
     """
     members = members or [{}]  # without an ensemble, only the default
     ensemble = [replace(default, **member) for member in members]
     sets = list(dict.fromkeys([default, *ensemble]))
     weights = [ensemble.count(each) for each in sets]
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
-        described = _described(axes, default, members, kept, rtol, version)
+        described = _described(axes, default, members, kept, rtol)
         variables = declare(file, described, _storage(described, kept, rtol))
         for indices in np.ndindex(*(axes[name].size for name in APART)):
             place = {name: slice(index, index + 1) for name, index in zip(APART, indices)}
@@ -121,12 +119,12 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
     }
 
 
-def _described(axes, default, members, kept, rtol, version) -> xr.Dataset:
+def _described(axes, default, members, kept, rtol) -> xr.Dataset:
     """Coordinates, attributes and empty variables of the file."""
     shape = [axis.size for axis in axes.values()]
     empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in (*kept, *FLAGS)}
     loads = {"load": axes["load"] / default.newtons_per_load}
-    described = described_grid({**axes, **loads}, empty, default, rtol, version=version).to_xarray()
+    described = described_grid({**axes, **loads}, empty, default, rtol).to_xarray()
     # the normal loads as given, without rounding
     described["normal_load"].values[:] = axes["load"]
     for name, (flag, state) in STATES.items():
