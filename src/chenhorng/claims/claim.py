@@ -6,7 +6,8 @@ by ``chenhorng.claims.evidence``, and holds if it is off by at most one toleranc
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from pydantic import ConfigDict
+from pydantic.dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -70,7 +71,7 @@ class Verdict(NamedTuple):
         return self.numbers[self.worst] if self.numbers else np.nan
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, config=ConfigDict(extra="forbid"))
 class Claim:
     """What every entry of ``config/claims.yaml`` has; the subclasses, one for each kind, add the rest.
     ``tolerance`` is in the unit of the quantity if ``tolerance_kind`` is "absolute", a fraction of it [1]

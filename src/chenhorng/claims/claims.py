@@ -7,8 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
+from pydantic import ValidationError
+
 from chenhorng.claims.claim import Claim
 from chenhorng.claims.kinds import KINDS
+from chenhorng.configuration.model import first_fault
 from chenhorng.places import FIGURE
 from chenhorng.sampling import CURVE_QUANTITIES
 from thirdbody.plain_yaml import read_yaml
@@ -25,8 +28,8 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
         fields = {"tolerance": size, "tolerance_kind": kind, "reason": reason}
         try:
             claims.append(KINDS[entry["kind"]](**entry | fields))
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{path}: {entry['id']}: {error}") from None
+        except ValidationError as error:
+            raise ValueError(f"{path}: {entry['id']}: {first_fault(error)}") from None
     return tuple(claims)
 
 

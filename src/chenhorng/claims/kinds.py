@@ -1,7 +1,8 @@
 """The ten kinds of claims: the fields that each has beside those of all, and its check."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from pydantic import Field
+from pydantic.dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,9 +29,9 @@ class NumberClaim(Claim):
     """A claim on one number of each curve: at a load, the ``extreme`` over loads, or where curves part; or on
     its relative change from the ``reference``."""
 
-    quantity: str = field()
+    quantity: str = Field()
     extreme: str = ""
-    reference: Mapping[str, float] = field(default_factory=dict)
+    reference: Mapping[str, float] = Field(default_factory=dict)
 
     def numbers(self, evidence: "Evidence") -> NDArray:
         """The quantity as one number per curve, or its relative change from the reference."""
@@ -80,7 +81,7 @@ class NumberClaim(Claim):
 class Value(NumberClaim):
     """The number agrees on each curve, or with ``any_curve`` on one of them."""
 
-    published: float = field()
+    published: float = Field()
     any_curve: bool = False
 
     def compared(self, values: NDArray) -> NDArray:
@@ -119,7 +120,7 @@ class Value(NumberClaim):
 class Reach(Value):
     """The least (greatest) value along each curve is the published one or beyond it."""
 
-    extreme: str = field()
+    extreme: str = Field()
     printed_numbers = ()
 
     @property
@@ -138,8 +139,8 @@ class Reach(Value):
 class Span(Claim):
     """Both published numbers occur along the curve; the text has their loads."""
 
-    quantity: str = field()
-    published: Sequence[float] = field()
+    quantity: str = Field()
+    published: Sequence[float] = Field()
 
     def check(self, evidence: "Evidence") -> Verdict:
         (curve,) = (evidence.curves[condition] for condition in self.curves)
@@ -166,7 +167,7 @@ class Span(Claim):
 class Window(Claim):
     """The ends of the range of x_a/sigma with a turning point agree on each surface."""
 
-    published: Sequence[float] = field()
+    published: Sequence[float] = Field()
     source = "window"
 
     def check(self, evidence: "Evidence") -> Verdict:
@@ -189,9 +190,9 @@ class Ordering(Claim):
     """Neighbouring curves, or each curve and its reference, are nowhere in the opposite order, and somewhere
     apart."""
 
-    quantity: str = field()
-    direction: str = field()
-    reference: Mapping[str, float] = field(default_factory=dict)
+    quantity: str = Field()
+    direction: str = Field()
+    reference: Mapping[str, float] = Field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if len(self.curves) < 2 and not self.references:
@@ -216,8 +217,8 @@ class Ordering(Claim):
 class Coincidence(Claim):
     """Curves overlap with their references, plotted ``against`` the load or another quantity."""
 
-    quantity: str = field()
-    reference: Mapping[str, float] = field()
+    quantity: str = Field()
+    reference: Mapping[str, float] = Field()
     against: str = "load"
 
     def check(self, evidence: "Evidence") -> Verdict:
@@ -259,8 +260,8 @@ class CourseClaim(Claim):
 class Trend(CourseClaim, NumberClaim):
     """Each curve has this course along the load, or the numbers have it from curve to curve."""
 
-    direction: str = field()
-    along: str = field()
+    direction: str = Field()
+    along: str = Field()
 
     def miss(self, course: NDArray) -> float:
         return COURSES[self.direction](course, self.step)
@@ -282,7 +283,7 @@ class Trend(CourseClaim, NumberClaim):
 class Absence(CourseClaim):
     """No interior maximum over load stands out by more than the tolerance."""
 
-    quantity: str = field()
+    quantity: str = Field()
 
     def miss(self, course: NDArray) -> float:
         return peak_height(course)
@@ -296,7 +297,7 @@ class StateSequence(Claim):
     """Exactly these regimes, modes or both occur in order on each curve, or with ``any_curve`` on one; with
     ``open_end`` the last may lie beyond the loads."""
 
-    published: Sequence[str] = field()
+    published: Sequence[str] = Field()
     any_curve: bool = False
     open_end: bool = False
 

@@ -18,7 +18,7 @@ from thirdbody.curves import (
 )
 from thirdbody.messages import format_value
 from chenhorng.configuration.inputs import choose_inputs, uncalibrated_values
-from chenhorng.configuration.schema import read_schema, validate
+from chenhorng.configuration.model import check
 from chenhorng.scenes import RELATIVE_DIAMETER, scene_groups
 from thirdbody.plain_yaml import read_yaml
 
@@ -66,7 +66,7 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     can change a number; see ``choose_inputs`` for the other inputs.
     """
     folder = Path(folder)
-    validate(config, read_schema("config"), "configuration")
+    check(config, "configuration")
 
     def located(path):
         """A file ``config/...``: in the current folder, otherwise beside the configuration."""
