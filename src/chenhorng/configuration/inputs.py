@@ -26,7 +26,7 @@ def choose_inputs(
 
     ``laid_over``, inputs or a file of them, overrides those of the file ``calibrated``, or is a calibrated file
     that replaces it.  Returns ``parameters``, the value of each input, SI; ``calibrated``, the path of the
-    calibrated file; ``ensemble``, its members with the overrides; and ``inputs``, the overrides.
+    calibrated file; ``ensemble``, of each of its members what differs from these values; and ``inputs``, the overrides.
     """
     if isinstance(laid_over, Mapping):
         changes, place = laid_over, "inputs"
@@ -42,12 +42,18 @@ def choose_inputs(
     except (TypeError, ValueError, KeyError) as error:
         raise ValueError(f"{place}: {error}") from None
     _check_printed(uncalibrated_values(folder), parameters, calibrated)
+    values = chosen.as_dict()
     return {
-        "parameters": chosen.as_dict(),
+        "parameters": values,
         "calibrated": str(calibrated),
-        "ensemble": [member.as_dict() for member in chosen.members],
+        "ensemble": [_differing(member.as_dict(), values) for member in chosen.members],
         "inputs": changes,
     }
+
+
+def _differing(inputs: Values, base: Values) -> Values:
+    """The inputs that differ from those of ``base``."""
+    return {name: value for name, value in inputs.items() if value != base[name]}
 
 
 def _check_printed(values: Values, parameters: Parameters, calibrated: str | Path) -> None:
