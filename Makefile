@@ -49,7 +49,7 @@ OTHER_TESTS := $(addprefix tests/, workflow oracle products browser paper projec
 test: $(VENV)/test.done $(VENV)/slurm.done
 	$(BIN)/snakemake -c$(CORES)
 	$(PYTEST) $(OTHER_TESTS) $(MANY_POINTS)
-	$(PYTEST) tests/core tests/lab $(MANY_POINTS:%=--ignore=%) --cov
+	$(PYTEST) tests/core $(MANY_POINTS:%=--ignore=%) --cov
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html

@@ -100,35 +100,20 @@ def _example(*lines: str) -> str:
     )
 )
 def state(
-    file: Annotated[
-        str | None, typer.Argument(metavar="[FILE]", help="CSV of conditions, with --csv")
-    ] = None,
     load: Load = None,
     viscosity: Viscosity = None,
     particle_diameter: Size = None,
     roughness: Roughness = None,
     particle_density: Density = None,
     speed: Speed = None,
-    csv: Csv = None,
     inputs: Inputs = None,
     as_json: Json = False,
 ) -> int:
     """Load sharing, contact area, regime and mode."""
     from thirdbody import answers
 
-    conditions = _conditions(locals(), in_file=file is not None)
-    parameters = _parameters(inputs)
-    if file is None and csv is not None:
-        raise ValueError(f"--csv is {csv}, without a FILE of conditions; allowed: both, or neither")
-    if file is None:
-        return _show(answers.state(parameters, conditions), as_json)
-    table = answers.runs(parameters, file, conditions)
-    if as_json:
-        print(table.to_json(orient="records"))
-    if csv is not None or not as_json:
-        _write_csv(table, csv or "-")
-    print(*table.attrs["notes"], sep="\n", file=sys.stderr)
-    return ANSWERED
+    conditions = _conditions(locals())
+    return _show(answers.state(_parameters(inputs), conditions), as_json)
 
 
 @app.command(
@@ -269,60 +254,6 @@ def compare(
 
 @app.command(
     epilog=_example(
-        "thirdbody compare-data measured.csv --viscosity-cSt 90",
-        "--particle-diameter-nm 500 --roughness-nm 300",
-        "--particle-density-per-m2 1e11 --plot compared.svg",
-    )
-)
-def compare_data(
-    file: Annotated[
-        str, typer.Argument(metavar="FILE", help="CSV with units in its headings, as load [N]")
-    ],
-    load: Load = None,
-    viscosity: Viscosity = None,
-    particle_diameter: Size = None,
-    roughness: Roughness = None,
-    particle_density: Density = None,
-    speed: Speed = None,
-    oil_density_kg_per_m3: Annotated[
-        float | None, _option("for speeds, as in the inputs [kg m-3]")
-    ] = None,
-    boundary_friction: Annotated[float | None, _option("of the solids, else fitted [1]")] = None,
-    film_friction: Annotated[float | None, _option("of the film, else fitted [1]")] = None,
-    resistivity_ohm_m: Annotated[
-        float | None, _option("of both bodies, else fitted [ohm m]")
-    ] = None,
-    csv: Csv = None,
-    plot: Plot = None,
-    inputs: Inputs = None,
-    as_json: Json = False,
-) -> int:
-    """Your measurements beside the model, with residuals."""
-    from thirdbody.lab import comparison
-
-    given = locals()
-    _check_files(csv, plot)
-    parameters = _parameters(inputs)
-    names = "oil_density_kg_per_m3", "boundary_friction", "film_friction", "resistivity_ohm_m"
-    coefficients = {name: given[name] for name in names}
-    table = comparison.compare(file, parameters=parameters, **coefficients, **_by_alias(given))
-    if plot is not None:
-        _save(comparison.plot_comparison(table, parameters), plot)
-    if csv is not None:
-        _write_csv(table, csv)
-    answer = {name: table.attrs[name] for name in ("summary", "coefficients", "notes")}
-    if as_json:
-        print(json.dumps(answer))
-    elif csv != "-":
-        import pandas as pd
-
-        print(pd.DataFrame(answer["summary"]).to_string(index=False, float_format="{:.4g}".format))
-        print("", *answer["notes"], sep="\n  ")
-    return ANSWERED
-
-
-@app.command(
-    epilog=_example(
         "thirdbody bearing --ball silicon-nitride --ball-radius-mm 5",
         "--speed-m-per-s 2 --oil-density-kg-per-m3 850",
         "--pressure-viscosity-per-GPa 20 --write bearing.yaml",
@@ -369,11 +300,9 @@ def bearing(
     return ANSWERED
 
 
-def _conditions(
-    arguments: Mapping[str, Any], without: str | None = None, in_file: bool = False
-) -> dict[str, float]:
-    """The conditions among the arguments, all but one; ``ValueError`` names all that are missing, unless they may be
-    in a file.  The speed may be missing."""
+def _conditions(arguments: Mapping[str, Any], without: str | None = None) -> dict[str, float]:
+    """The conditions among the arguments, all but one; ``ValueError`` names all that are missing.
+    The speed may be missing."""
     if without is not None:
         if without not in CONDITIONS:
             raise ValueError(f"--along is {without!r}; allowed: {', '.join(CONDITIONS)}")
@@ -381,7 +310,7 @@ def _conditions(
             option = f"--{CONDITIONS[without].alias.replace('_', '-')}"
             raise ValueError(f"{option} is given with --along {without}; allowed: --from and --to")
     missing = [name for name in AXES if name != without and arguments.get(name) is None]
-    if missing and not in_file:
+    if missing:
         options = ", ".join(f"--{AXES[name].alias.replace('_', '-')}" for name in missing)
         raise ValueError(f"missing: {options}")
     return _by_alias(arguments)

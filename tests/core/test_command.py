@@ -37,7 +37,6 @@ REFUSED = [  # a command, and what its refusal names
     (f"{CURVE} --csv no/a.csv", "no/a.csv"),
     (f"{CURVE} --plot a.txt", "txt"),
     (f"{CURVE} --count 1", "count is 1"),
-    ("compare-data absent.csv", "absent.csv"),
     ("bearing --ball wood", "wood"),
     ("bearing --ball 205,0.7,5", "0.7"),
     ("bearing --speed-m-per-s 2", "speed_m_per_s is 2"),
@@ -68,7 +67,7 @@ def elsewhere(tmp_path, monkeypatch, defaults):
     monkeypatch.setattr(inputs, "parameters_of", with_two_members)
 
 
-@pytest.mark.parametrize("name", [name for name in COMMANDS if name != "compare-data"])
+@pytest.mark.parametrize("name", COMMANDS)
 def test_the_example_of_each_command_works(name, capsys):
     assert run(example(name)) == ANSWERED
     printed = capsys.readouterr()
@@ -181,12 +180,3 @@ def test_output_is_printed_in_any_encoding():
         done = subprocess.run(arguments, capture_output=True, env=environment)
         assert (done.returncode, done.stderr) == (ANSWERED, b"")
         assert b"E_ss" in done.stdout
-
-
-def test_a_table_goes_in_and_a_table_comes_out(capsys):
-    Path("runs.csv").write_text("load [N],viscosity [cSt]\n5,90\n10,90\n")
-    assert run(f"state runs.csv {LAYER} --csv answers.csv") == ANSWERED
-    table = pd.read_csv("answers.csv")
-    assert table["load_N"].tolist() == [5, 10] and table["solid_load_fraction"].notna().all()
-    assert run(f"state runs.csv --csv answers.csv {LAYER} --load-N 3") == BAD_INPUT
-    assert "load_N" in capsys.readouterr().err
