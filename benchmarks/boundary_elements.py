@@ -22,7 +22,7 @@ from ContactMechanics.Optimization import constrained_conjugate_gradients
 from numpy.typing import NDArray
 
 import thirdbody as tb
-from thirdbody.core.parameters import Parameters, mccool_summits
+from thirdbody.core.parameters import mccool_summits
 
 POINTS = 512  # on a side
 SPACING = 100e-9  # m
@@ -64,7 +64,7 @@ def moments(heights: NDArray[np.float64]) -> tuple[float, float, float]:
     return np.var(heights), np.mean(slopes**2), np.mean(bends**2)
 
 
-def with_summits(heights: NDArray[np.float64]) -> Parameters:
+def with_summits(heights: NDArray[np.float64]) -> tb.Ensemble:
     """Inputs with the summits of ``heights`` [m] by their moments (McCool 1987, J. Tribol. 109:264)."""
     m_0, m_2, m_4 = moments(heights)
     roughness, radius = math.sqrt(m_0), 0.375 * math.sqrt(math.pi / m_4)
@@ -94,10 +94,14 @@ def full_area(heights: NDArray[np.float64], hardness: float, load: float) -> flo
     return (np.count_nonzero(touches) - CORNERS * edges) / touches.size
 
 
-def summit_area(inputs: Parameters, hardness: float, load: float) -> float:
+def summit_area(inputs: tb.Ensemble, hardness: float, load: float) -> float:
     """A_t* [1] by the summits of ``inputs``, at ``hardness`` H/E_ss and ``load`` F* [1]."""
     hardness = min(hardness * inputs.elastic_modulus_surfaces, HARDEST)
-    inputs = inputs.changed(hardness_surface_1=hardness, hardness_surface_2=hardness)
+    inputs = inputs.changed(
+        hardness_surface_1=hardness,
+        hardness_surface_2=hardness,
+        hardness_parameter=inputs.hardness_parameter,  # of a film, and there is none
+    )
     nothing = {"viscosity": 0.0, "particle_diameter": 0.0, "particle_density": 0.0}
     roughness = inputs.reference_roughness
     found = tb.solve(load=load, roughness=roughness, parameters=inputs, **nothing)

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 import thirdbody as tb
-from thirdbody.ranges import ENDS
+from thirdbody.ensembles import range_over_members
 
 CONDITIONS = 400
 SEED = 1
@@ -44,30 +44,23 @@ def random_conditions(count: int, seed: int) -> dict[str, np.ndarray]:
     }
 
 
-def shares_within(parameters: tb.Parameters) -> pd.Series:
-    """Share of the conditions [1] at which ``parameters`` lie within the range of their members, by variable;
-    conditions at which they have no values are left out."""
+def shares_within(ensemble: tb.Ensemble) -> pd.Series:
+    """Share of the conditions [1] at which the best of an ``ensemble`` lies within the range of its members, by
+    variable; conditions at which the best has no values are left out."""
     conditions = random_conditions(CONDITIONS, SEED)
-    value, *members = (
-        tb.solve(**conditions, parameters=inputs)
-        for inputs in (parameters, *tb.ensemble(parameters))
-    )
+    points = tb.solve(**conditions, parameters=ensemble, members=True)
     shares = {}
     for name, symbol in VARIABLES.items():
-        numbers = getattr(value, name)
-        solved = np.isfinite(numbers)
-        low, high = np.nanquantile(
-            [getattr(member, name)[solved] for member in members], ENDS, axis=0
-        )
-        slack = ROUNDING * np.abs(numbers[solved])
-        within = (low - slack <= numbers[solved]) & (numbers[solved] <= high + slack)
-        shares[symbol] = within.mean()
+        members = getattr(points, name)
+        solved = np.isfinite(members[0])
+        numbers = members[0, solved]
+        low, high = range_over_members(members[:, solved])
+        slack = ROUNDING * np.abs(numbers)
+        shares[symbol] = ((low - slack <= numbers) & (numbers <= high + slack)).mean()
     return pd.Series(shares)
 
 
 if __name__ == "__main__":
     inputs = tb.load_parameters()
-    print(
-        f"{CONDITIONS} conditions of Table 2, {len(tb.ensemble(inputs))} members; within the range:"
-    )
+    print(f"{CONDITIONS} conditions of Table 2, {len(inputs.members)} members; within the range:")
     print(shares_within(inputs).map("{:.1%}".format).to_string())

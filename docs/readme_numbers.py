@@ -152,7 +152,7 @@ LAST_DIGIT = 0.01e-4
 
 def film_loads_block() -> str:
     """The load in W at which Eq. 7 gives the printed ends of H_c on 300 nm, with their rounding."""
-    inputs = thirdbody.load_parameters()
+    inputs = thirdbody.load_parameters().best
     newtons = inputs.elastic_modulus_surfaces * inputs.ball_radius**2
 
     def load_of(thickness, viscosity):
@@ -181,7 +181,7 @@ def film_loads_block() -> str:
 
 def took_block() -> str:
     """What the calibrated inputs assume beyond the print, and how many statements hold without it."""
-    inputs = thirdbody.load_parameters()
+    inputs = thirdbody.load_parameters().best
     rows = read_csv(RESULTS / "tables" / "departures.csv", TABLES["departures"])
     held = {row["departure"]: f"{row['holds']:g} of {row['judged']:g}" for row in rows}
     below = erf(1.0 / (inputs.spread_ratio * np.sqrt(2.0)))

@@ -1,20 +1,18 @@
 """The range of the ensemble around the curves of a dataset."""
 
 import json
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from thirdbody.attributes import identity
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition, curves_of
+from thirdbody.ensembles import ENDS, range_over_members
 from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable
-from thirdbody.ranges import ENDS
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
@@ -49,7 +47,7 @@ def band(
     ]
     variables = {}
     for name in QUANTITIES:
-        ends = _ends([member[name] for member in solved])
+        ends = range_over_members([member[name] for member in solved])
         for suffix, fraction, values in zip(SUFFIXES, ENDS, ends, strict=True):
             whole = np.full((len(load), *shown.shape), FILL_FLOAT)
             whole[:, shown] = values
@@ -72,14 +70,3 @@ def band(
         "ensemble": members,
     }
     return PlainDataset(variables, dataset.coords, attributes)
-
-
-def _ends(values: Sequence[NDArray]) -> NDArray:
-    """Both ends of the range of each point over the members that have ``values`` there, nan without any."""
-    members = np.stack(values)
-    ends = np.quantile(members, ENDS, axis=0)
-    partly = np.isnan(members).any(axis=0)  # nanquantile takes one point at a time
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "All-NaN", RuntimeWarning)
-        ends[:, partly] = np.nanquantile(members[:, partly], ENDS, axis=0)
-    return ends

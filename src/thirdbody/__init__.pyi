@@ -1,7 +1,9 @@
-from thirdbody.bearings import Material as Material
 from thirdbody.bearings import bearing as bearing
 from thirdbody.conditions import OutOfRangeWarning as OutOfRangeWarning
 from thirdbody.core.parameters import Parameters as Parameters
+from thirdbody.ensembles import Ensemble as Ensemble
+from thirdbody.ensembles import Material as Material
+from thirdbody.ensembles import Setup as Setup
 from thirdbody.grids import grid as grid
 from thirdbody.grids import stream as stream
 from thirdbody.inputs import ensemble as ensemble

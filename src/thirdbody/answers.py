@@ -8,19 +8,19 @@ or have the same state.  ``attrs`` has a title, notes, and whether what was aske
 
 import math
 import textwrap
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import warnings
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
 from thirdbody.bearings import hertz_contact
-from thirdbody.conditions import axis_of, check_count, without_warnings
-from thirdbody.core.parameters import Parameters
+from thirdbody.conditions import OutOfRangeWarning, axis_of, check_count
 from thirdbody.core.turning_points import PROMINENCE
-from thirdbody.notes import area_note, few_notes, range_note, sizes_note, speed_note
-from thirdbody.points import Solution, solve
-from thirdbody.ranges import ranges, spread
+from thirdbody.ensembles import Ensemble, range_over_members
+from thirdbody.notes import area_note, few_notes, range_note, sizes_note, speed_notes
+from thirdbody.points import solve
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
 from thirdbody.variables import FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
 
@@ -34,9 +34,9 @@ COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "membe
 Conditions = Mapping[str, Any]
 
 
-def state(parameters: Parameters, conditions: Conditions) -> pd.DataFrame:
+def state(parameters: Ensemble, conditions: Conditions) -> pd.DataFrame:
     """Load sharing, contact area, regime and mode of an interface, and the nominal pressure on it."""
-    values, *of_members = _states(parameters, conditions)
+    values, of_members = _states(parameters, conditions)
     rows = [_row(name, values[name], [each[name] for each in of_members]) for name in SHOWN]
     rows += _nominal_rows(parameters, conditions)
     notes = _notes(parameters, conditions, values["solution_status"])
@@ -45,11 +45,11 @@ def state(parameters: Parameters, conditions: Conditions) -> pd.DataFrame:
 
 
 def compare_interfaces(
-    parameters: Parameters, conditions: Conditions, other: Parameters, others: Conditions
+    parameters: Ensemble, conditions: Conditions, other: Ensemble, others: Conditions
 ) -> pd.DataFrame:
     """Two interfaces: ``value`` of the first, ``other`` of the second, and the range of the second minus the first."""
-    values, *of_members = _states(parameters, conditions)
-    other_values, *of_other_members = _states(other, others)
+    values, of_members = _states(parameters, conditions)
+    other_values, of_other_members = _states(other, others)
     rows = []
     for name in SHOWN:
         if name in FLAGS:
@@ -75,20 +75,22 @@ def compare_interfaces(
 
 
 def changes_along(
-    parameters: Parameters,
+    parameters: Ensemble,
     conditions: Conditions,
     along: str,
     between: tuple[float, float] | None,
 ) -> pd.DataFrame:
     """The values of a condition, the alias ``along``, at which regime or mode changes."""
-    tables = _of_each(
-        lambda inputs: transitions(
-            along, between=between, parameters=inputs, progress=False, **conditions
-        ),
-        parameters,
+    table = transitions(
+        along, between=between, parameters=parameters, members=True, progress=False, **conditions
     )
+    tables = [
+        table[table.index.get_level_values("member") == member]
+        for member in range(len(parameters.members))
+    ]
     invalid = tables[0][tables[0]["solution_status"].isin(INVALID)]
-    places, *of_members = map(_by_border, tables, [along] * len(tables))
+    places, *_ = of_members = [_by_border(table, along) for table in tables]
+    of_members = of_members if len(of_members) > 1 else []
     axis = axis_of(along)
     rows = []
     for key in dict.fromkeys([*places, *(key for each in of_members for key in each)]):
@@ -102,7 +104,10 @@ def changes_along(
         rows.append(_with_range(row, places.get(key, math.nan), numbers, len(of_members)))
     ends = between or axis.searched
     notes = [f"searched: {axis.name} {ends[0]:g} to {ends[1]:g} {axis.alias_unit}"]
-    with without_warnings():
+    with warnings.catch_warnings():
+        warnings.simplefilter(
+            "ignore", OutOfRangeWarning
+        )  # of conditions of which the search has warned
         for end in ends:
             point = solve(**{**conditions, along: end}, parameters=parameters)
             states = point.to_dataframe()[[*FLAGS]].iloc[0].dropna()
@@ -117,12 +122,10 @@ def changes_along(
 
 
 def turning_load(
-    parameters: Parameters, conditions: Conditions, between_N: tuple[float, float] = LOADS
+    parameters: Ensemble, conditions: Conditions, between_N: tuple[float, float] = LOADS
 ) -> pd.DataFrame:
     """The load at which the particle fraction of the contact area turns, and the sizes for which it does."""
-    values, *of_members = _of_each(
-        lambda inputs: _turning_values(inputs, conditions, between_N), parameters
-    )
+    values, of_members = _turning_values(parameters, conditions, between_N)
     rows = []
     for name, (symbol, quantity, unit) in TURNING.items():
         numbers = [each[name] for each in of_members if math.isfinite(each[name])]
@@ -150,7 +153,7 @@ TURNING = {
 
 
 def curve(
-    parameters: Parameters,
+    parameters: Ensemble,
     conditions: Conditions,
     along: str,
     between: tuple[float, float],
@@ -162,13 +165,17 @@ def curve(
     """
     check_count(count)
     numbers = np.geomspace(*between, count)
-    points, *of_members = _of_each(
-        lambda inputs: solve(**{**conditions, along: numbers}, parameters=inputs, progress=False),
-        parameters,
+    points = solve(
+        **{**conditions, along: numbers}, parameters=parameters, members=True, progress=False
     )
-    table = _with_ranges([points, *of_members], QUANTITIES)
-    table.insert(0, along, numbers)
-    return table
+    columns: dict[str, Any] = {along: numbers}
+    for name in QUANTITIES:
+        values = getattr(points, name)
+        columns[name] = values[0]
+        if len(values) > 1:
+            columns[f"{name}_low"], columns[f"{name}_high"] = range_over_members(values)
+    best = points.to_dataframe().iloc[: len(numbers)]
+    return pd.DataFrame(columns | {name: best[name].to_numpy() for name in FLAGS})
 
 
 def table_text(table: pd.DataFrame) -> str:
@@ -198,17 +205,6 @@ def table_text(table: pd.DataFrame) -> str:
     return "\n".join([textwrap.fill(table.attrs["title"], WIDTH), "", *rows, "", *notes])
 
 
-def _with_ranges(solutions: Sequence[Solution], names: Iterable[str]) -> pd.DataFrame:
-    """Variables of the first of several solutions, with their ranges over the others, and its states."""
-    points, *of_members = solutions
-    columns = {}
-    for name in names:
-        columns[name] = getattr(points, name)
-        columns |= ranges(name, [getattr(each, name) for each in of_members])
-    frame = points.to_dataframe()
-    return pd.DataFrame(columns | {name: frame[name].to_numpy() for name in FLAGS})
-
-
 def _table(title, rows, notes, is_found) -> pd.DataFrame:
     table = pd.DataFrame(rows, columns=None if rows else COLUMNS)
     table.attrs = {"title": title, "notes": list(notes), "found": is_found}
@@ -230,7 +226,7 @@ def _row(name, value, of_members) -> dict:
 
 def _with_range(row, value, numbers, members) -> dict:
     """A row with a number, and the range of those ``numbers`` of the members that exist."""
-    low, high = spread(numbers) or (math.nan, math.nan)
+    low, high = range_over_members(numbers).tolist() if numbers else (math.nan, math.nan)
     return row | {
         "value": value,
         "low": low,
@@ -240,27 +236,26 @@ def _with_range(row, value, numbers, members) -> dict:
     }
 
 
-def _of_each(call: Callable, parameters: Parameters) -> list:
-    """The result of a call for the inputs and, without warnings of what has been checked, for each member."""
-    result = call(parameters)
-    with without_warnings():
-        return [result, *(call(member) for member in parameters.members)]
+def _states(parameters, conditions) -> tuple[dict, list[dict]]:
+    """The variables of one point for the best set, and for each member if there are several: numbers, of d in nm, or
+    names of states."""
+    points = solve(**conditions, parameters=parameters, members=True)
 
-
-def _states(parameters, conditions) -> list[dict]:
-    """The variables of one point for the inputs and for each member: numbers, of d in nm, or names of states."""
-
-    def values(inputs):
-        point = solve(**conditions, parameters=inputs)
-        numbers = {name: float(getattr(point, name)) for name in QUANTITIES}
+    def values(member):
+        numbers = {name: float(getattr(points, name)[member]) for name in QUANTITIES}
         numbers["separation"] *= 1e9
         known = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
-        states = {name: str(getattr(point, name).item()) for name in FLAGS}
+        states = {name: str(getattr(points, name)[member]) for name in FLAGS}
         if states["lubrication_regime"] == "full_film":
             states["contact_mode"] = "none"
         return known | states
 
-    return _of_each(values, parameters)
+    return _best_and_members([values(member) for member in range(len(parameters.members))])
+
+
+def _best_and_members(values: list[dict]) -> tuple[dict, list[dict]]:
+    """The values of the best set, and those of all members; none of these if the best is alone."""
+    return values[0], values if len(values) > 1 else []
 
 
 def _nominal_rows(parameters, conditions) -> list[dict]:
@@ -273,9 +268,10 @@ def _nominal_rows(parameters, conditions) -> list[dict]:
         ("A_H", "Hertz area of the smooth ball", "mm2"): 1e6 * area,
         ("p_H", "mean Hertz pressure on it", "MPa"): 1e-6 * pressure,
     }
+    members = parameters.members if len(parameters.members) > 1 else ()
     of_members = {
-        "A_n": [1e6 * member.apparent_area for member in parameters.members],
-        "p_n": [1e-6 * load / member.apparent_area for member in parameters.members],
+        "A_n": [1e6 * member.apparent_area for member in members],
+        "p_n": [1e-6 * load / member.apparent_area for member in members],
     }
     return [
         _with_range(
@@ -301,17 +297,24 @@ def _by_border(table, along) -> dict[tuple, float]:
     }
 
 
-def _turning_values(parameters, conditions, between_N) -> dict:
-    """The rows of ``turning_load`` for one set of inputs."""
+def _turning_values(parameters, conditions, between_N) -> tuple[dict, list[dict]]:
+    """The rows of ``turning_load`` for the best set, and for each member if there are several."""
     layer = {name: conditions[name] for name in ("roughness_nm", "particle_density_per_m2")}
     others = {key: value for key, value in conditions.items() if key != "load_N"}
-    arguments = {"parameters": parameters, "between_N": between_N}
-    point = turning_point(**arguments, **others, progress=False).iloc[0]
-    window = turning_window(**arguments, **layer).iloc[0]
+    arguments = {"parameters": parameters, "between_N": between_N, "members": True}
+    points = turning_point(**arguments, **others, progress=False)
+    with warnings.catch_warnings():
+        warnings.simplefilter(
+            "ignore", OutOfRangeWarning
+        )  # of conditions that the first has warned of
+        windows = turning_window(**arguments, **layer)
     names = "load_N", "load", "peak_ratio", "solid_load_fraction"
-    values = {name: float(point[name]) if point["exists"] else math.nan for name in names}
-    sizes = {end: float(window[end] * conditions["roughness_nm"]) for end in ("low", "high")}
-    return values | sizes | {"is_cut": point["is_cut"]}
+    values = []
+    for (_, point), (_, window) in zip(points.iterrows(), windows.iterrows(), strict=True):
+        numbers = {name: float(point[name]) if point["exists"] else math.nan for name in names}
+        sizes = {end: float(window[end] * conditions["roughness_nm"]) for end in ("low", "high")}
+        values.append(numbers | sizes | {"is_cut": point["is_cut"]})
+    return _best_and_members(values)
 
 
 def _notes(parameters, conditions, status) -> list[str]:
@@ -326,11 +329,11 @@ def _ensemble_notes(parameters, conditions) -> list[str]:
     and what a range is."""
     notes = [area_note(parameters)]
     if conditions.get("viscosity_cSt") != 0.0:
-        notes.append(speed_note(parameters))
+        notes += speed_notes(parameters)
     layer = [conditions.get(key) for key in LAYER]
     if all(layer):  # neither without particles nor along one of these
         notes.append(sizes_note(1e-9 * layer[0], 1e-9 * layer[1], parameters))
-    return [*notes, range_note(parameters.members)]
+    return [*notes, range_note(parameters)]
 
 
 def _words(conditions) -> str:

@@ -9,28 +9,29 @@ kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions import (
-    OIL_DENSITY,
-    checked_number,
-    checked_numbers,
-)
+from thirdbody.conditions import checked_numbers
 from thirdbody.core.parameters import Parameters
+from thirdbody.ensembles import (
+    BODIES,
+    GIGA,
+    STEEL,
+    Ensemble,
+    Material,
+    Setup,
+)
 from thirdbody.inputs import or_calibrated
-from thirdbody.notes import speed_note
+from thirdbody.notes import speed_notes
 
 if TYPE_CHECKING:
     import pandas as pd
 
 
-STEEL_MODULUS = 205e9  # [Pa], not printed: E_ss of Table 1 follows from it
-POISSON_RATIO = 0.29  # of all bodies, Table 1
-GIGA = 1e9
 # least and most usual value of the numbers of ``bearing``, and their unit
 USUAL_BEARING = {
     "ball_radius_mm": (0.1, 1000.0, "mm"),
@@ -40,7 +41,6 @@ USUAL_BEARING = {
     "apparent_area_mm2": (1e-4, 1e6, "mm2"),
     "ellipticity": (0.1, 10.0, "1"),
 }
-USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
 # unit of each derived input, and its formula
 FORMULAS = {
     "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
@@ -56,81 +56,20 @@ FORMULAS = {
 }
 
 
-@dataclass(frozen=True)
-class Material:
-    """A body: its modulus, Poisson's ratio and hardness, as numbers or quantities.
-
-    Parameters
-    ----------
-    modulus_GPa : float
-        Young's modulus E [GPa].
-    poisson_ratio : float
-        Poisson's ratio v [1], 0 to 0.5.
-    hardness_GPa : float
-        Hardness H [GPa].
-
-    Examples
-    --------
-    >>> import thirdbody as tb
-    >>> bronze = tb.Material(modulus_GPa=110, poisson_ratio=0.34, hardness_GPa=1.5)
-    >>> inputs = tb.bearing(flat=bronze)
-    >>> inputs.hardness_surface_2
-    1500000000.0
-    """
-
-    modulus_GPa: float
-    poisson_ratio: float
-    hardness_GPa: float
-
-    def __post_init__(self):
-        numbers = {name: getattr(self, name) for name in USUAL_MATERIAL}
-        ratio = checked_number("poisson_ratio", self.poisson_ratio, positive=False)
-        for name, number in (
-            checked_numbers(numbers, USUAL_MATERIAL) | {"poisson_ratio": ratio}
-        ).items():
-            object.__setattr__(self, name, number)
-        if self.poisson_ratio > 0.5:
-            raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
-
-    @property
-    def compliance(self) -> float:
-        """(1 - v^2)/E [Pa-1]."""
-        return (1.0 - self.poisson_ratio**2) / (GIGA * self.modulus_GPa)
-
-    @property
-    def hardness(self) -> float:
-        """Hardness [Pa]."""
-        return GIGA * self.hardness_GPa
-
-
 MATERIALS = {
-    # Table 1; the modulus of steel that gives E_ss = 112 GPa
-    "steel": Material(STEEL_MODULUS / GIGA, POISSON_RATIO, 5.0),
+    "steel": STEEL,
     # common values of hot-pressed bearing balls, within the limits of ASTM F2094
     "silicon nitride": Material(310.0, 0.27, 15.0),
     # common values of dense alumina
     "alumina": Material(380.0, 0.22, 16.0),
 }
-STEEL = MATERIALS["steel"]
 
 
-@dataclass(frozen=True, kw_only=True)
-class Rig:
-    """The materials and the density of the oil from which inputs were derived."""
-
-    ball: Material = STEEL
-    flat: Material = STEEL
-    particle: Material = STEEL
-    oil_density_kg_per_m3: float = OIL_DENSITY
-
-    @property
-    def moduli(self) -> tuple[float, float]:
-        """E_ss and E_sa [Pa]; a particle is in contact with the more compliant of ball and flat."""
-        surface = max(self.ball, self.flat, key=lambda body: body.compliance)
-        return _hertz_modulus(self.ball, self.flat), _hertz_modulus(self.particle, surface)
-
-
-BODIES = "ball", "flat", "particle"
+def _moduli(setup: Setup) -> tuple[float, float]:
+    """E_ss and E_sa [Pa] of three bodies; a particle is in contact with the more compliant of ball and flat."""
+    ball, flat, particle = (getattr(setup, name) for name in BODIES)
+    surface = max(ball, flat, key=lambda body: body.compliance)
+    return _hertz_modulus(ball, flat), _hertz_modulus(particle, surface)
 
 
 def _hertz_modulus(one: Material, other: Material) -> float:
@@ -148,7 +87,7 @@ def _material(name: str, material: Material | str) -> Material:
 
 
 def bearing(
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
     *,
     ball_radius_mm: float | None = None,
     speed_m_per_s: float | None = None,
@@ -159,7 +98,7 @@ def bearing(
     particle: Material | str | None = None,
     apparent_area_mm2: float | None = None,
     ellipticity: float | None = None,
-) -> Parameters:
+) -> Ensemble:
     """Derive the inputs of the model for another ball, speed, oil or material.
 
     What is not given stays as it is in ``parameters``, also the product of density and speed and the
@@ -167,8 +106,8 @@ def bearing(
 
     Parameters
     ----------
-    parameters : Parameters, optional
-        Inputs to start from, by default the calibrated ones.
+    parameters : Parameters or Ensemble, optional
+        Inputs to start from, by default the calibrated ones.  Of ``Parameters`` the bodies and the oil are unknown.
     ball_radius_mm : float, optional
         R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls.
     speed_m_per_s, oil_density_kg_per_m3 : float, optional
@@ -186,8 +125,9 @@ def bearing(
 
     Returns
     -------
-    Parameters
-        All inputs, SI; its members have the same changes.
+    Ensemble
+        All inputs, SI; the members have the same changes.  Its ``setup`` has the materials and the density of the
+        oil.
 
     Raises
     ------
@@ -212,22 +152,24 @@ def bearing(
     134.1
     """
     arguments = {name: value for name, value in locals().items() if value is not None}
-    parameters = or_calibrated(parameters)
+    ensemble = or_calibrated(parameters)
+    before = ensemble.best
     numbers = checked_numbers(
-        {name: arguments[name] for name in USUAL_BEARING if name in arguments}, USUAL_BEARING
+        {name: arguments[name] for name in USUAL_BEARING if name in arguments},
+        USUAL_BEARING,
+        stacklevel=4,
     )
     materials = {name: _material(name, arguments[name]) for name in BODIES if name in arguments}
-    rig, changes = _of_materials(parameters, materials)
-    modulus = changes.get("elastic_modulus_surfaces", parameters.elastic_modulus_surfaces)
-    radius = (
-        1e-3 * numbers["ball_radius_mm"] if "ball_radius_mm" in numbers else parameters.ball_radius
-    )
-    stiffer, larger = modulus / parameters.elastic_modulus_surfaces, radius / parameters.ball_radius
+    setup, changes = _of_materials(ensemble, materials)
+    modulus = changes.get("elastic_modulus_surfaces", before.elastic_modulus_surfaces)
+    radius = 1e-3 * numbers["ball_radius_mm"] if "ball_radius_mm" in numbers else before.ball_radius
+    stiffer, larger = modulus / before.elastic_modulus_surfaces, radius / before.ball_radius
     changes |= {
-        "ball_radius": radius,
-        "speed_per_viscosity": parameters.speed_per_viscosity / (stiffer * larger),
-        "material_parameter": parameters.material_parameter * stiffer,
+        "speed_per_viscosity": before.speed_per_viscosity / (stiffer * larger),
+        "material_parameter": before.material_parameter * stiffer,
     }
+    if "ball_radius_mm" in numbers:
+        changes["ball_radius"] = radius
     speed, density = numbers.get("speed_m_per_s"), numbers.get("oil_density_kg_per_m3")
     if (speed is None) != (density is None):
         texts = ("None" if each is None else f"{each:g}" for each in (speed, density))
@@ -235,47 +177,36 @@ def bearing(
         raise ValueError(message.format(*texts))
     if speed is not None and density is not None:
         changes["speed_per_viscosity"] = density * speed / (modulus * radius)
+        setup = replace(setup, oil_density_kg_per_m3=density)
     if "pressure_viscosity_per_GPa" in numbers:
         changes["material_parameter"] = numbers["pressure_viscosity_per_GPa"] * modulus / GIGA
     if "apparent_area_mm2" in numbers:
         changes["apparent_area"] = 1e-6 * numbers["apparent_area_mm2"]
     if "ellipticity" in numbers:
         changes["ellipticity"] = numbers["ellipticity"]
-    inputs = parameters.changed(**changes).with_rig(rig)
-    if density is not None:
-        inputs = with_oil_density(inputs, density)
-    if {"ball_radius_mm", "apparent_area_mm2"} & numbers.keys():
-        inputs.check_ball()
-    return inputs
+    return replace(ensemble.changed(**changes), setup=setup)
 
 
-def with_oil_density(parameters: Parameters, density: float) -> Parameters:
-    """The same inputs, of which a speed is that in an oil of this ``density`` [kg m-3]."""
-    return parameters.with_rig(replace(parameters.rig or Rig(), oil_density_kg_per_m3=density))
-
-
-def _of_materials(parameters, materials):
-    """The rig of ``parameters`` with other ``materials`` by name, and the inputs that follow from these."""
-    rig = parameters.rig
-    if rig is None and _are_of(Rig(), parameters):
-        rig = Rig()
+def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup, dict[str, float]]:
+    """The setup of an ensemble with other ``materials`` by name, and the inputs that follow from these."""
+    setup, before = ensemble.setup, ensemble.best
     if not materials:
-        return rig, {}
-    if (rig is None or not _are_of(rig, parameters)) and len(materials) < len(BODIES):
+        return setup, {}
+    if not _are_of(setup, before) and len(materials) < len(BODIES):
         missing = ", ".join(name for name in BODIES if name not in materials)
         raise ValueError(
             f"{missing}: not given, and not known from the moduli of the inputs; "
             f"allowed: {', '.join(BODIES)} together"
         )
-    rig = replace(rig or Rig(), **materials)
-    one = materials["ball"].hardness if "ball" in materials else parameters.hardness_surface_1
-    two = materials["flat"].hardness if "flat" in materials else parameters.hardness_surface_2
-    if "particle" in materials and rig.particle.hardness < max(one, two):
+    setup = replace(setup, **materials)
+    one = materials["ball"].hardness if "ball" in materials else before.hardness_surface_1
+    two = materials["flat"].hardness if "flat" in materials else before.hardness_surface_2
+    if "particle" in materials and materials["particle"].hardness < max(one, two):
         raise ValueError(
-            f"particle has a hardness of {1e-9 * rig.particle.hardness:g} GPa; allowed: at least "
+            f"particle has a hardness of {1e-9 * materials['particle'].hardness:g} GPa; allowed: at least "
             f"{1e-9 * max(one, two):g} GPa, the harder surface, as particles keep their shape"
         )
-    surfaces, particle = rig.moduli
+    surfaces, particle = _moduli(setup)
     changes = {"elastic_modulus_particle": particle}
     if materials.keys() - {"particle"}:
         changes |= {
@@ -284,16 +215,18 @@ def _of_materials(parameters, materials):
             "hardness_surface_2": two,
             "hardness_parameter": min(one, two) / surfaces,
         }
-    return rig, changes
+    return setup, changes
 
 
-def _are_of(rig, parameters):
-    """Whether the moduli of ``parameters`` are those of a rig, to the digits of Table 1."""
+def _are_of(setup: Setup, parameters: Parameters) -> bool:
+    """Whether the moduli of ``parameters`` are those of a setup, to the digits of Table 1."""
+    if None in (setup.ball, setup.flat, setup.particle):
+        return False
     moduli = parameters.elastic_modulus_surfaces, parameters.elastic_modulus_particle
-    return bool(np.allclose(rig.moduli, moduli, rtol=2e-3, atol=0.0))
+    return bool(np.allclose(_moduli(setup), moduli, rtol=2e-3, atol=0.0))
 
 
-def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, NDArray]:
+def hertz_contact(load_N: ArrayLike, parameters: Parameters | Ensemble) -> tuple[NDArray, NDArray]:
     """Area [m2] and mean pressure [Pa] of the smooth ball on a flat under a load [N] (Hertz)."""
     load = np.asarray(load_N, float)
     cube = 0.75 * load * parameters.ball_radius
@@ -301,14 +234,14 @@ def hertz_contact(load_N: ArrayLike, parameters: Parameters) -> tuple[NDArray, N
     return area, load / area
 
 
-def derived_inputs(parameters: Parameters | None = None) -> pd.DataFrame:
+def derived_inputs(parameters: Parameters | Ensemble | None = None) -> pd.DataFrame:
     """The inputs that ``bearing`` derives: a row for each, with its value, unit and formula, and notes in
     ``attrs``."""
     import pandas as pd  # slow to import, for inputs alone
 
-    parameters = or_calibrated(parameters)
+    inputs = or_calibrated(parameters)
     table = pd.DataFrame.from_dict(FORMULAS, "index", columns=["unit", "formula"])
-    table.insert(0, "value", [getattr(parameters, name) for name in FORMULAS])
+    table.insert(0, "value", [getattr(inputs.best, name) for name in FORMULAS])
     table = table.rename_axis("input")
-    table.attrs["notes"] = [speed_note(parameters)]
+    table.attrs["notes"] = speed_notes(inputs)
     return table

@@ -285,13 +285,7 @@ def bearing(
     if write is not None:
         import yaml
 
-        # what all members have is known; what they do not stays unknown where the file is read
-        known = {
-            name: value
-            for name, value in parameters.as_dict().items()
-            if all(getattr(member, name) == value for member in parameters.members)
-        }
-        _write(yaml.safe_dump(known, sort_keys=False), write)
+        _write(yaml.safe_dump(parameters.known(), sort_keys=False), write)
     table = bearings.derived_inputs(parameters)
     if as_json:
         print(table.to_json(orient="index"))
@@ -333,7 +327,7 @@ def _parameters(path: str | None) -> Any:
 
 def _material(text: str | None) -> Any:
     """A material: a name, or modulus [GPa], Poisson's ratio and hardness [GPa]."""
-    from thirdbody.bearings import Material
+    from thirdbody.ensembles import Material
 
     if text is None or "," not in text:
         return text

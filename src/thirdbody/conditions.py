@@ -8,13 +8,10 @@ quantity of pint; anything else is refused by its type, as it may carry a unit, 
 import re
 import sys
 import warnings
-from collections.abc import Collection, Iterator, Mapping
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cache
-from inspect import currentframe
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -34,7 +31,23 @@ OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # least and most usual value of numbers by name, and their unit
 Usual = Mapping[str, tuple[float, float, str]]
-_CHECKED = ContextVar("whether conditions have been checked", default=False)
+
+
+class ConditionArguments(TypedDict, total=False):
+    """The five conditions and the speed, each under one of its two names, for help and type checkers."""
+
+    load: ArrayLike | None
+    load_N: ArrayLike | None
+    viscosity: ArrayLike | None
+    viscosity_cSt: ArrayLike | None
+    particle_diameter: ArrayLike | None
+    particle_diameter_nm: ArrayLike | None
+    roughness: ArrayLike | None
+    roughness_nm: ArrayLike | None
+    particle_density: ArrayLike | None
+    particle_density_per_m2: ArrayLike | None
+    speed: ArrayLike | None
+    speed_m_per_s: ArrayLike | None
 
 
 class OutOfRangeWarning(UserWarning):
@@ -53,12 +66,14 @@ class OutOfRangeWarning(UserWarning):
 
 @dataclass(frozen=True, eq=False)
 class Conditions:
-    """Conditions in SI, by the names of ``AXES``.
+    """Conditions in SI, by the names of ``CONDITIONS``.
 
     Attributes
     ----------
     arrays : dict of arrays
         Float64 copies of the values, which the caller cannot change later.
+    is_force : bool
+        Whether the load is in newtons: F_t* depends on the inputs that are solved.
     keys : dict of str
         The name of each condition in tables: the one it was given by, for a quantity the alias.
     labelled : dict of xarray.DataArray
@@ -68,16 +83,27 @@ class Conditions:
     """
 
     arrays: dict[str, NDArray]
+    is_force: bool
     keys: dict[str, str]
     labelled: dict[str, "xr.DataArray"]
     index: "pd.Index | None"
+
+    def with_load(
+        self, parameters: Parameters, arrays: Mapping[str, NDArray] | None = None
+    ) -> dict[str, NDArray]:
+        """The ``arrays``, or others that follow from them, with the load F_t* [1] of some inputs."""
+        solved = dict(self.arrays if arrays is None else arrays)
+        if self.is_force and "load" in solved:
+            solved["load"] = solved["load"] * (1.0 / parameters.newtons_per_load)
+        return solved
 
 
 def read_conditions(
     arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
 ) -> Conditions:
     """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``;
-    and the speed, if it is among them.  An argument that is None is not given.
+    and the speed, if it is among them.  An argument that is None is not given.  A public function calls this
+    itself, so that warnings name the line that called it; the usual range of newtons is that of ``parameters``.
 
     Raises
     ------
@@ -105,18 +131,28 @@ def read_conditions(
     if missing:
         names = f"{missing[0].name} or {missing[0].alias}"
         raise ValueError(f"{missing[0].name} is missing; allowed: {names}")
-    arrays, keys, labelled, unusual = {}, {}, {}, []
+    arrays, keys, labelled, unusual, is_force = {}, {}, {}, [], False
     for name, axis in CONDITIONS.items():
         if name in values:
             key, value = values[name]
             typed = _Typed.of(key, value)
             arrays[name] = typed.checked_si(parameters.newtons_per_load)
             unusual += typed.unusual(parameters.newtons_per_load)
-            keys[name] = axis.alias if typed.is_quantity else key
+            is_force |= typed.is_force
+            in_engineering_unit = typed.is_force or name != "load"
+            keys[name] = (
+                key if not typed.is_quantity else axis.alias if in_engineering_unit else name
+            )
             if _is_a(value, "xarray", "DataArray", "Variable"):
                 labelled[name] = _with_values(value, arrays[name])
-    _warn(unusual)
-    return Conditions(arrays=arrays, keys=keys, labelled=labelled, index=common_index(arguments))
+    _warn(unusual, stacklevel=4)
+    return Conditions(
+        arrays=arrays,
+        is_force=is_force,
+        keys=keys,
+        labelled=labelled,
+        index=common_index(arguments),
+    )
 
 
 def axis_of(key: str) -> Axis:
@@ -124,28 +160,6 @@ def axis_of(key: str) -> Axis:
     if key not in _BY_NAME:
         raise TypeError(f"unknown condition {key!r}; allowed: {', '.join(_BY_NAME)}")
     return _BY_NAME[key]
-
-
-def density_of_oil(parameters: Parameters) -> float:
-    """The density of the oil [kg m-3] that the inputs stand for: that given to ``thirdbody.bearing``, or else 850."""
-    return getattr(parameters.rig, "oil_density_kg_per_m3", OIL_DENSITY)
-
-
-def entrainment_speed(parameters: Parameters) -> float:
-    """The speed u = (u_1 + u_2)/2 [m/s] that the inputs stand for: U/nu = rho u/(E_ss R_x), with the density rho of the
-    oil."""
-    stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
-    return parameters.speed_per_viscosity * stiffness / density_of_oil(parameters)
-
-
-def without_speed(arrays: Mapping[str, NDArray], parameters: Parameters) -> dict[str, NDArray]:
-    """Conditions without a speed.  U in Eq. 8 has only the product of viscosity and speed: a viscosity at another
-    speed is another viscosity at the speed of ``parameters``."""
-    solved = dict(arrays)
-    speed = solved.pop("speed", None)
-    if speed is not None:
-        solved["viscosity"] = solved["viscosity"] * (speed / entrainment_speed(parameters))
-    return solved
 
 
 def from_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
@@ -161,18 +175,46 @@ def unit_text(key: str) -> str:
     return axis.alias_unit if key == axis.alias else axis.unit
 
 
-def ends_in_si(name: str, ends: Any, key: str, parameters: Parameters) -> tuple[float, float]:
-    """The two ends of a range, the argument ``name``, numbers in the unit of ``key`` or quantities, in SI.
+def read_ends(name: str, ends: Any, key: str, parameters: Parameters) -> "Ends":
+    """The two ends of a range, the argument ``name``, numbers in the unit of ``key`` or quantities.
 
     Raises ``ValueError`` unless they are positive and increase; warns as ``read_conditions``.
     """
     newtons = parameters.newtons_per_load
     typed = [_Typed.of(key, end) for end in ends]
-    si = np.array([end.checked_si(newtons) for end in typed])
-    if si.shape != (2,) or not 0.0 < si[0] < si[1]:
+    read = Ends.of(typed, newtons)
+    are_two = read.si.shape == (2,)
+    first, last = read.with_load(parameters) if are_two else (0.0, 0.0)
+    if not 0.0 < first < last:
         raise ValueError(f"{name} is {ends!r}; allowed: two numbers, positive and increasing")
-    _warn([text.replace(key, name, 1) for end in typed for text in end.unusual(newtons)][:1])
-    return si[0], si[1]
+    texts = [text.replace(key, name, 1) for end in typed for text in end.unusual(newtons)]
+    _warn(texts[:1], stacklevel=4)
+    return read
+
+
+def searched_ends(axis: Axis, parameters: Parameters) -> "Ends":
+    """The two ends between which a condition is searched by default."""
+    typed = [_Typed.of(axis.alias, end) for end in axis.searched]
+    return Ends.of(typed, parameters.newtons_per_load)
+
+
+class Ends(NamedTuple):
+    """The two ends of a range, SI; a load in newtons where it ``is_force``."""
+
+    si: NDArray
+    is_force: list[bool]
+
+    @classmethod
+    def of(cls, typed: list["_Typed"], newtons_per_load: float) -> "Ends":
+        """The ends from numbers with their units."""
+        si = np.array([end.checked_si(newtons_per_load) for end in typed])
+        return cls(si, [end.is_force for end in typed])
+
+    def with_load(self, parameters: Parameters) -> tuple[float, float]:
+        """The ends in SI, a load as F_t* [1] of some inputs."""
+        loads = self.si * (1.0 / parameters.newtons_per_load)
+        first, last = np.where(self.is_force, loads, self.si).tolist()
+        return first, last
 
 
 class _Typed(NamedTuple):
@@ -212,11 +254,11 @@ class _Typed(NamedTuple):
         return cls(key, axis, numbers, text, scale, is_force, unit is not None)
 
     def checked_si(self, newtons_per_load: float) -> NDArray:
-        """The numbers in SI; ``ValueError`` for those that no interface has."""
-        si = self.numbers if self.scale == 1.0 else decimal(self.numbers, self.scale)
-        si = np.array(si * (1.0 / newtons_per_load) if self.is_force else si)
+        """The numbers in SI, a load that ``is_force`` in newtons; ``ValueError`` for those that no interface has."""
+        si = np.array(self.numbers if self.scale == 1.0 else decimal(self.numbers, self.scale))
+        number = si * (1.0 / newtons_per_load) if self.is_force else si
         never_zero = self.axis.name in NEVER_ZERO
-        allowed = ((si > 0.0) if never_zero else (si >= 0.0)) & np.isfinite(si)
+        allowed = ((number > 0.0) if never_zero else (number >= 0.0)) & np.isfinite(number)
         most = LARGEST_DIAMETER if self.axis.name == "particle_diameter" else np.inf
         allowed &= si <= most
         if not allowed.all():
@@ -407,15 +449,18 @@ def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1"
     return float(numbers)
 
 
-def checked_numbers(arguments: Mapping[str, Any], usual: Usual) -> dict[str, float]:
+def checked_numbers(
+    arguments: Mapping[str, Any], usual: Usual, stacklevel: int
+) -> dict[str, float]:
     """Numbers or quantities as floats in the units of ``usual``; ``ValueError`` unless all are positive.
 
-    Warns of unusual ones.
+    Issues one ``OutOfRangeWarning`` for all that are unusual.
     """
     numbers = {
         name: checked_number(name, value, unit=usual[name][2]) for name, value in arguments.items()
     }
-    warn_outside(numbers, usual)
+    texts = [unusual_text(name, number, *usual[name]) for name, number in numbers.items()]
+    _warn(sum(texts, []), stacklevel)
     return numbers
 
 
@@ -433,30 +478,7 @@ def unusual_text(name: str, numbers: ArrayLike, least: float, most: float, unit:
     return [f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}"]
 
 
-def warn_outside(numbers: Mapping[str, ArrayLike], usual: Usual) -> None:
-    """Issue one ``OutOfRangeWarning`` for all numbers outside their usual range."""
-    _warn([text for name in numbers for text in unusual_text(name, numbers[name], *usual[name])])
-
-
-def _warn(unusual):
-    """Issue one warning, at the first caller outside of the package."""
-    if unusual and not _CHECKED.get():
-        warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=_level_outside())
-
-
-def _level_outside():
-    """The level in the stack, for ``warnings.warn`` in the calling function, of the code that called the package."""
-    level, frame = 0, currentframe()
-    while frame is not None and frame.f_globals["__name__"].startswith("thirdbody"):
-        level, frame = level + 1, frame.f_back
-    return level
-
-
-@contextmanager
-def without_warnings() -> Iterator[None]:
-    """A context without warnings of conditions that have been checked; of other threads it changes nothing."""
-    token = _CHECKED.set(True)
-    try:
-        yield
-    finally:
-        _CHECKED.reset(token)
+def _warn(unusual: list[str], stacklevel: int) -> None:
+    """Issue one warning, for the line that ``stacklevel`` names."""
+    if unusual:
+        warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=stacklevel)

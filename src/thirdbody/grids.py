@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Collection, Mapping
 from itertools import product
 from math import prod
@@ -9,18 +10,25 @@ from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from shutil import disk_usage
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
 import netCDF4
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from thirdbody.attributes import coordinate_attributes, described_grid
-from thirdbody.conditions import check_rtol, checked_variables, read_conditions, without_speed
+from thirdbody.attributes import coordinate_attributes, described_grid, identity
+from thirdbody.conditions import (
+    ConditionArguments,
+    Conditions,
+    check_rtol,
+    checked_variables,
+    read_conditions,
+)
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import type_of
 from thirdbody.core.sweep import is_worthwhile, sweep
+from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.files import atomic_write
 from thirdbody.inputs import or_calibrated
 from thirdbody.messages import format_path, format_value
@@ -33,24 +41,28 @@ if TYPE_CHECKING:
     import xarray as xr
 
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
+MEMBERS = "ensemble"  # attribute of grids of members: of each what differs from the best
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
 
 def grid(
     *,
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
+    members: bool = False,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
     progress: bool = True,
-    **conditions: ArrayLike,
+    **conditions: Unpack[ConditionArguments],
 ) -> xr.Dataset:
     """Solve every combination of five axes and return a dataset.
 
     Parameters
     ----------
-    parameters : Parameters, optional
+    parameters : Parameters or Ensemble, optional
         Inputs of the model, by default the calibrated ones.
+    members : bool, optional
+        Whether all members of an ensemble are solved, by default its best set alone.
     rtol : float, optional
         Requested relative error of every variable [1].  At 1e-3 or more, large grids are interpolated
         over the separation, which is faster; below, every point is solved individually.
@@ -67,7 +79,8 @@ def grid(
     -------
     xarray.Dataset
         Dimensions are the axes.  ``solution_status`` is the status of each point; points
-        without values are nan.
+        without values are nan.  With ``members`` the first dimension is ``member``, the best first.  Where loads were
+        given in newtons, the coordinate ``load`` is F_t* of the best.
 
     Raises
     ------
@@ -91,13 +104,55 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
-    parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    ensemble = or_calibrated(parameters)
+    check_rtol(rtol)
+    names = _names(variables)
+    read = read_conditions(conditions, ensemble.best)
+    axes = _axes(read)
+    if not members:
+        return _grid_of(ensemble, read, axes, rtol, names, progress)
+    grids = [_grid_of(member, read, axes, rtol, names, progress) for member in ensemble]
+    return _along_members(grids, ensemble, read)
+
+
+def _along_members(grids: list[xr.Dataset], ensemble: Ensemble, read: Conditions) -> xr.Dataset:
+    """The grids of all members along a dimension, with F_t* of the best."""
+    import xarray as xr
+
+    changed = {"load": grids[0]["load"].variable}
+    if read.is_force:  # the same load in newtons for all
+        changed["normal_load"] = grids[0]["normal_load"].variable
+    joined = xr.concat(
+        [each.assign_coords(changed) for each in grids],
+        dim=xr.Variable(MEMBER, np.arange(len(grids))),
+        coords="minimal" if read.is_force else ["normal_load"],
+        compat="override",
+        combine_attrs="override",
+    )
+    usual = ensemble.best.as_dict()
+    differing = [dict(member.as_dict().items() - usual.items()) for member in ensemble.members]
+    origin = " ".join(each.attrs["configuration_sha256"] for each in grids)
+    return joined.assign_attrs({**identity(origin), MEMBERS: json.dumps(differing)})
+
+
+def _grid_of(
+    ensemble: Ensemble,
+    read: Conditions,
+    axes: Axes,
+    rtol: float,
+    names: Collection[str],
+    progress: bool,
+) -> xr.Dataset:
+    """The dataset of the best of an ensemble, over five axes or six."""
+    parameters, load_key = ensemble.best, read.keys["load"]
+    axes = read.with_load(parameters, axes)
     speeds = axes.pop("speed", None)
     if speeds is None:
         return _solved_grid(axes, axes, parameters, rtol, names, load_key, progress)
     import xarray as xr
 
-    films = without_speed({"viscosity": axes["viscosity"][:, None], "speed": speeds}, parameters)
+    films = {"viscosity": axes["viscosity"][:, None], "speed": speeds}
+    films = ensemble.setup.without_speed(films, parameters)
     viscosities, places = np.unique(films["viscosity"], return_inverse=True)
     films = axes | {"viscosity": viscosities}
     request = axes | {"speed": speeds}
@@ -137,12 +192,12 @@ def _solved_grid(
 def stream(
     path: str | PathLike,
     *,
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
     compression: int = 0,
     progress: bool = True,
-    **conditions: ArrayLike,
+    **conditions: Unpack[ConditionArguments],
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
@@ -181,7 +236,11 @@ def stream(
     """
     if not isinstance(compression, Integral) or compression not in range(10):
         raise ValueError(f"compression is {format_value(compression)}; allowed: 0 to 9")
-    parameters, names, axes, load_key = _read_grid(parameters, rtol, variables, conditions)
+    inputs = or_calibrated(parameters).best
+    check_rtol(rtol)
+    names = _names(variables)
+    read = read_conditions(conditions, inputs)
+    axes = read.with_load(inputs, _axes(read))
     if "speed" in axes:
         raise ValueError("speed_m_per_s is no axis of a file; allowed: other viscosities instead")
     shape = tuple(axis.size for axis in axes.values())
@@ -191,7 +250,7 @@ def stream(
         lengths[lengths.index(longest)] = -(-longest // 2)
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
-    described = described_grid(axes, empty, parameters, rtol, load_key=load_key)
+    described = described_grid(axes, empty, inputs, rtol, load_key=read.keys["load"])
     with atomic_write(path) as (part,):
         size = prod(shape) * sum(kind.itemsize for kind in types.values())
         free = disk_usage(Path(path).parent).free
@@ -211,26 +270,26 @@ def stream(
             for corner in product(*starts):
                 block = tuple(slice(i, i + length) for i, length in zip(corner, lengths))
                 sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
-                values = solve_points(crossed(sides), parameters, rtol, names)
+                values = solve_points(crossed(sides), inputs, rtol, names)
                 for name, variable in stored.items():
                     variable[block] = values[name]
                 bar.add(values[STATUS].size)
 
 
-def _read_grid(parameters, rtol, variables, conditions):
-    """Inputs, names of variables, axes [SI] and the name of the load as given; the status, which explains nan, is
-    always included."""
-    parameters = or_calibrated(parameters)
-    check_rtol(rtol)
-    variables = checked_variables(variables, VARIABLES)
-    names = [name for name in VARIABLES if name in variables or name == STATUS]
-    read = read_conditions(conditions, parameters)
+def _names(variables: str | Collection[str] | None) -> list[str]:
+    """The names of variables; the status, which explains nan, is always included."""
+    chosen = checked_variables(variables, VARIABLES)
+    return [name for name in VARIABLES if name in chosen or name == STATUS]
+
+
+def _axes(read: Conditions) -> dict[str, NDArray[np.float64]]:
+    """The axes of a grid, a load in the unit in which it was given; ``ValueError`` unless they increase."""
     axes = {name: np.atleast_1d(values) for name, values in read.arrays.items()}
     for name, axis in axes.items():
         if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
             message = f"{read.keys[name]} of shape {axis.shape} does not increase"
             raise ValueError(f"{message}; allowed: one increasing dimension")
-    return parameters, names, axes, read.keys["load"]
+    return axes
 
 
 def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from thirdbody.attributes import coordinate_attributes, variable_attributes
 from thirdbody.conditions import from_si
 from thirdbody.core.regimes import FLAG_MEANINGS, STATES, codes_to_name
+from thirdbody.ensembles import MEMBER
 from thirdbody.notes import area_note
 from thirdbody.variables import CONDITIONS, NORMAL_LOAD, VARIABLES, decimal
 
@@ -35,8 +36,14 @@ def _labelled(solution) -> xr.Dataset:
     labelled = first if isinstance(first, xr.DataArray) else None
     plain = [values for values in conditions.values() if not isinstance(values, xr.DataArray)]
     shape = np.broadcast_shapes(*map(np.shape, (*variables.values(), *plain)))
-    dimensions = _dimensions(shape, conditions) if labelled is None else labelled.dims
+    of_points = shape[1:] if solution.has_members else shape
+    names = [MEMBER] if solution.has_members else []
+    names += _dimensions(of_points, conditions) if labelled is None else []
+    dimensions = names if labelled is None else labelled.dims
     coordinates = {} if labelled is None else dict(labelled.coords)
+    ensemble = solution.parameters
+    if solution.has_members:
+        coordinates[MEMBER] = MEMBER, np.arange(len(ensemble.members))
     for name, values in conditions.items():
         if name not in coordinates:
             attributes = coordinate_attributes(CONDITIONS[name], solution.keys[name])
@@ -46,7 +53,10 @@ def _labelled(solution) -> xr.Dataset:
         array = np.asarray(values).astype(np.int8 if name in STATES else float)
         described[name] = dimensions, array, variable_attributes(VARIABLES[name])
     dataset = xr.Dataset(described, coordinates)
-    newtons = dataset["load"].variable * solution.parameters.newtons_per_load
+    newtons = dataset["load"].variable * ensemble.newtons_per_load
+    if solution.has_members and solution.keys["load"] != "load_N":  # each member has its own
+        per_load = [member.newtons_per_load for member in ensemble.members]
+        newtons = xr.Variable(MEMBER, per_load) * dataset["load"].variable
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)
     return dataset.assign_coords(normal_load=newtons)
 

@@ -1,13 +1,12 @@
 """What an answer rests on, in sentences: the sizes of the particles, A_n, the speed and the range."""
 
-from collections.abc import Sequence
 from statistics import NormalDist
 
 import numpy as np
 
-from thirdbody.conditions import density_of_oil, entrainment_speed
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer
+from thirdbody.ensembles import Ensemble
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
@@ -32,21 +31,23 @@ def few_notes(per_m2: float, area: float) -> list[str]:
     return [note] if 0.0 < count < 1.0 else []
 
 
-def area_note(parameters: Parameters) -> str:
+def area_note(parameters: Parameters | Ensemble) -> str:
     """The area to which loads refer, in words."""
     return f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2"
 
 
-def speed_note(parameters: Parameters) -> str:
-    """The speed that the inputs stand for, in words."""
-    density, speed = density_of_oil(parameters), entrainment_speed(parameters)
-    return (
-        f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {speed:.3g} m/s"
-    )
+def speed_notes(ensemble: Ensemble) -> list[str]:
+    """The speed that the inputs stand for, in words; none if the density of the oil is unknown."""
+    density = ensemble.setup.oil_density_kg_per_m3
+    if density is None:
+        return []
+    note = f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {ensemble.speed:.3g} m/s"
+    return [note]
 
 
-def range_note(members: Sequence[Parameters]) -> str:
-    """What a range is, once for an answer with ``members`` of the ensemble."""
-    if not members:
+def range_note(ensemble: Ensemble) -> str:
+    """What a range is, once for an answer."""
+    count = len(ensemble.members)
+    if count == 1:
         return "no range: these inputs have no ensemble"
-    return f"ranges are 5 to 95 % over {len(members)} sets of inputs that explain the paper about equally well"
+    return f"ranges are 5 to 95 % over {count} sets of inputs that explain the paper about equally well"

@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from thirdbody.conditions import (
+    ConditionArguments,
     broadcast_by_name,
     check_rtol,
     checked_variables,
     read_conditions,
-    without_speed,
 )
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import NO_FLAG, STATES, codes_to_name, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
+from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
 from thirdbody.notes import area_note
 from thirdbody.progress import Progress
@@ -34,11 +35,12 @@ VARIABLES = (*QUANTITIES, *FLAGS, ERROR_BOUND.name)
 @with_table
 def solve(
     *,
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
+    members: bool = False,
     rtol: float = DEFAULT_RTOL,
     variables: str | Collection[str] | None = None,
     progress: bool = True,
-    **conditions: ArrayLike,
+    **conditions: Unpack[ConditionArguments],
 ) -> Solution:
     """Contact state of the interface at each point, by Equations 1 to 10.
 
@@ -50,8 +52,11 @@ def solve(
     Parameters
     ----------
     {conditions}
-    parameters : Parameters, optional
+    parameters : Parameters or Ensemble, optional
         Materials, geometry and interpretations of the model, by default the calibrated ones.
+    members : bool
+        Whether all members of an ensemble are solved; by default its best set alone, as a range takes as
+        many times longer as there are members.
     rtol : float
         Requested relative error of every variable [1], from 1e-11 to 1e-2.  A larger one saves little time
         here, much in ``grid``.
@@ -64,7 +69,9 @@ def solve(
     -------
     Solution
         Arrays of the broadcast shape.  Arrays of xarray broadcast by the names of their dimensions, and give
-        such arrays.  Columns of pandas, which must have equal indexes, give tables with that index.
+        such arrays.  Columns of pandas, which must have equal indexes, give tables with that index.  With
+        ``members`` the first dimension is ``member``, the best first; a range is ``.quantile("member")`` of a
+        variable of ``Solution.to_dataset()``.
 
     Raises
     ------
@@ -72,7 +79,8 @@ def solve(
         For a condition of another kind, one that is missing or given twice, a negative, infinite or missing number,
         a load or roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
         outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft that
-        the ``elastic_factor`` of ``parameters`` is above 1.
+        the ``elastic_factor`` of ``parameters`` is above 1; and for a speed with ``Parameters``, of which the
+        density of the oil is unknown.
 
     Warns
     -----
@@ -82,10 +90,11 @@ def solve(
 
     Notes
     -----
-    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The diameter is the mean of the
-    paper: with a ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The speed of a disc under
-    a ball that does not turn is twice the entrainment speed (u_1 + u_2)/2.  The density of the oil is that given to
-    ``thirdbody.bearing``, or else 850 kg/m3.
+    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The diameter is the mean of the paper: with a
+    ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The speed of a disc under a ball that
+    does not turn is twice the entrainment speed (u_1 + u_2)/2.  The density of the oil is in the ``setup`` of an
+    ensemble: that given to ``thirdbody.bearing``, or else 850 kg/m3.  A load in newtons is the same load for all
+    members, though their A_n differ.
 
     Examples
     --------
@@ -107,31 +116,70 @@ def solve(
     >>> points = tb.solve(load=loads, viscosity=oils, **layer)
     >>> points.solid_load_fraction.sel(oil="thick").round(4).values
     array([0.9997, 0.713 ])
+
+    The range, 5 to 95 %, over the inputs that explain the paper about equally well:
+
+    >>> points = tb.solve(load_N=10, viscosity_cSt=120, **layer, members=True)
+    >>> shares = points.to_dataset()["solid_load_fraction"]
+    >>> shares.quantile((0.05, 0.95), "member").round(2).values
+    array([0.4, 0.5])
     """
-    parameters = or_calibrated(parameters)
+    ensemble = or_calibrated(parameters)
     check_rtol(rtol)
     names = checked_variables(variables, VARIABLES)
-    read = read_conditions(conditions, parameters)
+    read = read_conditions(conditions, ensemble.best)
     arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
-    arrays = without_speed(arrays, parameters)
-    points = np.broadcast(*arrays.values()).size
+    sets = ensemble.members if members else (ensemble.best,)
+    points = np.broadcast(*arrays.values()).size * len(sets)
+    solved = []
     with Progress(points, "points", progress) as bar:
-        values = solve_points(arrays, parameters, rtol, names, bar.add)
+        for inputs in sets:
+            loaded = read.with_load(inputs, arrays)
+            solved_at = ensemble.setup.without_speed(loaded, inputs)
+            solved.append(solve_points(solved_at, inputs, rtol, names, bar.add))
+    values: dict[str, Any] = {
+        name: _stacked([each[name] for each in solved], members) for name in solved[0]
+    }
     values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
+    given: dict[str, Any] = dict(read.with_load(ensemble.best))
+    given |= {name: array.copy(data=given[name]) for name, array in read.labelled.items()}
+    if pattern is not None:
+        stacked = pattern.expand_dims({MEMBER: len(sets)}) if members else pattern
+        values |= {name: stacked.copy(data=array).rename(name) for name, array in values.items()}
     return Solution(
-        variables=values
-        if pattern is None
-        else {name: pattern.copy(data=array).rename(name) for name, array in values.items()},
-        conditions=read.arrays | read.labelled,
+        variables=values,
+        conditions=given,
         keys=read.keys,
-        parameters=parameters,
+        parameters=ensemble,
+        has_members=members,
         index=read.index,
     )
 
 
+def _stacked(arrays: list[NDArray], members: bool) -> NDArray:
+    """The array of the best set, or those of all members along a first dimension."""
+    return np.stack(arrays) if members else arrays[0]
+
+
+class Variables:
+    """The variables of a ``Solution``, for type checkers and editors: arrays of numpy or of xarray."""
+
+    total_contact_area: Any
+    particle_contact_area_ratio: Any
+    surface_contact_area_ratio: Any
+    solid_load_fraction: Any
+    fluid_load_fraction: Any
+    separation: Any
+    film_thickness: Any
+    lubrication_regime: Any
+    contact_mode: Any
+    solution_status: Any
+    error_bound: Any
+
+
 @with_table
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Solution:
+class Solution(Variables):
     """Solved points: what ``solve`` returns.
 
     Every variable is an attribute, an array of the broadcast shape of the conditions (of xarray if one of them
@@ -149,12 +197,15 @@ class Solution:
     variables : mapping
         Those that were requested, by name.
     conditions : mapping
-        The conditions by name, SI: arrays that broadcast to the shape.
+        The conditions by name, SI: arrays that broadcast to the shape.  A load that was given in newtons is F_t*
+        of the best set, also with members.
     keys : mapping
         The name of each condition in tables: the one it was given by, for a quantity the one with an
         engineering unit.
-    parameters : Parameters
+    parameters : Ensemble
         The inputs.
+    has_members : bool
+        Whether the first dimension is ``member``.
     index : pandas.Index, optional
         That of columns of pandas that were given.
     """
@@ -162,14 +213,17 @@ class Solution:
     variables: Mapping[str, Any]
     conditions: Mapping[str, Any]
     keys: Mapping[str, str]
-    parameters: Parameters
+    parameters: Ensemble
+    has_members: bool = False
     index: pd.Index | None = None
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return vars(self)["variables"][name]
-        except KeyError:
-            raise AttributeError(f"{name} was not requested, or is no variable") from None
+    if not TYPE_CHECKING:  # to a type checker only the variables are known
+
+        def __getattr__(self, name: str) -> Any:
+            try:
+                return vars(self)["variables"][name]
+            except KeyError:
+                raise AttributeError(f"{name} was not requested, or is no variable") from None
 
     def __dir__(self) -> list[str]:
         return sorted([*super().__dir__(), *self.variables])
@@ -184,7 +238,8 @@ class Solution:
             The conditions and ``normal_load`` [N] are coordinates.  A dimension is named after the
             condition if only one varies along it, otherwise ``point``; arrays of xarray keep their
             dimensions and coordinates.  The index of columns of a table is a coordinate of its name, or
-            ``row``.
+            ``row``.  With members the first dimension is ``member``.  Where their loads were given in newtons, the
+            coordinate ``load`` is F_t* of the best.
 
         Examples
         --------

@@ -3,26 +3,27 @@ between regimes and modes; ``turning_point`` and ``turning_window`` for maxima o
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import (
+    ConditionArguments,
+    Conditions,
     axis_of,
     check_count,
     check_rtol,
     checked_variables,
     common_index,
-    ends_in_si,
     from_si,
     numbers_in,
     read_conditions,
-    without_speed,
-    without_warnings,
+    read_ends,
+    searched_ends,
 )
 from thirdbody.core.crossings import Crossings, crossings
 from thirdbody.core.parameters import Parameters
@@ -30,6 +31,7 @@ from thirdbody.core.regimes import LIMITS, LubricationRegime, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.turning_points import PROMINENCE, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
+from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
 from thirdbody.labels import indexed
 from thirdbody.progress import Progress
@@ -48,12 +50,13 @@ def find(
     level: ArrayLike,
     along: str,
     *,
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
+    members: bool = False,
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
     progress: bool = True,
-    **conditions: ArrayLike,
+    **conditions: Unpack[ConditionArguments],
 ) -> pd.DataFrame:
     """Find all crossings of a level by a variable along one of the five axes.
 
@@ -70,14 +73,15 @@ def find(
         10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, 2 or more.
-    parameters, rtol, progress, **conditions
+    parameters, members, rtol, progress, **conditions
         As in ``thirdbody.solve``, without the axis; the conditions and ``level`` broadcast.
 
     Returns
     -------
     pandas.DataFrame
         A row for each crossing, by query and then by value.  The index is that of columns of pandas, or
-        ``query``, the flat index into the broadcast shape.  The columns are the conditions, as they were given,
+        ``query``, the flat index into the broadcast shape; with ``members`` its first level is ``member``, the best
+        first.  The columns are the conditions, as they were given,
         and the level; the place of the crossing, called ``along``; the bound ``error`` on its error; whether the
         variable ``rises`` there; and the ``solution_status``.  At the distance ``error`` on both sides the
         variable is above and below the level by more than its ``error_bound``; it is infinite if float64
@@ -109,31 +113,42 @@ def find(
        0.9           78.8
        0.5          117.3
     """
-    parameters = or_calibrated(parameters)
+    ensemble = or_calibrated(parameters)
     check_rtol(rtol)
     levels = _read_levels(variable, level)
-    samples = sample(along, between, count, parameters)
-    queries = Queries.of(conditions, parameters, along, level=levels)
-    limits = [(variable, queries.columns["level"])]
-    places = _crossings(queries, along, limits, samples, parameters, rtol, progress)
-    table = queries.table(places.query, parameters) | _places(places, along, parameters)
-    table |= {
-        "rises": places.rises,
-        "solution_status": _names("solution_status", places.solution_status),
-    }
-    index = common_index(conditions | {"level": level})
-    return _indexed(table, replace(queries, index=index), places.query)
+    check_count(count)
+    best, axis = ensemble.best, axis_of(along)
+    ends = (
+        searched_ends(axis, best) if between is None else read_ends("between", between, along, best)
+    )
+    read = read_conditions(conditions, best, without=axis.name)
+    index = common_index({**conditions, "level": level})
+
+    def search(inputs: Ensemble) -> pd.DataFrame:
+        samples = np.geomspace(*ends.with_load(inputs.best), count)
+        queries = replace(Queries.of(read, inputs.best, level=levels), index=index)
+        limits = [(variable, queries.columns["level"])]
+        places = _crossings(queries, along, limits, samples, inputs, rtol, progress)
+        table = queries.table(places.query, inputs.best) | _places(places, along, inputs.best)
+        table |= {
+            "rises": places.rises,
+            "solution_status": _names("solution_status", places.solution_status),
+        }
+        return _indexed(table, queries, places.query)
+
+    return _of_members(search, ensemble, members)
 
 
 def transitions(
     along: str = "load",
     *,
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
+    members: bool = False,
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
     progress: bool = True,
-    **conditions: ArrayLike,
+    **conditions: Unpack[ConditionArguments],
 ) -> pd.DataFrame:
     """Find where lubrication regime and contact mode change along one of the five axes.
 
@@ -157,36 +172,47 @@ def transitions(
       hybrid particle_surface          167.9
        mixed        full_film          313.8
     """
-    parameters = or_calibrated(parameters)
+    ensemble = or_calibrated(parameters)
     check_rtol(rtol)
-    samples = sample(along, between, count, parameters)
-    queries = Queries.of(conditions, parameters, along)
-    limits = [(quantity, np.full(queries.size, level)) for quantity, level, *_ in LIMITS]
-    places = _crossings(queries, along, limits, samples, parameters, rtol, progress)
-    points = {name: column[places.query] for name, column in queries.columns.items()}
-    points = without_speed(points | {axis_of(along).name: places.value}, parameters)
-    solved = solve_points(points, parameters, rtol, ["lubrication_regime"])
-    is_full = solved["lubrication_regime"] == LubricationRegime.full_film
-    _, _, flag, below, above = np.array(LIMITS, object)[places.limit].T.reshape(5, -1)
-    table = queries.table(places.query, parameters)
-    table |= {
-        "flag": flag,
-        "before": np.where(places.rises, below, above),
-        "after": np.where(places.rises, above, below),
-    }
-    table |= _places(places, along, parameters)
-    table |= {"solution_status": _names("solution_status", places.solution_status)}
-    return _indexed(table, queries, places.query)[~(is_full & (flag == "contact_mode"))]
+    check_count(count)
+    best, axis = ensemble.best, axis_of(along)
+    ends = (
+        searched_ends(axis, best) if between is None else read_ends("between", between, along, best)
+    )
+    read = read_conditions(conditions, best, without=axis.name)
+
+    def search(inputs: Ensemble) -> pd.DataFrame:
+        samples = np.geomspace(*ends.with_load(inputs.best), count)
+        queries = Queries.of(read, inputs.best)
+        limits = [(quantity, np.full(queries.size, level)) for quantity, level, *_ in LIMITS]
+        places = _crossings(queries, along, limits, samples, inputs, rtol, progress)
+        points = {name: column[places.query] for name, column in queries.columns.items()}
+        points = inputs.setup.without_speed(points | {axis.name: places.value}, inputs.best)
+        solved = solve_points(points, inputs.best, rtol, ["lubrication_regime"])
+        is_full = solved["lubrication_regime"] == LubricationRegime.full_film
+        _, _, flag, below, above = np.array(LIMITS, object)[places.limit].T.reshape(5, -1)
+        table = queries.table(places.query, inputs.best)
+        table |= {
+            "flag": flag,
+            "before": np.where(places.rises, below, above),
+            "after": np.where(places.rises, above, below),
+        }
+        table |= _places(places, along, inputs.best)
+        table |= {"solution_status": _names("solution_status", places.solution_status)}
+        return _indexed(table, queries, places.query)[~(is_full & (flag == "contact_mode"))]
+
+    return _of_members(search, ensemble, members)
 
 
 def turning_point(
     *,
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
+    members: bool = False,
     between_N: tuple[float, float] = LOADS,
     count: int = LOADS_SWEPT,
     rtol: float = DEFAULT_RTOL,
     progress: bool = True,
-    **conditions: ArrayLike,
+    **conditions: Unpack[ConditionArguments],
 ) -> pd.DataFrame:
     """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
 
@@ -197,7 +223,7 @@ def turning_point(
         must exceed the least values on both sides of it between them.
     count : int
         Number of loads between which maxima are sought; two within one step are missed.
-    parameters, rtol, progress, **conditions
+    parameters, members, rtol, progress, **conditions
         As in ``thirdbody.solve``, without the load; the conditions broadcast.
 
     Returns
@@ -221,40 +247,48 @@ def turning_point(
     >>> tb.turning_point(viscosity_cSt=0, **layer)["exists"].tolist()
     [False, True]
     """
-    parameters = or_calibrated(parameters)
+    ensemble = or_calibrated(parameters)
     check_rtol(rtol)
     check_count(count)
-    loads = np.geomspace(*ends_in_si("between_N", between_N, "load_N", parameters), count)
-    queries = Queries.of(conditions, parameters, "load")
-    curves = without_speed(queries.columns, parameters)
-    points = {"load": loads[:, None]} | curves
-    names = ["separation", "particle_contact_area_ratio"]
-    with Progress(count * queries.size, "points", progress) as bar:
-        solved = solve_points(points, parameters, rtol, names, bar.add)
-    maxima = turning_points(solved["separation"], **curves, parameters=parameters, rtol=rtol)
-    ratio = solved["particle_contact_area_ratio"]
-    rise = np.fmax.reduce(ratio - np.fmin.accumulate(ratio))
-    every = np.arange(queries.size)
-    table = queries.table(every, parameters)
-    table |= {
-        "exists": maxima.exists,
-        "load_N": maxima.load * parameters.newtons_per_load,
-        "load": maxima.load,
-        "load_error": maxima.load_error,
-        "peak_ratio": maxima.peak_ratio,
-        "solid_load_fraction": maxima.solid_load_fraction,
-        "separation_m": maxima.separation,
-        "prominence": maxima.prominence,
-        "is_cut": ~maxima.exists & (rise >= PROMINENCE),
-    }
-    return _indexed(table, queries, every)
+    ends = read_ends("between_N", between_N, "load_N", ensemble.best)
+    read = read_conditions(conditions, ensemble.best, without="load")
+
+    def search(inputs: Ensemble) -> pd.DataFrame:
+        best = inputs.best
+        loads = np.geomspace(*ends.with_load(best), count)
+        queries = Queries.of(read, best)
+        curves = inputs.setup.without_speed(queries.columns, best)
+        points = {"load": loads[:, None]} | curves
+        names = ["separation", "particle_contact_area_ratio"]
+        with Progress(count * queries.size, "points", progress) as bar:
+            solved = solve_points(points, best, rtol, names, bar.add)
+        maxima = turning_points(solved["separation"], **curves, parameters=best, rtol=rtol)
+        ratio = solved["particle_contact_area_ratio"]
+        rise = np.fmax.reduce(ratio - np.fmin.accumulate(ratio))
+        every = np.arange(queries.size)
+        table = queries.table(every, best)
+        table |= {
+            "exists": maxima.exists,
+            "load_N": maxima.load * best.newtons_per_load,
+            "load": maxima.load,
+            "load_error": maxima.load_error,
+            "peak_ratio": maxima.peak_ratio,
+            "solid_load_fraction": maxima.solid_load_fraction,
+            "separation_m": maxima.separation,
+            "prominence": maxima.prominence,
+            "is_cut": ~maxima.exists & (rise >= PROMINENCE),
+        }
+        return _indexed(table, queries, every)
+
+    return _of_members(search, ensemble, members)
 
 
 def turning_window(
     *,
-    parameters: Parameters | None = None,
+    parameters: Parameters | Ensemble | None = None,
+    members: bool = False,
     between_N: tuple[float, float] = LOADS,
-    **conditions: ArrayLike,
+    **conditions: Unpack[ConditionArguments],
 ) -> pd.DataFrame:
     """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
 
@@ -278,22 +312,30 @@ def turning_window(
         if axis_of(key).name in ("load", "speed", *DRY):
             message = "allowed: roughness and particle density"
             raise ValueError(f"{key} is not a condition of a window in dry contact; {message}")
-    parameters = or_calibrated(parameters)
-    queries = Queries.of(DRY | conditions, parameters, "load")
-    loads = ends_in_si("between_N", between_N, "load_N", parameters)
-    search = WindowSearch(RATIOS, tolerance=TOLERANCE)
-    roughness, density = queries.columns["roughness"], queries.columns["particle_density"]
-    ends = pd.DataFrame(index=range(queries.size), columns=WINDOW_COLUMNS, dtype=float)
-    for level in np.unique(density):
-        rows = np.flatnonzero(density == level)
-        windows = turning_point_windows(search, roughness[rows], level, loads, parameters)
-        ends.loc[rows, WINDOW_COLUMNS] = [
-            [getattr(window, name) for name in WINDOW_COLUMNS] for window in windows
-        ]
-    every = np.arange(queries.size)
-    table = queries.table(every, parameters)
-    table = {key: column for key, column in table.items() if key not in DRY}
-    return _indexed(table | ends.to_dict("series"), queries, every)
+    ensemble = or_calibrated(parameters)
+    loads = read_ends("between_N", between_N, "load_N", ensemble.best)
+    read = read_conditions(DRY | {**conditions}, ensemble.best, without="load")
+
+    def search(inputs: Ensemble) -> pd.DataFrame:
+        best = inputs.best
+        queries = Queries.of(read, best)
+        windows_of = WindowSearch(RATIOS, tolerance=TOLERANCE)
+        roughness, density = queries.columns["roughness"], queries.columns["particle_density"]
+        ends = pd.DataFrame(index=range(queries.size), columns=WINDOW_COLUMNS, dtype=float)
+        for level in np.unique(density):
+            rows = np.flatnonzero(density == level)
+            windows = turning_point_windows(
+                windows_of, roughness[rows], level, loads.with_load(best), best
+            )
+            ends.loc[rows, WINDOW_COLUMNS] = [
+                [getattr(window, name) for name in WINDOW_COLUMNS] for window in windows
+            ]
+        every = np.arange(queries.size)
+        table = queries.table(every, best)
+        table = {key: column for key, column in table.items() if key not in DRY}
+        return _indexed(table | ends.to_dict("series"), queries, every)
+
+    return _of_members(search, ensemble, members)
 
 
 WINDOW_COLUMNS = ["low", "low_error", "high", "high_error"]
@@ -312,15 +354,12 @@ class Queries:
     index: pd.Index | None
 
     @classmethod
-    def of(
-        cls, conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str, **others: Any
-    ) -> Queries:
-        """The combinations of ``others`` and of the conditions, except the one ``along`` which is searched."""
-        read = read_conditions(conditions, parameters, without=axis_of(along).name)
+    def of(cls, read: Conditions, parameters: Parameters, **others: Any) -> Queries:
+        """The combinations of ``others`` and of the conditions, with the load F_t* of ``parameters``."""
         if read.labelled:
             names = ", ".join(read.labelled)
             raise ValueError(f"{names} have named dimensions; allowed: their .values")
-        arrays = read.arrays | others
+        arrays = read.with_load(parameters) | others
         columns = map(np.ravel, np.broadcast_arrays(*arrays.values()))
         flat = dict(zip(arrays, columns, strict=True))
         return cls(columns=flat, keys=read.keys, index=read.index)
@@ -341,18 +380,14 @@ class Queries:
         }
 
 
-def sample(
-    along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
-) -> NDArray:
-    """The sampled values of an axis [SI]; arguments as in ``find``."""
-    check_count(count)
-    if between is None:
-        axis = axis_of(along)
-        with without_warnings():
-            first, last = ends_in_si("between", axis.searched, axis.alias, parameters)
-    else:
-        first, last = ends_in_si("between", between, along, parameters)
-    return np.geomspace(first, last, count)
+def _of_members(
+    search: Callable[[Ensemble], pd.DataFrame], ensemble: Ensemble, members: bool
+) -> pd.DataFrame:
+    """The table of the best set, or those of all members one below the other, with their number as first index."""
+    if not members:
+        return search(ensemble)
+    tables = dict(enumerate(map(search, ensemble)))
+    return pd.concat(tables, names=[MEMBER])
 
 
 def _crossings(
@@ -360,7 +395,7 @@ def _crossings(
     along: str,
     limits: Sequence[tuple[str, NDArray]],
     samples: NDArray,
-    parameters: Parameters,
+    inputs: Ensemble,
     rtol: float,
     progress: bool,
 ) -> Crossings:
@@ -375,11 +410,11 @@ def _crossings(
             key = queries.keys[name]
             raise ValueError(f"{key} is not one positive number; allowed: that, along {along}")
         one = {"viscosity": np.ones(1), "speed": np.ones(1)} | {name: column[:1]}
-        scale = without_speed(one, parameters)["viscosity"].item()
-    others = without_speed(others, parameters)
+        scale = inputs.setup.without_speed(one, inputs.best)["viscosity"].item()
+    others = inputs.setup.without_speed(others, inputs.best)
     solved = "viscosity" if axis == "speed" else axis
     with Progress(samples.size * queries.size, "points", progress) as bar:
-        places = crossings(limits, solved, scale * samples, others, parameters, rtol, bar.add)
+        places = crossings(limits, solved, scale * samples, others, inputs.best, rtol, bar.add)
     return places._replace(value=places.value / scale, error=places.error / scale)
 
 

@@ -389,7 +389,9 @@ def with_table(documented: Documented) -> Documented:
         signature = inspect.signature(documented)
         *others, _ = signature.parameters.values()
         given = [
-            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None)
+            inspect.Parameter(
+                name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation="ArrayLike | None"
+            )
             for axis in CONDITIONS.values()
             for name in (axis.name, axis.alias)
         ]

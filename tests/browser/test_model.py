@@ -40,7 +40,7 @@ def random_inputs(random, changes, defaults):
         else random.uniform(*ends)
         for name, ends in bounds.items()
     }
-    return replace(defaults, **drawn | changes)
+    return replace(defaults.best, **drawn | changes)
 
 
 def random_conditions(random):
@@ -151,7 +151,7 @@ def test_turning_points_are_the_librarys(explorer, page, defaults):
     conditions = [{axis.name: row[axis.column] for axis in CONDITION_AXES} for row in rows]
     bare = dict(viscosity=0.0, particle_diameter=2e-7, roughness=3e-7, particle_density=1e11)
     script = "return arguments[1].map((each) => thirdbody.turningPoint(arguments[0], each))"
-    *found, none = explorer.open().run(script, defaults.as_dict(), [*conditions, bare])
+    *found, none = explorer.open().run(script, defaults.best.as_dict(), [*conditions, bare])
     assert none is None and len(found) > 20
     for name, key in (("load", "load"), ("peak_ratio", "particle_contact_area_ratio")):
         mine, library = [point[key] for point in found], [row[name] for row in rows]

@@ -16,7 +16,7 @@ LAYER = {name: ENGINEERING[name] for name in ("roughness_nm", "particle_density_
 @pytest.fixture
 def inputs(defaults):
     """The default with two members, which are enough here."""
-    return defaults.with_members(defaults.members[:2])
+    return replace(defaults, members=defaults.members[:2])
 
 
 def by_name(table):
@@ -65,9 +65,7 @@ def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):
     table = answers.changes_along(inputs, conditions, "viscosity_cSt", None)
     found = tb.transitions("viscosity_cSt", parameters=inputs, **conditions)
     assert table["value"].tolist() == found["viscosity_cSt"].tolist()
-    of_members = [
-        tb.transitions("viscosity_cSt", parameters=each, **conditions) for each in inputs.members
-    ]
+    of_members = [tb.transitions("viscosity_cSt", parameters=each, **conditions) for each in inputs]
     first = [each["viscosity_cSt"].iloc[0] for each in of_members]
     ends = table.loc[0, ["low", "high"]].tolist()
     assert ends == pytest.approx(np.quantile(first, [0.05, 0.95]).tolist())
@@ -116,7 +114,7 @@ def test_two_interfaces_have_both_values_and_the_range_of_the_change(inputs):
 
 
 def test_inputs_without_an_ensemble_have_no_range_and_say_so(inputs):
-    alone = replace(inputs, truncation=3.0)
+    alone = replace(inputs, members=(inputs.best,))
     for table in (
         answers.state(alone, ENGINEERING),
         answers.changes_along(alone, without("load_N"), "load_N", None),

@@ -40,7 +40,7 @@ def read(parameters):
     return lambda key, value: read_conditions(
         {name: number for name, number in POINT.items() if not key.startswith(name)} | {key: value},
         parameters,
-    ).arrays[next(name for name in POINT if key.startswith(name))]
+    ).with_load(parameters)[next(name for name in POINT if key.startswith(name))]
 
 
 def of_xarray(value, text):
@@ -116,7 +116,7 @@ def test_names_and_aliases_are_the_same_place(parameters):
     newtons = parameters.newtons_per_load
     for axis in AXES.values():
         assert from_si(axis.name, 0.5, newtons) == 0.5
-    loads = read_conditions(ENGINEERING, parameters).arrays["load"]
+    loads = read_conditions(ENGINEERING, parameters).with_load(parameters)["load"]
     assert_allclose(from_si("load_N", loads, newtons), 10.0)
 
 
@@ -346,7 +346,7 @@ def test_what_interfaces_have_is_solved_without_a_word(solve):
 def test_threads_keep_their_warnings():
     """Members are solved without a word on what has been checked; other threads are warned as before."""
     inputs = tb.load_parameters()
-    few = inputs.with_members(inputs.members[:2])
+    few = replace(inputs, members=inputs.members[:2])
 
     def ask(size):
         return answers.state(few, ENGINEERING | {"particle_diameter_nm": size})

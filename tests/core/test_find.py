@@ -7,9 +7,8 @@ import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.conditions import from_si, read_conditions
+from thirdbody.conditions import axis_of, from_si, read_conditions, searched_ends
 from thirdbody.core.transitions import LIMITS
-from thirdbody.searches import sample
 from thirdbody.variables import AXES
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -30,7 +29,8 @@ def others(key):
 
 def dense(key, variable, level, parameters):
     """Query of every crossing of a dense curve, the points on both sides, and its direction."""
-    samples = sample(key, None, DENSE, parameters)
+    ends = searched_ends(axis_of(key), parameters).with_load(parameters)
+    samples = np.geomspace(*ends, DENSE)
     points = from_si(key, samples, parameters.newtons_per_load)
     given = others(key) | {key: points[:, None]}
     values = getattr(tb.solve(**given, parameters=parameters), variable) - level
@@ -152,7 +152,7 @@ def test_nothing_found_is_a_table_without_rows(parameters):
 def test_engineering_units_and_SI_are_the_same_place(parameters):
     given = others("viscosity_cSt")
     one = tb.find(*LIMITS[0], "viscosity_cSt", parameters=parameters, **given)
-    si = read_conditions(given, parameters, without="viscosity").arrays
+    si = read_conditions(given, parameters, without="viscosity").with_load(parameters)
     other = tb.find(*LIMITS[0], "viscosity", parameters=parameters, **si)
     assert_allclose(one["viscosity_cSt"], 1e6 * other["viscosity"], rtol=1e-12)
     assert set(one["solution_status"]) == {"converged"}

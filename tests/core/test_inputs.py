@@ -1,12 +1,14 @@
 """YAML that is read, and inputs of a user laid over the calibrated ones."""
 
 import math
+import pickle
 from dataclasses import replace
 
 import pytest
 import yaml
 
 from thirdbody.core.parameters import Parameters
+from thirdbody.bearings import bearing
 from thirdbody.inputs import CALIBRATED_FILE, load_parameters
 from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
@@ -99,8 +101,8 @@ def test_numbers_of_other_bases_are_refused_as_they_were_typed(tmp_path, typed):
 @pytest.mark.filterwarnings("ignore:.* is changed without")
 def test_single_inputs_win_over_a_file_and_a_file_over_the_calibrated_inputs(write, defaults):
     path = write("truncation: 3.0\nmean_ratio: 0.5\nfilm_load: total\n")
-    expected = replace(defaults, truncation=4.0, mean_ratio=0.5, film_load="total")
-    assert load_parameters(path, truncation=4) == expected
+    expected = replace(defaults.best, truncation=4.0, mean_ratio=0.5, film_load="total")
+    assert load_parameters(path, truncation=4).best == expected
 
 
 def test_inputs_are_floats_however_they_are_given(write):
@@ -138,7 +140,7 @@ def test_each_calibrated_file_has_all_inputs_and_its_own_ensemble(path):
     content = read_yaml(path)
     assert content["interpretation"] == path.stem
     inputs = load_parameters(path)
-    assert inputs.as_dict() == {name: content["inputs"][name] for name in Parameters.names()}
+    assert inputs.best.as_dict() == {name: content["inputs"][name] for name in Parameters.names()}
     members = [Parameters(**content["inputs"] | member) for member in content["ensemble"]]
     assert inputs.members == tuple(members)
 
@@ -149,8 +151,9 @@ def test_the_default_is_that_of_the_workflow():
 
 
 def test_a_calibrated_file_replaces_the_default_and_must_be_whole(write, defaults):
-    content = {"inputs": defaults.as_dict() | {"truncation": 2.5}, "ensemble": [{}]}
-    assert load_parameters(write(yaml.safe_dump(content))) == replace(defaults, truncation=2.5)
+    content = {"inputs": defaults.best.as_dict() | {"truncation": 2.5}, "ensemble": [{}]}
+    expected = replace(defaults.best, truncation=2.5)
+    assert load_parameters(write(yaml.safe_dump(content))).members == (expected,)
     del content["inputs"]["apparent_area"]
     with pytest.raises(TypeError, match="apparent_area"):
         load_parameters(write(yaml.safe_dump(content)))
@@ -160,3 +163,45 @@ def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp
     monkeypatch.chdir(tmp_path)
     assert load_parameters() == defaults
     assert config_directory().is_absolute()
+
+
+# ---- the setup: what a user gave, and the inputs do not say
+
+OWN = {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 870.0, "ball": "silicon nitride"}
+
+
+@pytest.mark.parametrize(
+    "operation",
+    [
+        lambda inputs, write: inputs.changed(truncation=3.0),
+        lambda inputs, write: replace(inputs, members=inputs.members[:2]),
+        lambda inputs, write: load_parameters(**inputs.as_dict()),
+        lambda inputs, write: load_parameters(write(yaml.safe_dump(inputs.known()))),
+        lambda inputs, write: bearing(inputs, apparent_area_mm2=4.0),
+        lambda inputs, write: pickle.loads(pickle.dumps(inputs)),
+        lambda inputs, write: next(iter(inputs)),
+    ],
+)
+def test_each_operation_keeps_the_setup(write, operation):
+    inputs = bearing(**OWN)
+    kept = operation(inputs, write)
+    assert kept.setup == inputs.setup == load_parameters(setup=inputs.setup).setup
+    assert kept.setup.oil_density_kg_per_m3 == 870.0
+    assert kept.setup.ball.hardness_GPa == 15.0
+    assert kept.speed == pytest.approx(2.0)
+
+
+def test_a_file_of_inputs_is_read_as_it_was_written(write):
+    inputs = bearing(**OWN)
+    assert load_parameters(write(yaml.safe_dump(inputs.known()))) == inputs
+
+
+def test_other_oils_are_other_inputs():
+    one, other = (bearing(**OWN | {"oil_density_kg_per_m3": rho}) for rho in (870.0, 435.0))
+    twice = bearing(other, speed_m_per_s=4.0, oil_density_kg_per_m3=435.0)
+    assert twice.members == one.members and twice != one
+
+
+def test_a_setup_of_another_key_is_refused(write):
+    with pytest.raises(ValueError, match="^setup has oil; allowed: ball, flat, particle, oil_den"):
+        load_parameters(write("setup: {oil: 870}"))

@@ -5,17 +5,18 @@ import warnings
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 import yaml
 from methods import ENGINEERING
 
 import thirdbody as tb
 from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, shares_within
 from thirdbody.core.parameters import WORDS
-from thirdbody.inputs import BELONGS_TO, CALIBRATED
+from thirdbody.ensembles import BELONGS_TO, CALIBRATED, ENDS, Ensemble
 from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
-from thirdbody.ranges import ENDS
 
 CALIBRATED_FILE = config_directory() / "calibrated" / "half_free.yaml"
 
@@ -28,8 +29,7 @@ def differing(members):
 
 def shares(parameters):
     """L_s of each member."""
-    members = tb.ensemble(parameters)
-    return [float(tb.solve(**ENGINEERING, parameters=each).solid_load_fraction) for each in members]
+    return tb.solve(**ENGINEERING, parameters=parameters, members=True).solid_load_fraction
 
 
 def range_of(parameters):
@@ -62,7 +62,8 @@ def own(write):
 def test_the_calibrated_inputs_have_an_ensemble_that_differs(defaults):
     members = tb.ensemble()
     assert len(members) >= 16
-    assert tb.ensemble(defaults) == members == defaults.members
+    assert tb.ensemble(defaults) == members == [*defaults.members]
+    assert members[0] == defaults.best
     # what is unprinted may differ, and so may what interpretations fix
     settings = read_yaml(config_directory() / "calibration.yaml")
     fixed = {name for each in settings["interpretations"].values() for name in each["fixed"]}
@@ -87,21 +88,22 @@ def test_each_unknown_that_is_given_leaves_the_others_open(defaults):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             inputs = tb.load_parameters(**given)
-        assert inputs == defaults
+        assert inputs.best == defaults.best
         assert differing(inputs.members) == names - {name}
     every = defaults.changed(**{name: getattr(defaults, name) for name in names})
-    assert every.members == ()  # nothing is left in which they differ
+    assert every.members == (defaults.best,)  # nothing is left in which they differ
 
 
 def test_the_members_are_those_of_the_calibrated_file(own, defaults):
     path, spreads = own
     inputs = tb.load_parameters(path)
-    assert [member.spread_ratio for member in inputs.members] == spreads
+    best_first = [0.4, *(value for value in spreads if value != 0.4)]
+    assert [member.spread_ratio for member in inputs.members] == best_first
     assert differing(inputs.members) == {"spread_ratio"}
     assert inputs.spread_ratio == 0.4 and inputs.apparent_area == defaults.apparent_area
     assert np.ptp(shares(inputs)) > 0.0
     known = tb.load_parameters(path, hardness_surface_1=4e9, hardness_parameter=0.03)
-    assert [member.spread_ratio for member in known.members] == spreads
+    assert [member.spread_ratio for member in known.members] == best_first
     assert {member.hardness_surface_1 for member in known.members} == {4e9}
 
 
@@ -117,32 +119,96 @@ def test_a_file_with_some_inputs_gives_them_to_the_members(write, defaults):
 def test_a_file_with_all_that_differs_leaves_no_ensemble(write, defaults):
     names = differing(defaults.members)
     inputs = tb.load_parameters(write({name: getattr(defaults, name) for name in names}))
-    assert inputs == defaults and inputs.members == ()
+    assert inputs.members == (defaults.best,)
 
 
-def test_replaced_inputs_have_no_members_and_changed_ones_have(defaults):
-    assert replace(defaults, truncation=3.0).members == ()
-    assert tb.ensemble(replace(defaults, truncation=3.0)) == ()
-    assert tb.ensemble(tb.Parameters(**defaults.as_dict())) == ()
+def test_what_is_changed_is_changed_in_all_members(defaults):
     changed = defaults.changed(truncation=3.0)
-    assert changed == replace(defaults, truncation=3.0)
+    assert changed.best == replace(defaults.best, truncation=3.0)
     assert [member.truncation for member in changed.members] == [3.0] * len(defaults.members)
     for before, after in zip(defaults.members, changed.members, strict=True):
         assert after == replace(before, truncation=3.0)
-        assert after.members == ()
     # what is changed later is known too, and the first keeps its own
     again = changed.changed(participation=0.5)
     assert {(each.truncation, each.participation) for each in again.members} == {(3.0, 0.5)}
     assert differing(defaults.members) == differing(tb.load_parameters().members)
 
 
-def test_members_take_no_part_in_what_inputs_are(defaults):
-    alone = defaults.with_members(())
-    assert alone == defaults and hash(alone) == hash(defaults)
-    assert "members" not in defaults.as_dict() and "members" not in repr(defaults)
-    assert tb.Parameters(**defaults.as_dict()) == defaults
-    assert pickle.loads(pickle.dumps(defaults)).members == defaults.members
-    assert defaults.with_members([alone]).members == (alone,)
+def test_an_ensemble_is_its_members_and_its_setup(defaults):
+    alone = Ensemble([defaults.best], defaults.setup)
+    assert alone != defaults and alone == next(iter(defaults))
+    assert tb.Parameters(**defaults.best.as_dict()) == defaults.best
+    assert pickle.loads(pickle.dumps(defaults)) == defaults
+    assert [each.best for each in defaults] == [*defaults.members]
+    with pytest.raises(ValueError, match="^members is empty; allowed: one or more"):
+        replace(defaults, members=())
+    with pytest.raises(AttributeError):
+        print(defaults.nonsense)
+
+
+def test_members_are_solved_together_as_alone_at_the_same_newtons(defaults):
+    few = replace(defaults, members=defaults.members[:3])
+    given = ENGINEERING | {"load_N": np.array([1.0, 10.0])[:, None], "viscosity_cSt": [0.0, 90.0]}
+    together = tb.solve(**given, speed_m_per_s=4.0, parameters=few, members=True)
+    for number, member in enumerate(few):
+        alone = tb.solve(**given, speed_m_per_s=4.0, parameters=member)
+        for name, values in alone.variables.items():
+            np.testing.assert_array_equal(together.variables[name][number], values)
+    assert together.separation.shape == (3, 2, 2)
+    assert tb.solve(**given, parameters=few).separation.shape == (2, 2)
+
+
+@pytest.mark.parametrize("load", [{"load_N": [1.0, 10.0]}, {"load": [1e-6, 1e-5]}])
+def test_datasets_and_tables_have_a_dimension_of_members(defaults, load):
+    few = replace(defaults, members=defaults.members[:2])
+    given = {key: value for key, value in ENGINEERING.items() if key != "load_N"} | load
+    points = tb.solve(**given, parameters=few, members=True)
+    dataset = points.to_dataset()
+    assert dict(dataset.sizes) == {"member": 2, "load": 2}
+    low, high = dataset["solid_load_fraction"].quantile(ENDS, "member").values
+    expected = np.quantile(points.solid_load_fraction, ENDS, axis=0)
+    np.testing.assert_allclose((low, high), expected, rtol=1e-15)
+    table = points.to_dataframe()
+    assert table["member"].tolist() == [0, 0, 1, 1]
+    newtons = np.asarray(dataset["normal_load"])
+    if "load" in load:  # the same F_t* is another load where A_n differs
+        expected = np.outer([each.newtons_per_load for each in few.members], load["load"])
+        np.testing.assert_allclose(newtons, expected)
+        np.testing.assert_allclose(table["load_N"], expected.ravel())
+    else:
+        np.testing.assert_allclose(newtons, load["load_N"])
+        assert table["load_N"].tolist() == [1.0, 10.0] * 2
+    grid = tb.grid(**given, parameters=few, members=True)
+    assert grid["separation"].dims[0] == "member"
+    np.testing.assert_allclose(grid["separation"].squeeze(), points.separation, rtol=1e-8)
+    np.testing.assert_allclose(grid["normal_load"], newtons)
+    labelled = {key: xr.DataArray(value, dims="run") for key, value in load.items()}
+    named = tb.solve(**given | labelled, parameters=few, members=True)
+    assert named.separation.dims == ("member", "run")
+    np.testing.assert_array_equal(named.separation, points.separation)
+
+
+def test_searches_of_members_stand_one_below_the_other(defaults):
+    few = replace(defaults, members=defaults.members[:2])
+    layer = {key: value for key, value in ENGINEERING.items() if key != "viscosity_cSt"}
+    one = {key: value for key, value in ENGINEERING.items() if key != "load_N"}
+    dry = {"roughness_nm": 300, "particle_density_per_m2": 1e11}
+    for search in (
+        lambda **given: tb.find("solid_load_fraction", 0.5, "viscosity_cSt", **layer, **given),
+        lambda **given: tb.transitions("load_N", **one, **given),
+        lambda **given: tb.turning_point(**one, **given),
+        lambda **given: tb.turning_window(**dry, **given),
+    ):
+        table = search(parameters=few, members=True)
+        assert table.index.names[0] == "member"
+        for number, member in enumerate(few):
+            pd.testing.assert_frame_equal(table.loc[number], search(parameters=member))
+        pd.testing.assert_frame_equal(search(parameters=few), table.loc[0])
+
+
+def test_a_speed_of_inputs_without_an_oil_is_refused(defaults):
+    with pytest.raises(ValueError, match="the density of the oil is unknown"):
+        tb.solve(**ENGINEERING, speed_m_per_s=2.0, parameters=defaults.best)
 
 
 def test_a_change_that_cannot_be_is_refused(defaults):
@@ -197,11 +263,12 @@ def test_the_default_lies_within_its_range_in_19_of_20_conditions(within, symbol
 
 
 def test_shares_within_are_those_of_the_conditions_that_members_enclose(parameters):
-    same = parameters.with_members([parameters] * 3)
+    same = Ensemble((parameters,) * 3, tb.Setup())
     assert (shares_within(same) == 1.0).all()
     # what the particles do not change is within, all else is not
     far = replace(parameters, participation=3.0 * parameters.participation)
-    found = shares_within(parameters.with_members([far] * 3))
+    most = (far,) * 39  # of 40 members the best is beyond the quantiles
+    found = shares_within(Ensemble((parameters, *most), tb.Setup()))
     conditions = random_conditions(CONDITIONS, SEED)
     one, other = (tb.solve(**conditions, parameters=each) for each in (parameters, far))
     for name, symbol in VARIABLES.items():

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody import answers
-from thirdbody.conditions import entrainment_speed
+from thirdbody.ensembles import PAPER_SETUP, Ensemble
 from thirdbody.variables import QUANTITIES
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -17,9 +17,15 @@ LAYER = dict(particle_diameter_nm=500.0, roughness_nm=300.0, particle_density_pe
 
 
 @pytest.fixture(scope="module")
+def parameters(parameters):
+    """The usual inputs, in an oil whose density is known."""
+    return Ensemble((parameters,), PAPER_SETUP)
+
+
+@pytest.fixture(scope="module")
 def speed(parameters):
     """The speed of the inputs [m/s]."""
-    return entrainment_speed(parameters)
+    return parameters.speed
 
 
 def test_a_speed_is_the_product_with_the_viscosity(parameters, speed):
@@ -37,7 +43,7 @@ def test_a_speed_is_the_product_with_the_viscosity(parameters, speed):
 
 def test_a_speed_of_the_bearing_is_that_of_its_oil(parameters):
     inputs = tb.bearing(parameters, speed_m_per_s=2.0, oil_density_kg_per_m3=870.0)
-    assert entrainment_speed(inputs) == pytest.approx(2.0)
+    assert inputs.speed == pytest.approx(2.0)
     one = tb.solve(**ENGINEERING, parameters=inputs).separation
     assert_allclose(tb.solve(**ENGINEERING, speed_m_per_s=2.0, parameters=inputs).separation, one)
     faster = tb.bearing(parameters, speed_m_per_s=3.0, oil_density_kg_per_m3=870.0)
@@ -48,8 +54,8 @@ def test_a_speed_of_the_bearing_is_that_of_its_oil(parameters):
 def test_members_of_a_bearing_have_its_oil():
     inputs = tb.bearing(speed_m_per_s=2.0, oil_density_kg_per_m3=870.0).changed(truncation=3.0)
     assert inputs.members
-    for member in inputs.members:
-        assert entrainment_speed(member) == pytest.approx(2.0)
+    for member in inputs:
+        assert member.speed == pytest.approx(2.0)
     without = answers.state(inputs, ENGINEERING)
     at_speed = answers.state(inputs, ENGINEERING | {"speed_m_per_s": 2.0})
     for column in ("low", "high"):

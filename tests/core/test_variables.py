@@ -1,10 +1,16 @@
 """The five axes: names, keys and units agree wherever they stand, and units turn into SI exactly."""
 
+import inspect
+from typing import get_type_hints
+
 import numpy as np
 import pytest
 
+import thirdbody as tb
+from thirdbody.conditions import ConditionArguments
 from thirdbody.curves import Condition
-from thirdbody.variables import AXES, CONDITION_AXES
+from thirdbody.points import Variables
+from thirdbody.variables import AXES, CONDITION_AXES, CONDITIONS, VARIABLES
 
 
 @pytest.mark.parametrize("value", [0.1, 0.3, 1.1, 70, 120, 325, 999.999])
@@ -28,3 +34,12 @@ def test_a_condition_is_read_from_a_configuration_and_named_in_tables():
     assert list(condition.columns) == [axis.column for axis in CONDITION_AXES]
     with pytest.raises(KeyError, match="particle_density_per_m2"):
         Condition.of(given)
+
+
+def test_type_checkers_know_each_condition_and_each_variable():
+    names = {name for axis in CONDITIONS.values() for name in (axis.name, axis.alias)}
+    assert get_type_hints(ConditionArguments).keys() == names
+    assert get_type_hints(Variables).keys() == VARIABLES.keys()
+    shown = inspect.signature(tb.solve).parameters
+    assert names < shown.keys()
+    assert {shown[name].annotation for name in names} == {"ArrayLike | None"}

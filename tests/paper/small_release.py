@@ -47,7 +47,7 @@ def solved(name, parameters):
 
 def make_products(folder):
     """Datasets of ``SCENES`` in ``folder``, a table and a figure; their paths."""
-    parameters = tb.load_parameters()
+    parameters = tb.load_parameters().best
     products = []
     for kind in ("datasets", "tables", "figures"):
         (folder / kind).mkdir(parents=True)
@@ -72,7 +72,7 @@ def make_release(folder):
     """The folder of a release and its archive file below ``folder``; the path of the former."""
     release = Release.of("pyproject.toml", "CITATION.cff")
     products = make_products(folder / "results")
-    parameters = dataclasses.asdict(tb.load_parameters())
+    parameters = dataclasses.asdict(tb.load_parameters().best)
     settings = {"config": CONFIG, "parameters": parameters}
     software = software_versions("pyproject.toml")
     programs = sorted(map(str, Path("verification").glob("*.py")))

@@ -60,7 +60,7 @@ def test_particles_rest_on_the_lower_surface_or_are_held(parameters):
 
 @pytest.mark.parametrize(("given", "some"), [(MODES[0], False), (MODES[1], True), (MODES[2], True)])
 def test_particles_that_reach_into_the_elastic_zone_carry_load(given, some):
-    parameters = tb.load_parameters()
+    parameters = tb.load_parameters().best
     section = section_through(solved_state(given, parameters), parameters, 8.4e-5, 1)
     layer = ParticleLayer.of(
         np.array([section["particle_diameter"]]),
@@ -100,7 +100,7 @@ def test_conditions_without_a_solution_are_refused(parameters):
 
 @pytest.mark.parametrize("mean_ratio", [0.0, 1.0])
 def test_what_x_a_stands_for_is_the_mean_and_the_largest_of_the_sizes_drawn(mean_ratio):
-    inputs = tb.load_parameters(mean_ratio=mean_ratio)
+    inputs = tb.load_parameters(mean_ratio=mean_ratio).best
     drawn = size_quantiles((np.arange(20000) + 0.5) / 20000, 0.0, 500e-9, inputs)
     note = sizes_note(500e-9, 300e-9, inputs)
     mean, largest, reach = (1e-9 * float(each) for each in re.findall(r"([\d.]+) nm", note)[1:])

@@ -212,7 +212,7 @@ def test_everything_is_judged_by_the_real_model(parameters, some):
 
 
 def test_departures_are_taken_back_one_by_one(defaults, some):
-    judge = Judge(some, defaults.as_dict(), SETTINGS["newtons"])
+    judge = Judge(some, defaults.best.as_dict(), SETTINGS["newtons"])
     shallow = {"elastic_depth_ratio": 0.0111}
     departures = [{"name": "one", "inputs": shallow}]
     settings = SETTINGS | {"headline": [DRY], "departures": departures, "random_sets": 3}

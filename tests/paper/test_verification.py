@@ -386,7 +386,7 @@ GENUINE = {
 def test_what_the_workflow_allows_is_no_forgery(verify, tmp_path, conditions, loads, rtol, changes):
     curves = [dict(zip(small_release.KEYS, conditions, strict=True))]
     scene = {"title": "x", "rtol": rtol, "load_axis": {"load_N": loads, "count": 30}}
-    parameters = replace(tb.load_parameters(), **changes)
+    parameters = replace(tb.load_parameters().best, **changes)
     path = tmp_path / "mine.nc"
     write_dataset(scene_dataset(scene | {"curves": curves}, parameters, rtol), path)
     config = {"scenes": {"mine": scene | {"curves": curves}}}
@@ -407,7 +407,7 @@ def test_scene_of_a_user_need_not_be_in_the_archive(copy, verify, release):
 
 def test_datasets_of_other_inputs_are_found(copy, verify, release):
     """They fulfil the equations, but with inputs that are not those of the configuration."""
-    other = replace(tb.load_parameters(), yield_pressure_ratio=0.5)
+    other = replace(tb.load_parameters().best, yield_pressure_ratio=0.5)
     write_dataset(small_release.solved("fig04", other), copy / "data/datasets/fig04.nc")
     mend(copy, release)
     assert "k is 0.5" in found(verify, copy)["data/datasets/fig04.nc"]

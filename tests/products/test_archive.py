@@ -63,7 +63,7 @@ def test_axes_points_and_inputs_are_those_of_the_configuration(
 ):
     contract, recompute = verification
     data = recompute.read(stored)
-    inputs = tb.load_parameters().as_dict()
+    inputs = tb.load_parameters().best.as_dict()
     assert list(contract.configuration_findings(data, figure, config, inputs)) == []
     assert all((np.diff(data.axes[name]) > 0.0).all() for name in contract.DIMENSIONS)
 

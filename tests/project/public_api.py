@@ -3,6 +3,7 @@
 from typing import assert_type
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -10,14 +11,18 @@ import thirdbody as tb
 
 print(tb.__version__)
 inputs = tb.load_parameters(participation=0.5)
-assert_type(inputs, tb.Parameters)
-assert_type(tb.load_parameters("inputs.yaml").changed(ball_radius=0.01), tb.Parameters)
-assert_type(inputs.ball_radius, float)
+assert_type(inputs, tb.Ensemble)
+assert_type(tb.load_parameters("inputs.yaml").changed(ball_radius=0.01), tb.Ensemble)
+assert_type(inputs.best, tb.Parameters)
+assert_type(inputs.best.ball_radius, float)
+assert_type(inputs.setup, tb.Setup)
+for alone in inputs:
+    assert_type(alone, tb.Ensemble)
 for member in tb.ensemble(inputs):
     assert_type(member, tb.Parameters)
 bronze = tb.Material(modulus_GPa=110, poisson_ratio=0.34, hardness_GPa=1.5)
 rig = tb.bearing(inputs, ball="silicon nitride", flat=bronze, speed_m_per_s=2.0)
-assert_type(rig, tb.Parameters)
+assert_type(rig, tb.Ensemble)
 
 try:
     points = tb.solve(
@@ -34,6 +39,15 @@ except tb.OutOfRangeWarning as warning:
 assert_type(points, tb.Solution)
 assert_type(points.to_dataset(), xr.Dataset)
 points.to_dataframe().to_csv("points.csv")
+print(points.solid_load_fraction.max(), points.contact_mode == "hybrid")
+print(points.nonsense)  # type: ignore[attr-defined]
+tb.solve(load=3, nonsense=4)  # type: ignore[call-arg]
+tb.solve(load=None, load_N="heavy", viscosity=object())  # type: ignore[arg-type]
+tb.grid(load=[1e-6, 1e-5], nonsense=4)  # type: ignore[call-arg]
+columns = pd.DataFrame({"load_N": [1.0, 10.0]})
+labelled = xr.DataArray([0.0, 90.0], dims="oil")
+every = tb.solve(load_N=columns["load_N"], viscosity_cSt=labelled, members=True, parameters=inputs)
+assert_type(every, tb.Solution)
 
 grid = tb.grid(load_N=[1, 10], viscosity_cSt=[0, 90], roughness_nm=300, progress=False)
 assert_type(grid, xr.Dataset)

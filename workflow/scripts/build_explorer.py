@@ -4,24 +4,26 @@ import json
 from itertools import product
 from pathlib import Path
 
-from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
-from thirdbody.conditions import OIL_DENSITY
-from thirdbody.core.parameters import Parameters
 from chenhorng.job_log import job
 from chenhorng.page.oils import OILS, TEMPERATURES, VISCOSITIES
 from chenhorng.page.page import page_content, page_text
+from thirdbody.bearings import MATERIALS, USUAL_BEARING, bearing
+from thirdbody.conditions import OIL_DENSITY
+from thirdbody.core.parameters import Parameters
+from thirdbody.ensembles import BODIES, PAPER_SETUP, Ensemble
 from thirdbody.plain_yaml import read_yaml
 
 
 def rig_content(parameters):
     """What follows from materials and oils, each combination and grade that the library takes."""
     materials = []
+    in_setup = Ensemble((parameters,), PAPER_SETUP)
     first, *_ = MATERIALS  # those of the paper
     for names in product(MATERIALS, repeat=len(BODIES)):
         bodies = dict(zip(BODIES, names, strict=True))
         others = {body: name for body, name in bodies.items() if name != first}
         try:
-            inputs = bearing(parameters, **others).as_dict()
+            inputs = bearing(in_setup, **others).best.as_dict()
         except ValueError:  # particles softer than a surface
             continue
         changed = {name: n for name, n in inputs.items() if n != getattr(parameters, name)}

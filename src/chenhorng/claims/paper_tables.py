@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
-from thirdbody.bearings import STEEL_MODULUS
 from thirdbody.core.parameters import Parameters
+from thirdbody.ensembles import GIGA, STEEL
 
 
 def _force_unit(inputs: Parameters) -> float:
@@ -14,7 +14,8 @@ def _force_unit(inputs: Parameters) -> float:
 # Each in the unit of its entry, from the inputs and the printed numbers of the same table by symbol
 RECOMPUTED = {
     "hertz_modulus": lambda inputs, printed: [
-        STEEL_MODULUS / (2.0 * (1.0 - ratio**2)) / 1e9 for ratio in printed["v_s1, v_s2, v_a"]
+        GIGA * STEEL.modulus_GPa / (2.0 * (1.0 - ratio**2)) / 1e9
+        for ratio in printed["v_s1, v_s2, v_a"]
     ],
     "normal_load": lambda inputs, printed: [
         each * 1e-5 * _force_unit(inputs) for each in printed["W"]

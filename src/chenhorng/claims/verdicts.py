@@ -14,7 +14,6 @@ import numpy as np
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from thirdbody.core.turning_points import PROMINENCE
 from chenhorng.calibration.choice import Candidate, rank_interpretations
 from chenhorng.claims.claim import Claim
 from chenhorng.claims.evidence import QUICK_EFFORT
@@ -31,7 +30,8 @@ from chenhorng.claims.judge import (
 from chenhorng.places import part_of_paper
 from chenhorng.tables import TABLES
 from chenhorng.typeset import html
-from thirdbody.ranges import spread
+from thirdbody.core.turning_points import PROMINENCE
+from thirdbody.ensembles import range_over_members
 
 COUNTED = {
     "holds": "hold",
@@ -141,9 +141,9 @@ def _range_text(report: Report, id: str) -> str:
 def number_ranges(report: Report, id: str) -> np.ndarray:
     """Range, 5 to 95 %, of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
     members = [each[id].numbers for each in report.members if each[id].numbers]
-    places = range(len(report.verdicts[id].numbers))
-    ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
-    return np.reshape(ends, (-1, 2))
+    if not members:
+        return np.full((len(report.verdicts[id].numbers), 2), np.nan)
+    return range_over_members(members).T
 
 
 def once(text: str) -> str:

@@ -1,13 +1,14 @@
 """The inputs of a run: those of a calibrated file, with others of the configuration laid over them."""
 
 import math
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from thirdbody.core.parameters import Parameters
-from thirdbody.inputs import changed_inputs, parameters_of
 from chenhorng.home import config_directory
+from thirdbody.ensembles import Ensemble, checked_inputs
+from thirdbody.inputs import ensemble_of
 from thirdbody.plain_yaml import read_yaml
 
 Values = dict[str, float | str]
@@ -35,18 +36,24 @@ def choose_inputs(
         if "inputs" in changes:
             calibrated, changes = laid_over, {}
     try:
-        parameters = parameters_of(read_yaml(calibrated))
-        changes = changed_inputs(changes)
-        chosen = parameters.changed(**changes)
-        chosen.check_ball()
+        ensemble = ensemble_of(read_yaml(calibrated))
+        # a file of inputs has a setup, which the workflow does not need: scenes have no speed
+        changes = checked_inputs({key: value for key, value in changes.items() if key != "setup"})
+        with warnings.catch_warnings():
+            warnings.simplefilter(
+                "ignore", UserWarning
+            )  # a departure changes one input alone on purpose
+            chosen = ensemble.changed(**changes)
     except (TypeError, ValueError, KeyError) as error:
         raise ValueError(f"{place}: {error}") from None
-    _check_printed(uncalibrated_values(folder), parameters, calibrated)
-    values = chosen.as_dict()
+    _check_printed(uncalibrated_values(folder), ensemble, calibrated)
+    values = chosen.best.as_dict()
     return {
         "parameters": values,
         "calibrated": str(calibrated),
-        "ensemble": [_differing(member.as_dict(), values) for member in chosen.members],
+        "ensemble": [_differing(member.as_dict(), values) for member in chosen.members]
+        if len(chosen.members) > 1
+        else [],
         "inputs": changes,
     }
 
@@ -56,10 +63,10 @@ def _differing(inputs: Values, base: Values) -> Values:
     return {name: value for name, value in inputs.items() if value != base[name]}
 
 
-def _check_printed(values: Values, parameters: Parameters, calibrated: str | Path) -> None:
+def _check_printed(values: Values, ensemble: Ensemble, calibrated: str | Path) -> None:
     """Raise ``ValueError`` for a value of ``inputs.yaml`` that the calibrated file was not found with."""
     for name, value in values.items():
-        used = getattr(parameters, name)
+        used = getattr(ensemble.best, name)
         if not math.isclose(float(value), used, rel_tol=1e-12):
             raise ValueError(
                 f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, with which {calibrated} was found "

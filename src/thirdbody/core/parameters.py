@@ -1,8 +1,7 @@
 """The inputs of the model: a frozen dataclass of all numbers and interpretations."""
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, fields
 from functools import cached_property
 from numbers import Real
 from typing import Any, NamedTuple, TypeVar
@@ -95,12 +94,11 @@ class Surface:
 
 @dataclass(frozen=True)
 class Parameters:
-    """All inputs of the model, in SI units.
+    """One set of all inputs of the model, in SI units.
 
-    ``config/inputs.yaml`` has the symbol, unit and source of each field,
-    ``BOUNDS`` the allowed numbers; ``thirdbody.load_parameters`` returns the
-    calibrated values.  Fields that are words select interpretations of the paper.  ``members`` are those of the ensemble,
-    from which ranges are computed: ``changed`` gives other inputs to them too.
+    ``config/inputs.yaml`` has the symbol, unit and source of each field, ``BOUNDS`` the allowed numbers.
+    Fields that are words select interpretations of the paper.  ``thirdbody.load_parameters`` returns the
+    calibrated sets, an ``Ensemble``.
 
     Raises
     ------
@@ -112,7 +110,7 @@ class Parameters:
     --------
     >>> import thirdbody
     >>> from dataclasses import replace
-    >>> parameters = thirdbody.load_parameters()
+    >>> parameters = thirdbody.load_parameters().best
     >>> parameters.ball_radius
     0.00635
     >>> replace(parameters, hardness_surface_1=-1e9)
@@ -157,10 +155,6 @@ class Parameters:
     particle_plane: str  # from which particles meet the separation
     # force balance
     film_load: str  # the load in W of Eq. 8
-    # other sets of inputs that explain the paper about equally well; and the materials and the oil that inputs were
-    # derived from, which the model only carries along; ``dataclasses.replace`` drops both
-    members: tuple["Parameters", ...] = field(default=(), init=False, repr=False, compare=False)
-    rig: Any = field(default=None, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         for name, words in WORDS.items():
@@ -269,7 +263,7 @@ class Parameters:
         --------
         >>> import thirdbody
         >>> from dataclasses import replace
-        >>> inputs = replace(thirdbody.load_parameters(), summit_offset_ratio=0.5)
+        >>> inputs = replace(thirdbody.load_parameters().best, summit_offset_ratio=0.5)
         >>> inputs.surface(300e-9).summit_offset
         1.5e-07
         """
@@ -305,31 +299,11 @@ class Parameters:
     @classmethod
     def names(cls) -> list[str]:
         """The names of all inputs."""
-        return [field.name for field in fields(cls) if field.init]
+        return [field.name for field in fields(cls)]
 
     def as_dict(self) -> dict:
-        """All inputs as a dict, without the members."""
+        """All inputs as a dict."""
         return {name: getattr(self, name) for name in self.names()}
-
-    def changed(self, **inputs: Any) -> "Parameters":
-        """The same with other ``inputs``, SI, which all ``members`` have too: they are known.  If the members then are
-        all the same, none is left."""
-        members = [replace(member, **inputs) for member in self.members]
-        if all(member == members[0] for member in members):
-            members = []
-        return replace(self, **inputs).with_members(members).with_rig(self.rig)
-
-    def with_members(self, members: Iterable["Parameters"]) -> "Parameters":
-        """The same inputs with other ``members``."""
-        inputs = replace(self)
-        object.__setattr__(inputs, "members", tuple(members))
-        return inputs
-
-    def with_rig(self, rig: Any) -> "Parameters":
-        """The same inputs and members, all derived from this ``rig``."""
-        inputs = self.with_members(member.with_rig(rig) for member in self.members)
-        object.__setattr__(inputs, "rig", rig)
-        return inputs
 
 
 # McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R)

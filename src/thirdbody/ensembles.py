@@ -1,0 +1,327 @@
+"""``Ensemble``: the sets of inputs that explain the paper about equally well, and the setup that they are for.
+
+A result for the best set is an answer; the results of all sets are its range.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.conditions import OIL_DENSITY, checked_number, checked_numbers, numbers_in
+from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
+
+MEMBER = "member"  # the dimension of results of all members
+ENDS = (0.05, 0.95)  # quantiles at the ends of a range over the members
+GIGA = 1e9
+USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
+BODIES = "ball", "flat", "particle"
+# inputs that were found for one value of another, or are derived from it (below Eq. 8), and what changes them together
+BEARING = "thirdbody.bearing changes them together"
+CALIBRATED = "they were found for the value of the calibrated file"
+BELONGS_TO = {
+    "elastic_modulus_surfaces": (
+        ("material_parameter", "hardness_parameter", "speed_per_viscosity"),
+        BEARING,
+    ),
+    "hardness_surface_1": (("hardness_parameter",), BEARING),
+    "hardness_surface_2": (("hardness_parameter",), BEARING),
+    "ball_radius": (("speed_per_viscosity",), BEARING),
+    "mean_ratio": (("spread_ratio", "elastic_depth_ratio"), CALIBRATED),
+    "particle_plane": (("elastic_depth_ratio", "summit_offset_ratio"), CALIBRATED),
+    "film_load": (("summit_parameter", "summit_radius", "apparent_area"), CALIBRATED),
+}
+
+
+@dataclass(frozen=True)
+class Material:
+    """A body: its modulus, Poisson's ratio and hardness, as numbers or quantities.
+
+    Parameters
+    ----------
+    modulus_GPa : float
+        Young's modulus E [GPa].
+    poisson_ratio : float
+        Poisson's ratio v [1], 0 to 0.5.
+    hardness_GPa : float
+        Hardness H [GPa].
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> bronze = tb.Material(modulus_GPa=110, poisson_ratio=0.34, hardness_GPa=1.5)
+    >>> inputs = tb.bearing(flat=bronze)
+    >>> inputs.hardness_surface_2
+    1500000000.0
+    """
+
+    modulus_GPa: float
+    poisson_ratio: float
+    hardness_GPa: float
+
+    def __post_init__(self):
+        numbers = {name: getattr(self, name) for name in USUAL_MATERIAL}
+        ratio = checked_number("poisson_ratio", self.poisson_ratio, positive=False)
+        for name, number in (
+            checked_numbers(numbers, USUAL_MATERIAL, stacklevel=5) | {"poisson_ratio": ratio}
+        ).items():
+            object.__setattr__(self, name, number)
+        if self.poisson_ratio > 0.5:
+            raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
+
+    @property
+    def compliance(self) -> float:
+        """(1 - v^2)/E [Pa-1]."""
+        return (1.0 - self.poisson_ratio**2) / (GIGA * self.modulus_GPa)
+
+    @property
+    def hardness(self) -> float:
+        """Hardness [Pa]."""
+        return GIGA * self.hardness_GPa
+
+
+@dataclass(frozen=True, kw_only=True)
+class Setup:
+    """What a user knows of the bodies and the oil, and the inputs of the model do not say; None is unknown.
+
+    Radius, speed and pressure-viscosity coefficient are the inputs ``ball_radius``, ``speed_per_viscosity``
+    and ``material_parameter``.
+
+    Parameters
+    ----------
+    ball, flat, particle : Material, optional
+        The materials from which moduli and hardnesses were derived.
+    oil_density_kg_per_m3 : float, optional
+        Density of the oil, with which ``speed_per_viscosity`` stands for a speed.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> inputs = tb.bearing(speed_m_per_s=2.0, oil_density_kg_per_m3=870.0)
+    >>> inputs.setup.oil_density_kg_per_m3
+    870.0
+    """
+
+    ball: Material | None = None
+    flat: Material | None = None
+    particle: Material | None = None
+    oil_density_kg_per_m3: float | None = None
+
+    def __post_init__(self):
+        if self.oil_density_kg_per_m3 is not None:
+            name = "oil_density_kg_per_m3"
+            density = checked_number(name, self.oil_density_kg_per_m3, unit="kg m-3")
+            object.__setattr__(self, "oil_density_kg_per_m3", density)
+
+    @classmethod
+    def of(cls, content: Mapping[str, Any]) -> Self:
+        """The setup that ``as_dict`` wrote."""
+        unknown = content.keys() - {field.name for field in fields(cls)}
+        if unknown:
+            names = ", ".join(field.name for field in fields(cls))
+            raise ValueError(f"setup has {', '.join(sorted(unknown))}; allowed: {names}")
+        bodies = {name: Material(**content[name]) for name in BODIES if content.get(name)}
+        return cls(**{**content, **bodies})
+
+    def as_dict(self) -> dict[str, Any]:
+        """All that is known, with a dict for each material."""
+        return {name: value for name, value in asdict(self).items() if value is not None}
+
+    def speed(self, parameters: Parameters) -> float:
+        """The entrainment speed u = (u_1 + u_2)/2 [m/s] that the inputs stand for:
+        U/nu = rho u/(E_ss R_x), with the density rho of the oil."""
+        if self.oil_density_kg_per_m3 is None:
+            raise ValueError(
+                "the density of the oil is unknown, and with it the speed of these inputs; "
+                "allowed: inputs of load_parameters or bearing, and members=True for each member"
+            )
+        stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius
+        return parameters.speed_per_viscosity * stiffness / self.oil_density_kg_per_m3
+
+    def without_speed(
+        self, arrays: Mapping[str, NDArray], parameters: Parameters
+    ) -> dict[str, NDArray]:
+        """Conditions without a speed.  U in Eq. 8 has only the product of viscosity and speed: a viscosity at
+        another speed is another viscosity at the speed of ``parameters``."""
+        solved = dict(arrays)
+        speed = solved.pop("speed", None)
+        if speed is not None:
+            solved["viscosity"] = solved["viscosity"] * (speed / self.speed(parameters))
+        return solved
+
+
+# Table 1; the modulus of steel, which is not printed, gives E_ss = 112 GPa
+STEEL = Material(205.0, 0.29, 5.0)
+# of the calibrated inputs: the paper prints no density, and that of mineral oils is assumed
+PAPER_SETUP = Setup(ball=STEEL, flat=STEEL, particle=STEEL, oil_density_kg_per_m3=OIL_DENSITY)
+
+
+@dataclass(frozen=True, repr=False)
+class Ensemble:
+    """Sets of inputs that explain the paper about equally well, and the setup that all of them are for.
+
+    An input of an ensemble is that of its best set: ``ensemble.ball_radius``.  What is changed or was
+    given is known: all members have it.
+
+    Parameters
+    ----------
+    members : tuple of Parameters
+        One or more sets, the best first.
+    setup : Setup
+        Materials of the bodies and density of the oil.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> inputs = tb.load_parameters()
+    >>> len(inputs.members), inputs.members[0] == inputs.best
+    (30, True)
+    >>> inputs.best.ball_radius == inputs.ball_radius
+    True
+
+    The best set answers; all sets give the range of the answer:
+
+    >>> particles = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    >>> interface = dict(load_N=10, viscosity_cSt=120, roughness_nm=300, **particles)
+    >>> shares = tb.solve(**interface, members=True).to_dataset()["solid_load_fraction"]
+    >>> low, high = shares.quantile((0.05, 0.95), "member").values
+    >>> bool(low < tb.solve(**interface).solid_load_fraction < high)
+    True
+    """
+
+    members: tuple[Parameters, ...]
+    setup: Setup
+
+    def __post_init__(self):
+        object.__setattr__(self, "members", tuple(self.members))
+        if not self.members:
+            raise ValueError("members is empty; allowed: one or more Parameters, the best first")
+
+    def __repr__(self) -> str:
+        count = len(self.members)
+        return f"Ensemble of {count}, with the setup {self.setup!r}; the best: {self.best!r}"
+
+    @property
+    def best(self) -> Parameters:
+        """The set with which single answers are computed."""
+        return self.members[0]
+
+    def __getattr__(self, name: str) -> Any:
+        """An input of the best set, or what follows from its inputs."""
+        if name.startswith("_") or "members" not in vars(self):
+            raise AttributeError(name)
+        return getattr(self.best, name)
+
+    def __iter__(self) -> Iterator[Ensemble]:
+        """Each member alone, in the same setup."""
+        return (replace(self, members=(member,)) for member in self.members)
+
+    @property
+    def speed(self) -> float:
+        """The entrainment speed u [m/s] of the best set: from U/nu and the density of the oil."""
+        return self.setup.speed(self.best)
+
+    def changed(self, **inputs: Any) -> Ensemble:
+        """The same with other ``inputs``, SI or quantities, in all members; where no member then differs
+        from the best, the best alone.
+
+        Raises
+        ------
+        ValueError
+            For an unknown input, a number out of bounds, an unknown word, a quantity of another dimension, and
+            an A_n larger than the ball.
+
+        Warns
+        -----
+        UserWarning
+            For a modulus, hardness or radius without G, V or U/nu, which depend on it:
+            ``thirdbody.bearing`` changes them together; and for another mean of the sizes, plane of the
+            particles or load of the film without the inputs that were calibrated for it.
+
+        Examples
+        --------
+        >>> import thirdbody as tb
+        >>> inputs = tb.load_parameters().changed(truncation=3.0)
+        >>> {member.truncation for member in inputs.members}
+        {3.0}
+        """
+        return self._with(inputs, stacklevel=3)
+
+    def _with(self, inputs: Mapping[str, Any], stacklevel: int) -> Ensemble:
+        """``changed``, for a caller that the warning names by its ``stacklevel`` here."""
+        changes = checked_inputs(inputs)
+        members = tuple(replace(member, **changes) for member in self.members)
+        best, *others = members
+        if {"ball_radius", "apparent_area"} & changes.keys():
+            best.check_ball()
+        for message in _what_stays(changes, self.best):
+            warnings.warn(message, UserWarning, stacklevel=stacklevel)
+        return replace(self, members=members if set(others) - {best} else (best,))
+
+    def as_dict(self) -> dict[str, Any]:
+        """All inputs of the best set, and the ``setup``: arguments of ``thirdbody.load_parameters``."""
+        return {**self.best.as_dict(), "setup": self.setup.as_dict()}
+
+    def known(self) -> dict[str, Any]:
+        """What files of inputs have: the inputs in which all members agree, and the ``setup``.
+
+        What members do not agree in stays open where the file is read.
+        """
+        inputs = {
+            name: value
+            for name, value in self.best.as_dict().items()
+            if all(getattr(member, name) == value for member in self.members)
+        }
+        return {**inputs, "setup": self.setup.as_dict()}
+
+
+def as_ensemble(parameters: Parameters | Ensemble) -> Ensemble:
+    """``parameters``, or an ensemble of these alone, of which nothing else is known."""
+    if isinstance(parameters, Ensemble):
+        return parameters
+    return Ensemble((parameters,), Setup())
+
+
+def checked_inputs(changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Some inputs as floats in SI and words; ``ValueError`` for a name that is none."""
+    for name in changes:
+        if name not in Parameters.names():
+            raise ValueError(f"{name} is no input; allowed: {', '.join(Parameters.names())}")
+    return {
+        name: value
+        if isinstance(value, str) and name in WORDS
+        else float(numbers_in(name, value, BOUNDS[name].unit))
+        for name, value in changes.items()
+    }
+
+
+def _what_stays(changes: Mapping[str, Any], before: Parameters) -> Iterator[str]:
+    """Words on each input that differs from ``before`` without those that belong to its value."""
+    for name in BELONGS_TO.keys() & changes.keys():
+        dependents, reason = BELONGS_TO[name]
+        stay = ", ".join(other for other in dependents if other not in changes)
+        value, old = changes[name], getattr(before, name)
+        same = value == old if isinstance(value, str) else math.isclose(value, old)
+        if stay and not same:
+            yield f"{name} is changed without {stay}; {reason}"
+
+
+def range_over_members(values: Sequence[ArrayLike]) -> NDArray:
+    """Both ends of the range, 5 to 95 %, of ``values``, an array for each member: shape (2, ...).
+
+    A member without a value, nan, does not count there; an end is nan where no member has one.
+    """
+    members = np.asarray(values, float)
+    ends = np.quantile(members, ENDS, axis=0)
+    partly = np.isnan(members).any(axis=0)  # nanquantile takes one point at a time
+    if partly.any():
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "All-NaN", RuntimeWarning)
+            ends[:, partly] = np.nanquantile(members[:, partly], ENDS, axis=0)
+    return ends
