@@ -315,9 +315,10 @@ def _what_stays(changes: Mapping[str, Any], before: Parameters) -> Iterator[str]
 def range_over_members(values: Sequence[ArrayLike]) -> NDArray:
     """Both ends of the range, 5 to 95 %, of ``values``, an array for each member: shape (2, ...).
 
-    A member without a value, nan, does not count there; an end is nan where no member has one.
+    A member without a finite value does not count there; an end is nan where no member has one.
     """
     members = np.asarray(values, float)
+    members = np.where(np.isfinite(members), members, np.nan)
     ends = np.quantile(members, ENDS, axis=0)
     partly = np.isnan(members).any(axis=0)  # nanquantile takes one point at a time
     if partly.any():

@@ -1,7 +1,6 @@
 """The inputs of a run: those of a calibrated file, with others of the configuration laid over them."""
 
 import math
-import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -39,11 +38,7 @@ def choose_inputs(
         ensemble = ensemble_of(read_yaml(calibrated))
         # a file of inputs has a setup, which the workflow does not need: scenes have no speed
         changes = checked_inputs({key: value for key, value in changes.items() if key != "setup"})
-        with warnings.catch_warnings():
-            warnings.simplefilter(
-                "ignore", UserWarning
-            )  # a departure changes one input alone on purpose
-            chosen = ensemble.changed(**changes)
+        chosen = ensemble.changed(**changes)
     except (TypeError, ValueError, KeyError) as error:
         raise ValueError(f"{place}: {error}") from None
     _check_printed(uncalibrated_values(folder), ensemble, calibrated)
