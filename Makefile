@@ -1,5 +1,6 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
+# make coverage    how much of the library its own tests run
 # make docs        the documentation as a site, docs/_build/html/index.html
 # make verify      whether all products are as they were made, and all releases whole
 # make test-survival   runs killed, damaged, starved, misconfigured and on a cluster, and the solver against the oracle, at length
@@ -26,7 +27,7 @@ RELEASES = $(wildcard results/release/*/. results/*/release/*/.)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test docs test-survival verify release accuracy lock vendor lowest format clean
+.PHONY: reproduce test coverage docs test-survival verify release accuracy lock vendor lowest format clean
 
 D3 := 7.9.0
 VENDOR := src/chenhorng/page/vendor
@@ -42,14 +43,13 @@ reproduce: $(VENV)/workflow.done
 # one thread of linear algebra a process, as processes share the cores; one process more than cores, as some tests wait
 PYTEST = OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$$(($(CORES) + 1)) --dist=loadfile --no-loadscope-reorder
 
-# coverage is that of the library by its own tests, without those of many points, which it would slow
-MANY_POINTS := tests/core/test_continuity.py tests/core/test_properties.py
-OTHER_TESTS := $(addprefix tests/, workflow oracle products browser paper project)
-
+# a failed run of the workflow does not hide what the tests find
 test: $(VENV)/test.done $(VENV)/slurm.done
-	$(BIN)/snakemake -c$(CORES)
-	$(PYTEST) $(OTHER_TESTS) $(MANY_POINTS)
-	$(PYTEST) tests/core tests/lab $(MANY_POINTS:%=--ignore=%) --cov
+	@failed=0; $(BIN)/snakemake -c$(CORES) || failed=1; $(PYTEST) -rfEs || failed=1; exit $$failed
+
+# of the library by its own tests, without those of many points, which it would slow
+coverage: $(VENV)/test.done
+	$(PYTEST) tests/core tests/lab --ignore=tests/core/test_continuity.py --ignore=tests/core/test_properties.py --cov
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html

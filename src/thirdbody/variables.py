@@ -384,7 +384,8 @@ def with_table(documented: Documented) -> Documented:
         symbol = f": {variable.symbol} [{variable.unit}]" if variable.name in QUANTITIES else ""
         variables += [f"{variable.name} : array", f"    The {variable.label}{symbol}."]
     for name, lines in (("{conditions}", conditions), ("{variables}", variables)):
-        documented.__doc__ = (documented.__doc__ or "").replace(name, "\n    ".join(lines))
+        docstring = inspect.cleandoc(documented.__doc__ or "")  # as Python 3.13 stores it
+        documented.__doc__ = docstring.replace(name, "\n".join(lines))
     if inspect.isfunction(documented):
         signature = inspect.signature(documented)
         *others, _ = signature.parameters.values()

@@ -68,9 +68,16 @@ def make_products(folder):
     return products
 
 
+def this_release(root="."):
+    """This release; without git, a date and a commit stand in for those that nobody knows."""
+    release = Release.of(Path(root, "pyproject.toml"), Path(root, "CITATION.cff"))
+    citation = {"date-released": "2024-01-01", "commit": 40 * "0"} | release.citation
+    return dataclasses.replace(release, date=citation["date-released"], citation=citation)
+
+
 def make_release(folder):
     """The folder of a release and its archive file below ``folder``; the path of the former."""
-    release = Release.of("pyproject.toml", "CITATION.cff")
+    release = this_release()
     products = make_products(folder / "results")
     parameters = dataclasses.asdict(tb.load_parameters())
     settings = {"config": CONFIG, "parameters": parameters}

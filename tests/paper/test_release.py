@@ -138,7 +138,7 @@ def test_zenodo_and_codecheck_describe_the_same_release(built, release):
     assert codecheck["paper"]["reference"] == release.paper_url
 
 
-def test_sources_are_what_git_tracks(tmp_path, monkeypatch):
+def test_sources_are_what_git_tracks(tmp_path, monkeypatch, needs_git):
     monkeypatch.chdir(tmp_path)
     for name in ("tracked.py", "new.py", "results/made.csv", ".gitignore", "docs/own name é.md"):
         (tmp_path / name).parent.mkdir(exist_ok=True)

@@ -4,7 +4,7 @@ import io
 import runpy
 import shutil
 import subprocess
-import tarfile
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -48,7 +48,7 @@ def asked(root, *paths):
 
 
 @pytest.fixture
-def repository(tmp_path):
+def repository(tmp_path, needs_git):
     return Repository(tmp_path / "repository")
 
 
@@ -77,9 +77,8 @@ def test_that_of_files_stays_until_one_of_them_changes(repository):
 def test_an_export_says_its_commit_and_another_copy_that_it_does_not_know(repository, tmp_path):
     repository.git("tag", "v0.1.0")
     commit = repository.commit("page.py")
-    export = io.BytesIO(repository.git("archive", "HEAD"))
-    with tarfile.open(fileobj=export) as files:
-        files.extractall(tmp_path / "export", filter="data")
+    export = io.BytesIO(repository.git("archive", "--format=zip", "HEAD"))
+    zipfile.ZipFile(export).extractall(tmp_path / "export")
     assert asked(tmp_path / "export") == f"0.2.0.dev1+g{commit}"
     shutil.copytree(repository.root / "src", tmp_path / "copy" / "src")
     assert asked(tmp_path / "copy") == thirdbody.version.UNKNOWN

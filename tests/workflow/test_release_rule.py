@@ -23,7 +23,7 @@ NAME = PAPER.full_name
 
 
 @pytest.fixture(scope="module")
-def released(finished, tmp_path_factory):
+def released(finished, tmp_path_factory, needs_git):
     """The folder of a release, among the results that it was made of."""
     workspace = finished.copied_to(tmp_path_factory.mktemp("released") / "a folder")
     run = workspace.snakemake("release")
