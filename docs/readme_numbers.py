@@ -347,18 +347,17 @@ def oracle_block() -> str:
 
 def variables_block() -> str:
     """Conditions and results: what each is called and what it is."""
-    quantities = NORMAL_LOAD, *VARIABLES.values()
-    given = [(axis.sign, axis, "") for axis in AXES.values()]
-    found = [(quantity.symbol, quantity, quantity.equation) for quantity in quantities]
+    results = NORMAL_LOAD, *VARIABLES.values()
+    rows = [(axis, "") for axis in AXES.values()] + [(each, each.equation) for each in results]
     table = [
         {
-            "symbol": symbol.replace("none", ""),
+            "symbol": each.sign.replace("none", ""),
             "name in files and code": f"`{each.name}`",
             "unit": each.unit,
             "what it is": each.label,
             "defined in": equation.replace("none", "") and f"Eq. {equation}".replace("Eq. s", "s"),
         }
-        for symbol, each, equation in given + found
+        for each, equation in rows
     ]
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 

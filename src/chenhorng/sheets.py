@@ -12,9 +12,9 @@ from statistics import fmean, median
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from thirdbody.curves import row_key
 from chenhorng.tables import TABLES
-from chenhorng.typeset import html, latex
+from thirdbody.curves import row_key
+from thirdbody.symbols import html, latex, short
 from thirdbody.variables import AXES, CONDITION_AXES
 
 DIGITS = 3
@@ -271,8 +271,8 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
             {
                 "place": row["place"].removesuffix(", section 3.3"),
                 "statement": row["statement"],
-                "printed": _short(f"{row['printed']:.4g}"),
-                "computed": "none" if row["computed"] is None else _short(f"{row['computed']:.4g}"),
+                "printed": short(f"{row['printed']:.4g}"),
+                "computed": "none" if row["computed"] is None else short(f"{row['computed']:.4g}"),
                 "deviation": f"{100.0 * row['deviation']:+.1f} %".replace("-0.0", "0.0"),
             },
         )
@@ -358,7 +358,7 @@ def _headed(
 def _in_unit(name, value) -> str:
     if name == "viscosity" and value == 0.0:
         return "dry"
-    return _short(f"{AXES[name].from_si(value):.6g}")
+    return short(f"{AXES[name].from_si(value):.6g}")
 
 
 def _statuses(rows) -> str:
@@ -371,12 +371,7 @@ def _range(row, name) -> str:
     """A range in a row, or a single value."""
     ends = row[f"{name}_low"], row[f"{name}_high"]
     digits = 6 if name == "printed" else 4
-    return " to ".join(_short(f"{value:.{digits}g}") for value in ends if value is not None)
-
-
-def _short(text) -> str:
-    """A number without the sign and the zero of an exponent."""
-    return re.sub(r"e\+?(-?)0*", r"e\1", text)
+    return " to ".join(short(f"{value:.{digits}g}") for value in ends if value is not None)
 
 
 ENVIRONMENT = Environment(

@@ -283,7 +283,7 @@ def test_a_stribeck_curve_is_drawn_over_the_speed():
     speeds = np.geomspace(0.1, 20.0, 12)
     solution = tb.solve(load_N=10, viscosity_cSt=90, speed_m_per_s=speeds, **layer)
     axes = tb.plot(solution, variables="solid_load_fraction").axes[0]
-    assert "u (m/s)" in axes.get_xlabel() and axes.get_xscale() == "log"
+    assert "$u$ (m/s)" in axes.get_xlabel() and axes.get_xscale() == "log"
     x, y = axes.lines[0].get_data()
     np.testing.assert_allclose(x, speeds)
     np.testing.assert_allclose(y, solution.solid_load_fraction)

@@ -151,7 +151,7 @@ WINDOWS = Sheet(
 def test_a_table_for_latex_has_numbers_units_caption_and_label():
     text = WINDOWS.latex("windows")
     assert (
-        r"\caption{Windows. In $F_{t}^*$ $A_{n}$, \num{1e11} m$^{-2}$.}\label{tab:windows}" in text
+        r"\caption{Windows. In $F_{t}^*$ $A_{n}$, $10^{11}$ m$^{-2}$.}\label{tab:windows}" in text
     )
     assert (
         r"{$\sigma$ [\unit{\nm}]} & {high end} & {$x_{a}$ [\unit{\nm}]} & {50 \% \& more\_of}"

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from thirdbody.curves import Condition
 from chenhorng.figures import printed
 from chenhorng.figures.curves import HEADLINES, OURS
-from chenhorng.typeset import markdown_text
+from chenhorng.markdown import markdown_text
+from thirdbody.curves import Condition
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel
 from thirdbody.plotting.scales import (

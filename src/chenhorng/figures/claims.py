@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from chenhorng.places import part_of_paper
-from chenhorng.typeset import mathtext
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing
 from thirdbody.plotting.panels import CURVE, Panel, Series
+from thirdbody.symbols import mathtext
 
 BAR_INCHES, LINE_INCHES = 0.21, 0.13  # heights of a bar and of a line of text
 AROUND = 1.3  # height of titles, axis and key [inches]

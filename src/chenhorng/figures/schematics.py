@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from thirdbody.core.regimes import CONTACT_MODES
 from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of
+from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
-from thirdbody.plotting.scales import label, shared_notes, typeset
+from thirdbody.plotting.scales import label, shared_notes
+from thirdbody.symbols import mathtext
 
 INTERFACE, MODES = 3.75, 2.9  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
@@ -86,7 +87,7 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
         _draw_section(axes, panel, section, MODES_SHAPE)
         _name_parts(axes, section)
     _draw_height(figure.axes[0], 0.06, *_elastic_zone(figure.axes[0], sections[0]), "$h_e$")
-    figure.supxlabel(typeset(", ".join(common)) + f"\n{READING}", fontsize="medium")
+    figure.supxlabel(mathtext(", ".join(common)) + f"\n{READING}", fontsize="medium")
     return figure
 
 

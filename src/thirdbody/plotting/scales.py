@@ -1,45 +1,25 @@
 """Text of numbers and conditions in figures, and the variables of their axes; nothing is drawn here."""
 
-import re
 from collections.abc import Sequence
 
 from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.curves import Condition
+from thirdbody.symbols import power_text, unicode
 from thirdbody.variables import CONDITION_AXES, CONDITIONS, DERIVED, NORMAL_LOAD, QUANTITIES
 
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-LETTERS = str.maketrans("ₐₛₜ", "ast")
-SYMBOL = re.compile(r"([A-Za-zσην])([ₐₛₜ]+(?:,[ₐₛₜ]+)?)(\*?)")
-ALONE = re.compile(r"(?<![\w$])([σην])(?![\w$])")
 ABSENT = {"viscosity": "dry", "particle_diameter": "two-body", "particle_density": "two-body"}
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 
 
-def power_text(value: float) -> str:
-    """``value`` as a power of ten, with at most four digits: 5×10¹⁰, 10¹¹."""
-    mantissa, exponent = f"{value:.3e}".split("e")
-    power = "10" + str(int(exponent)).translate(SUPERSCRIPTS)
-    return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
-
-
-def typeset(text: str) -> str:
-    """A text with symbols for matplotlib, as on the axes of variables: ηₐ as $η_a$."""
-    text = SYMBOL.sub(
-        lambda found: f"${found[1]}_{{{found[2].translate(LETTERS)}}}{'^*' if found[3] else ''}$",
-        text,
-    )
-    return ALONE.sub(r"$\1$", text)
-
-
 def unit_text(parameter: str) -> str:
     """Engineering unit of one of the four conditions."""
-    return CONDITIONS[parameter].alias_unit.translate(SUPERSCRIPTS)
+    return unicode(CONDITIONS[parameter].alias_unit)
 
 
 def parameter_title(parameter: str) -> str:
     """Title of a legend of curves that differ in a condition or the ``diameter_ratio``."""
     if parameter == "diameter_ratio":
-        return "Diameter over roughness xₐ/σ"
+        return f"Diameter over roughness {DERIVED[parameter].sign}"
     name = parameter.replace("_", " ").capitalize()
     return f"{name} {CONDITIONS[parameter].sign} ({unit_text(parameter)})"
 
@@ -89,8 +69,7 @@ SCALES = CONDITIONS | QUANTITIES | {NORMAL_LOAD.name: NORMAL_LOAD} | DERIVED
 
 def panel_title(x: str, y: str) -> str:
     """Title of a panel of ``y`` over ``x``."""
-    symbol = SCALES[x].axis.partition(" ")[0]
-    over = "" if x in ("load", "normal_load", "diameter_ratio") else f" over {symbol}"
+    over = "" if x in ("load", "normal_load", "diameter_ratio") else f" over {SCALES[x].sign}"
     return SCALES[y].title + over
 
 
@@ -110,5 +89,4 @@ def axis_text(name: str, value: float) -> str:
     number = power_text(rounded) if is_power else f"{rounded:g}"
     if name == "film_thickness":
         return f"{number}×{power_text(variable.scale)}"
-    unit = re.search(r"\(([^$]+)\)$", variable.axis)
-    return f"{number} {unit[1]}" if unit else number
+    return f"{number} {unicode(variable.shown_unit)}".rstrip()
