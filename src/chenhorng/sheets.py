@@ -13,7 +13,9 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from chenhorng.tables import TABLES
+from thirdbody.core.film import has_film
 from thirdbody.curves import row_key
+from thirdbody.plotting.scales import ABSENT, note
 from thirdbody.symbols import html, latex, short
 from thirdbody.variables import AXES, CONDITION_AXES
 
@@ -36,7 +38,7 @@ CROSSINGS = {  # columns of the transitions: symbol, limit, quantity and level
 }
 NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
 ARROWS = {"rising": "↑", "falling": "↓"}
-WORDS = ("", "none", "dry")  # in columns of numbers
+WORDS = ("", "none", ABSENT["viscosity"])  # in columns of numbers
 HEADING = re.compile(r"(.+) \[(.+)\]")  # a name and its unit
 UNITS_IN_LATEX = {
     "nm": r"\nm",
@@ -127,10 +129,7 @@ def result_name(row: Mapping) -> str:
     name = RESULTS[row["quantity"] or row["output"]].format(row["level"]).replace("%", " %")
     varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
     axis = AXES[varied[row["output"].partition("_")[0]]]
-    value = row[axis.column]
-    if axis.name == "viscosity" and value == 0.0:
-        return f"{name}, dry"
-    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.alias_unit}"
+    return f"{name}, {note(axis.name, row[axis.column])}"
 
 
 def readable(
@@ -356,8 +355,8 @@ def _headed(
 
 
 def _in_unit(name, value) -> str:
-    if name == "viscosity" and value == 0.0:
-        return "dry"
+    if name == "viscosity" and not has_film(value):
+        return ABSENT[name]
     return short(f"{AXES[name].from_si(value):.6g}")
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of
+from thirdbody.core.film import has_film
 from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
@@ -112,7 +113,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     position, length = section["position"], section["position"][-1]
     middle, reach = 0.5 * section["separation"], 0.5 * shape * length / STRETCH
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
     for series in panel.series:
         if series.name in edges:
@@ -136,7 +137,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
         f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
         f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
     ]
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
     axes.set_xlabel(", ".join(facts), fontsize="medium")
 
@@ -158,7 +159,7 @@ def _name_parts(axes, section):
     if carries.any():
         largest = np.argmax(np.where(carries, size, 0.0))
         _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.6 * length, 0.4 * bottom))
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
         beside = position[widest] + 0.05 * length, 0.92 * top
