@@ -1,4 +1,4 @@
-"""Tables for reading, as HTML and LaTeX: one row per curve, in engineering units, beside the numbers of the paper."""
+"""Sheets: tables as people read them, in HTML and LaTeX, with few digits, in engineering units, beside the paper's numbers."""
 
 import math
 import re
@@ -91,6 +91,10 @@ class Sheet:
             return ""
         return "0" * missing if _decimals(text) else "." + "0" * missing
 
+    def html(self) -> str:
+        """The table as a self-contained HTML page."""
+        return ENVIRONMENT.get_template("sheets.html").render(sheet=self)
+
     def latex(self, label: str) -> str:
         """The table for LaTeX, with its caption and ``label``; columns of numbers are those of siunitx."""
         names = [*self.rows[0]] if self.rows else []
@@ -132,21 +136,16 @@ def result_name(row: Mapping) -> str:
     return f"{name}, {note(axis.name, row[axis.column])}"
 
 
-def readable(
+def sheet_of(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> Sheet:
-    """The sheet of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``, without empty
+    """The sheet of a ``table`` of ``SHEETS`` from its ``rows`` and those of the table ``printed``, without empty
     columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
-    sheet = READABLE[table](rows, printed, newtons_per_load)
+    sheet = SHEETS[table](rows, printed, newtons_per_load)
     if not sheet.rows:
         return replace(sheet, note="There are none.")
     names = [name for name in sheet.rows[0] if any(row[name] for row in sheet.rows)]
     return replace(sheet, rows=[{name: row[name] for name in names} for row in sheet.rows])
-
-
-def page(sheet: Sheet) -> str:
-    """A self-contained HTML page of a ``sheet``."""
-    return ENVIRONMENT.get_template("sheets.html").render(sheet=sheet)
 
 
 def _decimals(text):
@@ -314,7 +313,7 @@ def _percent(fraction) -> str:
     return "" if fraction is None else f"{100.0 * fraction:.1f} %"
 
 
-READABLE: dict[str, Callable[..., Sheet]] = {
+SHEETS: dict[str, Callable[..., Sheet]] = {
     "table1": partial(_paper_table, "Table 1. Properties of the materials"),
     "table2": partial(_paper_table, "Table 2. Operating conditions"),
     "tpca_loads": _turning_points,
