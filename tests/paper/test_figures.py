@@ -12,8 +12,8 @@ from matplotlib.colors import to_rgb
 import thirdbody as tb
 from chenhorng.claims.between_curves import BEND, area_slope
 from chenhorng.claims.claims import load_claims, printed_rows
-from chenhorng.figures.captions import caption
-from chenhorng.figures.curves import CURVE_FIGURES, HEADLINES, plot
+from chenhorng.figures.captions import HEADLINES, caption
+from chenhorng.figures.curves import CURVE_FIGURES, plot
 from chenhorng.figures.files import SUFFIXES, figure_record, save, write_wide
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
 from chenhorng.figures.schematics import SCHEMATICS

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from chenhorng.figures.captions import SENTENCES
 from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of
 from thirdbody.core.film import has_film
 from thirdbody.core.regimes import CONTACT_MODES
@@ -48,10 +49,7 @@ LOAD = FROM_END_TO_END | {
 }
 BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
-READING = (
-    "orange: carries load, as its diameter exceeds $d - y - h_e$, wherever it rests (Eqs. 4, 5)\n"
-    f"tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, particles drawn round"
-)
+READING = SENTENCES["schematics"].format(STRETCH)
 
 
 def plot_interface(sections: Sequence[Section]) -> Drawing:

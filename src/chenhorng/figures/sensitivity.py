@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
+from chenhorng.figures.captions import FIGURES
 from chenhorng.sheets import result_name
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
@@ -42,9 +43,8 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
         name = f"{results[cell[1]]}; {row['input']}; {row['elasticity']:.10g}"
         series.append(Series(CURVE, name, *(CORNERS + cell[::-1]).T))
     decisive = len({*np.argmax(np.abs(values), axis=0).tolist()})
-    title = (
-        f"{NUMBERS[decisive].capitalize()} inputs decide: each result responds most to one of them"
-    )
+    words = FIGURES["sensitivity"]
+    title = words["panel"].format(NUMBERS[decisive].capitalize())
     figure = empty_panels(
         [Panel(title, "result", "elasticity", series)],
         (TWO_COLUMNS, ROW * len(inputs) + BESIDE),
@@ -54,15 +54,15 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
     mesh = _draw_cells(axes, values)
     bar = figure.colorbar(mesh, ax=axes, extend="both", pad=0.01, aspect=30)
     bar.outline.set_visible(False)
-    bar.set_label("Elasticity, d ln(result)/d ln(input)", fontsize=SIZE)
+    bar.set_label(words["scale"], fontsize=SIZE)
     names = [_input_name(name, symbols.get(name, "")) for name in inputs]
     axes.set_yticks(np.arange(len(inputs)) + 0.5, names)
     style: dict[str, Any] = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
     axes.set_xticks(np.arange(len(results)) + 0.5, map(mathtext, results), **style)
     negligible = [_input_name(name, "") for name in weights if name not in inputs]
     notes = {
-        f"Below {LEAST:g} in size: empty cells, and all of": negligible,
-        "Without a value at the default:": missing,
+        words["faint"].format(LEAST): negligible,
+        words["missing"]: missing,
     }
     texts = [f"{what} {'; '.join(each)}." for what, each in notes.items() if each]
     lines = [
