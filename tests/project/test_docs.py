@@ -5,6 +5,7 @@ import runpy
 from pathlib import Path
 
 import pytest
+import yaml
 
 import thirdbody
 from thirdbody.core.regimes import WITHOUT_VALUES
@@ -22,6 +23,20 @@ MODEL = (DOCS / "model.md").read_text(encoding="utf-8")
 def test_a_page_has_what_its_command_prints(page, block):
     text = (ROOT / page).read_text(encoding="utf-8")
     assert TOOL["BLOCKS"][block]() in text
+
+
+def test_each_key_of_the_configuration_is_explained():
+    reference = runpy.run_path(DOCS / "configuration_reference.py")
+    rows = [line.strip("| \n").split(" | ") for line in reference["configuration"]().splitlines()]
+    table = {row[0].strip("`"): row[1:] for row in rows[2:]}
+    settings = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))
+    assert {*settings} <= {*table} and all(len(row) == 2 and all(row) for row in table.values())
+    assert table["scenes.NAME.curves[].viscosity_cSt"] == [
+        "kinematic viscosity nu [cSt], 0 when dry",
+        "list of 1 or more: 0, or number from 0.3 to 100000",
+    ]
+    assert table["windows.particle_density_per_m2"][1] == "number from 1e+06 to 1e+15"
+    assert "| `plastic_interference_ratio` | ω₂/ω₁ | 1 | assumed |" in reference["inputs"]()
 
 
 def test_the_page_and_the_files_explain_each_status_once_and_alike():

@@ -17,15 +17,16 @@ FOLDERS = (
 )
 
 
-def zero_or_from(least):
-    """A number that is 0 or not below ``least``."""
+def zero_or_from(least: float, most: float, words: str) -> Any:
+    """A number that is 0 or between two ends, and what it is."""
 
     def check(value):
         if 0 < value < least:
             raise ValueError(f"allowed: 0, or {least:g} or more")
         return value
 
-    return AfterValidator(check)
+    allowed = {"allowed": f"0, or number from {least:g} to {most:g}"}
+    return Annotated[number(0, most, words, json_schema_extra=allowed), AfterValidator(check)]
 
 
 def _increasing(ends):
@@ -40,24 +41,26 @@ def _distinct(values):
     return values
 
 
-def number(least: float, most: float, words: str, **limits: float) -> Any:
+def number(least: float, most: float, words: str, **limits: Any) -> Any:
     """A number between two ends, and what it is."""
     return Annotated[float, Field(le=most, description=words, **({"ge": least} | limits))]
 
 
 Load = number(1e-7, 1e4, "normal load F_t [N]")
-Viscosity = Annotated[number(0, 1e5, "kinematic viscosity nu [cSt], 0 when dry"), zero_or_from(0.3)]
-Diameter = Annotated[
-    number(0, 1e5, "mean particle diameter x_a [nm], 0 without particles"), zero_or_from(1)
-]
+Viscosity = zero_or_from(0.3, 1e5, "kinematic viscosity nu [cSt], 0 when dry")
+Diameter = zero_or_from(1, 1e5, "mean particle diameter x_a [nm], 0 without particles")
 Ratio = number(0, 1000, "mean particle diameter over roughness, x_a/sigma [1]")
 Roughness = number(1, 1e4, "equivalent root mean square roughness sigma [nm]")
-Density = Annotated[
-    number(0, 1e15, "particles per unit area eta_a [m-2], 0 without particles"), zero_or_from(1e6)
-]
+Density = zero_or_from(1e6, 1e15, "particles per unit area eta_a [m-2], 0 without particles")
 Rtol = number(1e-11, 1e-2, "requested relative error [1]")
 Positive = Field(gt=0)
-File = Annotated[str, Field(pattern=r"^config/[A-Za-z0-9_/-]+\.yaml$")]
+File = Annotated[
+    str,
+    Field(
+        pattern=r"^config/[A-Za-z0-9_/-]+\.yaml$",
+        json_schema_extra={"allowed": "the path of a YAML file in config/"},
+    ),
+]
 Pair = AfterValidator(_increasing)
 Values = Field(min_length=1, max_length=1000), AfterValidator(_distinct)
 
@@ -125,13 +128,27 @@ class Panel(Layer):
 class Scene(Closed):
     """A dataset and a figure."""
 
-    title: Annotated[str, Field(pattern=r"^[^\x00-\x1f]{1,200}$")]
+    title: Annotated[
+        str,
+        Field(
+            pattern=r"^[^\x00-\x1f]{1,200}$",
+            description="title of the dataset and of the figure",
+            json_schema_extra={"allowed": "text in one line, up to 200 letters"},
+        ),
+    ]
     named_loads: Annotated[
         list[number(0, 1, "F_t* named in the text [1]", gt=0)], Field(max_length=1000)
     ] = []
     load_axis: LoadAxis | None = None
     rtol: Rtol | None = None
-    curves: Annotated[list[Curves], Field(min_length=1, max_length=100)]
+    curves: Annotated[
+        list[Curves],
+        Field(
+            min_length=1,
+            max_length=100,
+            description="groups of curves; every combination of a group's values is computed",
+        ),
+    ]
 
 
 class Windows(Closed):
@@ -178,7 +195,10 @@ class Configuration(Closed):
         Annotated[
             str,
             AfterValidator(lambda name: _plain(name, FOLDERS)),
-            Field(description="its files go to results/NAME"),
+            Field(
+                description="name of the run; its files go to results/NAME",
+                json_schema_extra={"allowed": "a word of small letters, digits and _"},
+            ),
         ]
         | None
     ) = None
@@ -186,13 +206,21 @@ class Configuration(Closed):
         File, Field(description="calibrated file with the inputs and their ensemble")
     ]
     inputs: Annotated[
-        dict[str, Any] | File, Field(description="inputs that override them, or a file of them")
+        dict[str, Any] | File,
+        Field(
+            description="inputs that override them, or a file of them",
+            json_schema_extra={"allowed": "inputs with their values, or the path of a YAML file"},
+        ),
     ]
     rtol: Rtol
     bands: Annotated[bool, Field(description="whether figures show the range of the ensemble")]
     windows: Windows
     load_axis: LoadAxis
-    scenes: Annotated[dict[str, Scene], AfterValidator(_named)]
+    scenes: Annotated[
+        dict[str, Scene],
+        AfterValidator(_named),
+        Field(description="a dataset and a figure each; fig03 to fig13 are those of the paper"),
+    ]
     schematics: Schematics
     accuracy: Annotated[File, Field(description="settings of the accuracy run")]
     atlas: Annotated[File, Field(description="settings of the atlas")]
