@@ -18,7 +18,7 @@ KINDS = {"object": "mapping", "boolean": "true or false", "string": "text"}
 
 
 def resolved(schema, definitions):
-    """A schema with what its reference says, or the first of its choices: the others are null or a file."""
+    """A schema with what its reference says, or the first of its choices; others are null or a file."""
     inner = schema.get("anyOf", [{}])[0]
     if reference := schema.get("$ref", inner.get("$ref")):
         inner = definitions[reference.rpartition("/")[2]]
@@ -71,7 +71,8 @@ def inputs():
     for name, entry in read_yaml(INPUTS).items():
         bounds = ", ".join(map(str, entry["allowed"])) if "allowed" in entry else BOUNDS[name]
         unit = entry.get("unit", "")
-        text += row(f"`{name}`", unicode(entry.get("symbol", ""), is_symbol=True), unit, entry["source"], bounds)
+        symbol = unicode(entry.get("symbol", ""), is_symbol=True)
+        text += row(f"`{name}`", symbol, unit, entry["source"], bounds)
     return text
 
 

@@ -1,4 +1,4 @@
-"""Sheets: tables as people read them, in HTML and LaTeX, with few digits, in engineering units, beside the paper's numbers."""
+"""Sheets: tables as people read them, in HTML and LaTeX, with the numbers of the paper beside."""
 
 import math
 import re
@@ -139,8 +139,8 @@ def result_name(row: Mapping) -> str:
 def sheet_of(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> Sheet:
-    """The sheet of a ``table`` of ``SHEETS`` from its ``rows`` and those of the table ``printed``, without empty
-    columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
+    """The sheet of a ``table`` of ``SHEETS`` from its ``rows`` and those of the table ``printed``,
+    without empty columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
     sheet = SHEETS[table](rows, printed, newtons_per_load)
     if not sheet.rows:
         return replace(sheet, note="There are none.")

@@ -1,7 +1,8 @@
-"""How symbols, units and powers of ten are written, in HTML, LaTeX, matplotlib's mathtext and plain Unicode.
+"""How symbols, units and powers of ten are written: in HTML, LaTeX, mathtext of matplotlib, Unicode.
 
-A text has symbols in ASCII, ``A_sa,t*``, ``sigma``, ``5.96e-5``, ``m-2``, or with the small letters and digits of
-Unicode, ``Aₛₐ,ₜ*``, ``10⁻⁵``; both give the same.  With ``is_symbol`` any single letter of the text is a symbol: ``U/nu``.
+A text has symbols in ASCII, ``A_sa,t*``, ``sigma``, ``5.96e-5``, ``m-2``, or with the small letters and
+digits of Unicode, ``Aₛₐ,ₜ*``, ``10⁻⁵``; both give the same.  With ``is_symbol`` any single letter is a
+symbol: ``U/nu``.
 """
 
 import re
@@ -17,7 +18,7 @@ LETTER = rf"[A-Za-z{''.join(GREEK.values())}]"
 WORD = rf"(?<![A-Za-z])(?:{'|'.join(GREEK)})(?![A-Za-z])"  # a Greek letter by its name
 SMALL = r"[ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ₀-₉]"
 BELOW = rf"{SMALL}+(?:,{SMALL}+)?"
-# a letter with its index; in a text also a single letter that is no word, nor a unit, nor of a panel
+# a letter with its index; in a text also a single letter that is no word, no unit and no panel
 SYMBOL = (
     rf"(?<!\w)({LETTER})_((?:sa|ss),t|TPCA|max|min|steel|[A-Za-z]{{1,2}}|[a-z]?[0-9])(?![A-Za-z_])"
 )

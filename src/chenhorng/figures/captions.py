@@ -1,4 +1,4 @@
-"""Captions and alternative texts, from the words in ``captions.yaml`` and from the panels of a figure."""
+"""Captions and alternative texts: words of ``captions.yaml``, and what follows from the panels."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
