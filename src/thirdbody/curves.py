@@ -42,11 +42,11 @@ class Condition(NamedTuple):
 
     @property
     def is_dry(self) -> bool:
-        return not has_film(self.viscosity)
+        return not has_film(np.asarray(self.viscosity))
 
     @property
     def is_two_body(self) -> bool:
-        return not has_particles(self.particle_diameter, self.particle_density)
+        return not has_particles(*np.array([self.particle_diameter, self.particle_density]))
 
 
 def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]]:

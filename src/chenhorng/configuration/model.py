@@ -6,27 +6,26 @@ The classes are closed, so that a misspelt key is an error, and numbers are numb
 import math
 import re
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-Figure = Literal[*(f"fig{number:02d}" for number in range(3, 14))]
+FIGURES = {f"fig{number:02d}" for number in range(3, 14)}
 FOLDERS = (
     "accuracy|atlas|bands|calibration|claims|datasets|explorer|extracted|figures|release|tables"
 )
 
 
-def zero_or_from(least: float, most: float, words: str) -> Any:
-    """A number that is 0 or between two ends, and what it is."""
+def zero_or_from(least: float) -> AfterValidator:
+    """A number that is 0 or not below ``least``."""
 
     def check(value):
         if 0 < value < least:
             raise ValueError(f"allowed: 0, or {least:g} or more")
         return value
 
-    allowed = {"allowed": f"0, or number from {least:g} to {most:g}"}
-    return Annotated[number(0, most, words, json_schema_extra=allowed), AfterValidator(check)]
+    return AfterValidator(check)
 
 
 def _increasing(ends):
@@ -41,18 +40,34 @@ def _distinct(values):
     return values
 
 
-def number(least: float, most: float, words: str, **limits: Any) -> Any:
-    """A number between two ends, and what it is."""
-    return Annotated[float, Field(le=most, description=words, **({"ge": least} | limits))]
+def number(least: float, most: float, words: str, or_zero: bool = False, **limits: Any) -> Any:
+    """The field of a number between two ends, and what it is."""
+    if or_zero:
+        allowed: dict[str, Any] = {"allowed": f"0, or number from {least:g} to {most:g}"}
+        return Field(ge=0, le=most, description=words, json_schema_extra=allowed)
+    return Field(le=most, description=words, **({"ge": least} | limits))
 
 
-Load = number(1e-7, 1e4, "normal load F_t [N]")
-Viscosity = zero_or_from(0.3, 1e5, "kinematic viscosity nu [cSt], 0 when dry")
-Diameter = zero_or_from(1, 1e5, "mean particle diameter x_a [nm], 0 without particles")
-Ratio = number(0, 1000, "mean particle diameter over roughness, x_a/sigma [1]")
-Roughness = number(1, 1e4, "equivalent root mean square roughness sigma [nm]")
-Density = zero_or_from(1e6, 1e15, "particles per unit area eta_a [m-2], 0 without particles")
-Rtol = number(1e-11, 1e-2, "requested relative error [1]")
+Load = Annotated[float, number(1e-7, 1e4, "normal load F_t [N]")]
+Viscosity = Annotated[
+    float,
+    number(0.3, 1e5, "kinematic viscosity nu [cSt], 0 when dry", or_zero=True),
+    zero_or_from(0.3),
+]
+Diameter = Annotated[
+    float,
+    number(1, 1e5, "mean particle diameter x_a [nm], 0 without particles", or_zero=True),
+    zero_or_from(1),
+]
+Ratio = Annotated[float, number(0, 1000, "mean particle diameter over roughness, x_a/sigma [1]")]
+Roughness = Annotated[float, number(1, 1e4, "equivalent root mean square roughness sigma [nm]")]
+Density = Annotated[
+    float,
+    number(1e6, 1e15, "particles per unit area eta_a [m-2], 0 without particles", or_zero=True),
+    zero_or_from(1e6),
+]
+Rtol = Annotated[float, number(1e-11, 1e-2, "requested relative error [1]")]
+NamedLoad = Annotated[float, number(0, 1, "F_t* named in the text [1]", gt=0)]
 Positive = Field(gt=0)
 File = Annotated[
     str,
@@ -136,9 +151,7 @@ class Scene(Closed):
             json_schema_extra={"allowed": "text in one line, up to 200 letters"},
         ),
     ]
-    named_loads: Annotated[
-        list[number(0, 1, "F_t* named in the text [1]", gt=0)], Field(max_length=1000)
-    ] = []
+    named_loads: Annotated[list[NamedLoad], Field(max_length=1000)] = []
     load_axis: LoadAxis | None = None
     rtol: Rtol | None = None
     curves: Annotated[
@@ -181,9 +194,9 @@ def _plain(name, taken):
 
 
 def _named(scenes):
-    for name in {*scenes} - {*get_args(Figure)}:
+    for name in {*scenes} - FIGURES:
         _plain(name, r"fig.*|claims|sensitivity|.*_(wide|tpca_loads|transitions)")
-    if missing := {*get_args(Figure)} - {*scenes}:
+    if missing := FIGURES - {*scenes}:
         raise ValueError(f"{', '.join(sorted(missing))} missing; allowed: all figures of the paper")
     return scenes
 
