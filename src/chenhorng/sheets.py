@@ -100,7 +100,9 @@ class Sheet:
         names = [*self.rows[0]] if self.rows else []
         numeric = {name: name in self.decimals for name in names}
         lines = [
-            " & ".join(_latex_cell(text, numeric[name]) for name, text in row.items())
+            " & ".join(
+                _latex_cell(text, numeric[name], name == "symbol") for name, text in row.items()
+            )
             for row in self.rows
         ]
         return DOCUMENT.format(
@@ -153,11 +155,11 @@ def _decimals(text):
     return 0 if "e" in text else len(text.rpartition(" ")[2].partition(".")[2])
 
 
-def _latex_cell(text, numeric):
+def _latex_cell(text, numeric, is_symbol):
     """A number as siunitx reads it, or a text."""
     if numeric and NUMBER.fullmatch(text):
         return text.replace("±", r"\pm")
-    return f"{{{latex(text)}}}" if numeric and text else latex(text)
+    return f"{{{latex(text)}}}" if numeric and text else latex(text, is_symbol)
 
 
 def _latex_heading(name):
@@ -379,7 +381,7 @@ ENVIRONMENT = Environment(
     lstrip_blocks=True,
     undefined=StrictUndefined,
 )
-ENVIRONMENT.filters["typeset"] = lambda text: Markup(html(text))
+ENVIRONMENT.filters["typeset"] = lambda *text: Markup(html(*text))
 
 
 def _elasticity(row) -> str:

@@ -142,6 +142,12 @@ def test_the_points_of_a_column_of_numbers_stand_below_each_other():
     assert sheet.html().count('<td class="number"') == len(texts)
 
 
+def test_a_symbol_is_one_in_its_column_alone():
+    sheet = Sheet(title="", note="", rows=[{"symbol": "W", "unit": "N"}])
+    assert "<td><i>W</i></td><td>N</td>" in re.sub(r"\n *", "", sheet.html())
+    assert r"$W$ & N \\" in sheet.latex("table2")
+
+
 ROW = {"σ [nm]": "300", "high end": "1.3 ± 0.2", "xₐ [nm]": "264 to 391", "50 % & more_of": ""}
 WINDOWS = Sheet(
     title="Windows", note="In F_t* A_n, 1e11 m-2.", rows=[ROW, ROW | {"high end": "none"}]
