@@ -31,6 +31,7 @@ from thirdbody.core.film import Film
 from chenhorng.calibration.calibration import Interpretation, Unknown
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.plain_yaml import read_yaml
+from thirdbody.symbols import unicode
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -351,7 +352,7 @@ def variables_block() -> str:
     rows = [(axis, "") for axis in AXES.values()] + [(each, each.equation) for each in results]
     table = [
         {
-            "symbol": each.sign.replace("none", ""),
+            "symbol": unicode(each.symbol.replace("none", "")),
             "name in files and code": f"`{each.name}`",
             "unit": each.unit,
             "what it is": each.label,

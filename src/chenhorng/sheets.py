@@ -16,7 +16,7 @@ from chenhorng.tables import TABLES
 from thirdbody.core.film import has_film
 from thirdbody.curves import row_key
 from thirdbody.plotting.scales import ABSENT, note
-from thirdbody.symbols import html, latex, short
+from thirdbody.symbols import html, latex, short, unicode
 from thirdbody.variables import AXES, CONDITION_AXES
 
 DIGITS = 3
@@ -337,7 +337,9 @@ def _curves(rows, printed):
         figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
         cells = {"figures": figures}
         for axis in CONDITION_AXES:
-            cells[f"{axis.sign} [{axis.alias_unit}]"] = _in_unit(axis.name, some[0][axis.column])
+            cells[f"{unicode(axis.symbol)} [{axis.alias_unit}]"] = _in_unit(
+                axis.name, some[0][axis.column]
+            )
         yield cells, some, [number for number in printed if row_key(number) == key]
 
 

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.core import names
 from thirdbody.core.regimes import FLAG_MEANINGS
-from thirdbody.symbols import mathtext, unicode
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,18 +60,6 @@ class Variable:
     scale: float = 1.0
     is_logarithmic: bool = False
     zones: str = ""
-
-    @property
-    def sign(self) -> str:
-        """Symbol in Unicode, as in legends."""
-        return unicode(self.symbol)
-
-    @property
-    def axis(self) -> str:
-        """Label of its axis in figures, with mathematics of matplotlib."""
-        unit = self.shown_unit and f"({unicode(self.shown_unit)})"
-        symbol = mathtext(self.symbol, is_symbol=True)
-        return " ".join(filter(None, (self.axis_words, symbol, unit)))
 
     @property
     def meanings(self) -> tuple[str, ...]:

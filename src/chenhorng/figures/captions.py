@@ -22,6 +22,7 @@ from thirdbody.plotting.scales import (
     unit_text,
     value_text,
 )
+from thirdbody.symbols import unicode
 from thirdbody.variables import AXES
 
 LEAST_OUTSIDE = 0.005  # of a curve, of a fraction or of its height: half a line's width
@@ -156,7 +157,7 @@ def _levels(name, values) -> str:
         return note(name, *values)
     listed = ", ".join(value_text(name, value) for value in sorted(values) if value)
     absent = "" if all(values) else f"{ABSENT[name]} and "
-    return f"{absent}{AXES[name].sign} = {listed} {unit_text(name)}"
+    return f"{absent}{unicode(AXES[name].symbol)} = {listed} {unit_text(name)}"
 
 
 def _description(panel) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.curves import Condition
-from thirdbody.symbols import power_text, unicode
+from thirdbody.symbols import mathtext, power_text, unicode
 from thirdbody.variables import CONDITION_AXES, CONDITIONS, DERIVED, NORMAL_LOAD, QUANTITIES
 
 ABSENT = {"viscosity": "dry", "particle_diameter": "two-body", "particle_density": "two-body"}
@@ -19,9 +19,9 @@ def unit_text(parameter: str) -> str:
 def parameter_title(parameter: str) -> str:
     """Title of a legend of curves that differ in a condition or the ``diameter_ratio``."""
     if parameter == "diameter_ratio":
-        return f"Diameter over roughness {DERIVED[parameter].sign}"
+        return f"Diameter over roughness {unicode(DERIVED[parameter].symbol)}"
     name = parameter.replace("_", " ").capitalize()
-    return f"{name} {CONDITIONS[parameter].sign} ({unit_text(parameter)})"
+    return f"{name} {unicode(CONDITIONS[parameter].symbol)} ({unit_text(parameter)})"
 
 
 def value_text(parameter: str, value: float) -> str:
@@ -38,7 +38,7 @@ def note(parameter: str, value: float) -> str:
     if value == 0.0 and parameter in ABSENT:
         return ABSENT[parameter]
     unit = "" if parameter == "load" else f" {unit_text(parameter)}"
-    return f"{CONDITIONS[parameter].sign} = {value_text(parameter, value)}{unit}"
+    return f"{unicode(CONDITIONS[parameter].symbol)} = {value_text(parameter, value)}{unit}"
 
 
 def shared_notes(conditions: Sequence[Condition]) -> list[str]:
@@ -69,8 +69,20 @@ SCALES = CONDITIONS | QUANTITIES | {NORMAL_LOAD.name: NORMAL_LOAD} | DERIVED
 
 def panel_title(x: str, y: str) -> str:
     """Title of a panel of ``y`` over ``x``."""
-    over = "" if x in ("load", "normal_load", "diameter_ratio") else f" over {SCALES[x].sign}"
+    over = (
+        ""
+        if x in ("load", "normal_load", "diameter_ratio")
+        else f" over {unicode(SCALES[x].symbol)}"
+    )
     return SCALES[y].title + over
+
+
+def axis_label(name: str) -> str:
+    """Label of an axis: words, symbol and unit, with mathematics of matplotlib."""
+    variable = SCALES[name]
+    unit = variable.shown_unit and f"({unicode(variable.shown_unit)})"
+    symbol = mathtext(variable.symbol, is_symbol=True)
+    return " ".join(filter(None, (variable.axis_words, symbol, unit)))
 
 
 def quantity(name: str) -> str:
