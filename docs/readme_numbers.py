@@ -33,6 +33,7 @@ from thirdbody.core.film import Film
 from chenhorng.calibration.calibration import Interpretation, Unknown
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.plain_yaml import read_yaml
+from thirdbody.symbols import unicode
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -363,18 +364,17 @@ def oracle_block() -> str:
 
 def variables_block() -> str:
     """Conditions and results: what each is called and what it is."""
-    quantities = NORMAL_LOAD, *VARIABLES.values()
-    given = [(axis.sign, axis, "") for axis in AXES.values()]
-    found = [(quantity.symbol, quantity, quantity.equation) for quantity in quantities]
+    results = NORMAL_LOAD, *VARIABLES.values()
+    rows = [(axis, "") for axis in AXES.values()] + [(each, each.equation) for each in results]
     table = [
         {
-            "symbol": symbol.replace("none", ""),
+            "symbol": unicode(each.symbol.replace("none", "")),
             "name in files and code": f"`{each.name}`",
             "unit": each.unit,
             "what it is": each.label,
             "defined in": equation.replace("none", "") and f"Eq. {equation}".replace("Eq. s", "s"),
         }
-        for symbol, each, equation in given + found
+        for each, equation in rows
     ]
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 

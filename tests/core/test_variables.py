@@ -28,3 +28,16 @@ def test_a_condition_is_read_from_a_configuration_and_named_in_tables():
     assert list(condition.columns) == [axis.column for axis in CONDITION_AXES]
     with pytest.raises(KeyError, match="particle_density_per_m2"):
         Condition.of(given)
+
+
+@pytest.mark.parametrize(
+    ("condition", "is_dry", "is_two_body"),
+    [
+        (Condition(90e-6, 3e-7, 3e-7, 1e11), False, False),
+        (Condition(0.0, 3e-7, 3e-7, 1e11), True, False),
+        (Condition(90e-6, 0.0, 3e-7, 1e11), False, True),
+        (Condition(0.0, 3e-7, 3e-7, 0.0), True, True),
+    ],
+)
+def test_a_condition_is_dry_or_two_body(condition, is_dry, is_two_body):
+    assert (condition.is_dry, condition.is_two_body) == (is_dry, is_two_body)

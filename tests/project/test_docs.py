@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+import yaml
 from matplotlib.pyplot import imread
 
 import thirdbody
@@ -94,6 +95,20 @@ def test_help_has_the_sections_and_indents_of_numpydoc():
     sections = re.findall(r"^    (\w+)\n    (-+)$", text, re.MULTILINE)
     assert [name for name, _ in sections][:3] == ["Parameters", "Returns", "Raises"]
     assert all(len(name) == len(line) for name, line in sections)
+
+
+def test_each_key_of_the_configuration_is_explained():
+    reference = runpy.run_path(DOCS / "configuration_reference.py")
+    rows = [line.strip("| \n").split(" | ") for line in reference["configuration"]().splitlines()]
+    table = {row[0].strip("`"): row[1:] for row in rows[2:]}
+    settings = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))
+    assert {*settings} <= {*table} and all(len(row) == 2 and all(row) for row in table.values())
+    assert table["scenes.NAME.curves[].viscosity_cSt"] == [
+        "kinematic viscosity nu [cSt], 0 when dry",
+        "list of 1 or more: 0, or number from 0.3 to 100000",
+    ]
+    assert table["windows.particle_density_per_m2"][1] == "number from 1e+06 to 1e+15"
+    assert "| `plastic_interference_ratio` | ω₂/ω₁ | 1 | assumed |" in reference["inputs"]()
 
 
 def test_the_page_and_the_files_explain_each_status_once_and_alike():

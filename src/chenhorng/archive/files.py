@@ -10,7 +10,7 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from chenhorng.typeset import markdown_text
+from chenhorng.markdown import markdown_text
 
 DATA_LICENCE = "CC-BY-4.0"
 KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files

@@ -14,7 +14,6 @@ import numpy as np
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from thirdbody.core.turning_points import PROMINENCE
 from chenhorng.calibration.choice import Candidate, rank_interpretations
 from chenhorng.claims.claim import Claim
 from chenhorng.claims.evidence import QUICK_EFFORT
@@ -30,8 +29,9 @@ from chenhorng.claims.judge import (
 )
 from chenhorng.places import part_of_paper
 from chenhorng.tables import TABLES
-from chenhorng.typeset import html
+from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ranges import spread
+from thirdbody.symbols import html
 
 COUNTED = {
     "holds": "hold",

@@ -6,11 +6,14 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from thirdbody.core.regimes import CONTACT_MODES
+from chenhorng.figures.captions import SENTENCES
 from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of
+from thirdbody.core.film import has_film
+from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
-from thirdbody.plotting.scales import label, shared_notes, typeset
+from thirdbody.plotting.scales import label, shared_notes
+from thirdbody.symbols import mathtext
 
 INTERFACE, MODES = 3.75, 2.9  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
@@ -46,10 +49,7 @@ LOAD = FROM_END_TO_END | {
 }
 BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
-READING = (
-    "orange: carries load, as its diameter exceeds $d - y - h_e$, wherever it rests (Eqs. 4, 5)\n"
-    f"tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, particles drawn round"
-)
+READING = SENTENCES["schematics"].format(STRETCH)
 
 
 def plot_interface(sections: Sequence[Section]) -> Drawing:
@@ -86,7 +86,7 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
         _draw_section(axes, panel, section, MODES_SHAPE)
         _name_parts(axes, section)
     _draw_height(figure.axes[0], 0.06, *_elastic_zone(figure.axes[0], sections[0]), "$h_e$")
-    figure.supxlabel(typeset(", ".join(common)) + f"\n{READING}", fontsize="medium")
+    figure.supxlabel(mathtext(", ".join(common)) + f"\n{READING}", fontsize="medium")
     return figure
 
 
@@ -111,7 +111,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     position, length = section["position"], section["position"][-1]
     middle, reach = 0.5 * section["separation"], 0.5 * shape * length / STRETCH
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
     for series in panel.series:
         if series.name in edges:
@@ -135,7 +135,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
         f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
         f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
     ]
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
     axes.set_xlabel(", ".join(facts), fontsize="medium")
 
@@ -157,7 +157,7 @@ def _name_parts(axes, section):
     if carries.any():
         largest = np.argmax(np.where(carries, size, 0.0))
         _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.6 * length, 0.4 * bottom))
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         inside = (0.7 * length < position) & (position < 0.9 * length)
         widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
         beside = position[widest] + 0.05 * length, 0.92 * top

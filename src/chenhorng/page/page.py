@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from thirdbody import symbols
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
@@ -17,19 +18,17 @@ FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
 NODES = 48  # of the integrals computed in the page
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-RAISED = re.compile(r"(?<=[a-z])-\d")
 # what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
 MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\\text\s*\{([^}]*)\}": r"\1",
-    r"\\(sigma|nu|eta)(?![a-z])": lambda found: {"sigma": "σ", "nu": "ν", "eta": "η"}[found[1]],
+    r"\\(sigma|nu|eta)(?![a-z])": lambda found: symbols.GREEK[found[1]],
     r"\s*\\times\s*": "×",
     r"\\cdot": "·",
     r"\\rightarrow": "→",
     r"\\star|\\\*": "*",
     r"\\([ %])": r"\1",
     r"\^\{?\*\}?": "*",
-    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda found: found[1].translate(SUPERSCRIPTS),
+    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda found: symbols.unicode(f"^{found[1]}"),
     r"_\{(\w+(?:,t)?)\}": r"_\1",
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
@@ -78,6 +77,10 @@ def page_content(
             each.name: _variable(each)
             for each in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
         },
+        "symbols": {
+            name.lower(): getattr(symbols, name)
+            for name in ("SYMBOL", "IN_TEXT", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS")
+        },
         "statuses": dict(STATUS_MEANINGS),
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
@@ -96,7 +99,7 @@ def page_content(
 
 def _variable(variable):
     """What the page calls a variable, and how it shows its values: in a unit, as a multiple of that in SI."""
-    unit = RAISED.sub(lambda found: found[0].translate(SUPERSCRIPTS), variable.shown_unit)
+    unit = symbols.unicode(variable.shown_unit)
     factor = {} if variable.scale == 1.0 else {"factor": float(f"{1.0 / variable.scale:.12g}")}
     names = {"symbol": variable.symbol, "words": variable.title, "unit": unit}
     return names | factor | {"log": variable.is_logarithmic}

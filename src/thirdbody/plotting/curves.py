@@ -33,8 +33,9 @@ from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
-from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
+from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes
 from thirdbody.plotting.styles import DRY, DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
+from thirdbody.symbols import mathtext
 
 LANE = 0.05  # height of strips that overlap, in heights of a panel
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
@@ -246,7 +247,7 @@ def draw_panels(
             _draw_panel(each, panel, newtons_per_load)
         if groups:
             lines = [handle(each) for group in groups for each in group]
-            axes[-1].legend(handles=lines, title=typeset(title) or None)
+            axes[-1].legend(handles=lines, title=mathtext(title) or None)
         return axes[0].figure.figure
     rows = math.ceil(len(panels) / 2)
     beside = len(panels) % 2 == 1 and is_beside(groups)
@@ -358,7 +359,7 @@ def _name(series) -> str:
     text = series.look.get("label", "").lstrip("_")
     text = {TWO_BODY: "none", DRY_TWO_BODY_TEXT: "two-body"}.get(text, text)
     is_level = text[:1].isdigit() or text in ("dry", "none", "two-body")
-    return typeset(text) if is_level else ""
+    return mathtext(text) if is_level else ""
 
 
 def _is_hairline(series) -> bool:
