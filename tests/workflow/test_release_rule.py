@@ -43,7 +43,7 @@ def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
     workspace = Workspace(released.parents[2])
     dry_run = workspace.snakemake("release", "--dry-run", *MINIMAL)
     assert f"{CHANGED.full_name}.zip" in dry_run.stdout + dry_run.stderr
-    crate = json.loads((released / "data" / "ro-crate-metadata.json").read_text(encoding="utf-8"))
+    crate = json.loads((released / "ro-crate-metadata.json").read_text(encoding="utf-8"))
     (root,) = (each for each in crate["@graph"] if each["@id"] == "./")
     assert root["version"] == PAPER.version
 
