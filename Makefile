@@ -5,6 +5,7 @@
 # make verify      whether all products are as they were made, and all releases whole
 # make test-survival   runs killed, damaged, starved, misconfigured and on a cluster, and the solver against the oracle, at length
 # make release     wheel and sdist in dist/, the archive in results/release/
+# make placeholders   fails if an address is still to be written before anything is published
 # make accuracy    errors and times of the solver, measured on this machine (some minutes)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
@@ -25,9 +26,11 @@ SLURM_PLUGIN := snakemake-executor-plugin-slurm snakemake-executor-plugin-slurm-
 SUMS = results/SHA256SUMS $(wildcard results/*/SHA256SUMS)
 RELEASES = $(wildcard results/release/*/. results/*/release/*/.)
 
+PLACEHOLDERS = grep --line-number https://placeholder.invalid pyproject.toml CITATION.cff
+
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test coverage docs test-survival verify release accuracy lock vendor lowest format clean
+.PHONY: reproduce test coverage docs test-survival verify release placeholders accuracy lock vendor lowest format clean
 
 D3 := 7.9.0
 VENDOR := src/chenhorng/page/vendor
@@ -89,13 +92,17 @@ release: $(VENV)/workflow.done
 	rm -rf dist
 	$(BIN)/python -m hatchling build
 	$(MAKE) verify
+	@! $(PLACEHOLDERS) || echo 'These addresses are to be written before anything is published'
+
+placeholders:
+	@! $(PLACEHOLDERS)
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy
 
 lock:
-	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --output-file locks/test.txt pyproject.toml
-	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --constraint locks/test.txt --output-file locks/workflow.txt pyproject.toml
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --group build --output-file locks/test.txt pyproject.toml
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --group build --constraint locks/test.txt --output-file locks/workflow.txt pyproject.toml
 	printf '%s\n' $(SLURM_PLUGIN) | uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-deps --output-file locks/slurm.txt -
 
 vendor:

@@ -293,7 +293,7 @@ CHOICES = (
     ),
 )
 CALLS = {"library": "`tb.solve`", "library_grid": "`tb.grid`"}
-BASELINES = ("array_roots", None), ("nested_roots", None)
+PLAIN_SOLVER = "nested_roots", None
 
 
 SHOWN = "times", "errors", "uses"  # tables
@@ -319,16 +319,15 @@ def accuracy_block() -> str:
         }
         for method, rtol, use in CHOICES
     ]
-    (coarse, default), (arrays, plain) = (
-        [cost[key] for key in keys] for keys in ([choice[:2] for choice in CHOICES], BASELINES)
-    )
+    coarse, default = (cost[choice[:2]] for choice in CHOICES)
+    plain = cost[PLAIN_SOLVER]
     one, surfaces, stream, start = (row["microseconds_per_point"] for row in uses)
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
         + f"\n\nOver all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point at usual conditions; there "
         f"`tb.grid` at 0.001 is {default / coarse:.2g} times as fast as the default. At extremes `tb.solve` takes "
-        f"{_range(times, 'library', 'extremes')} µs, `tb.grid` {_range(times, 'library_grid', 'extremes')} µs. In the same run `find_root` on arrays "
-        f"takes {arrays / 1e3:.2g} ms a point, `quad` and `brentq` {plain / 1e3:.2g} ms. A call with "
+        f"{_range(times, 'library', 'extremes')} µs, `tb.grid` {_range(times, 'library_grid', 'extremes')} µs. In the same run `quad` and `brentq` "
+        f"take {plain / 1e3:.2g} ms a point. A call with "
         f"one point takes {one / 1e3:.2g} ms, nearly all of it for calls of numpy: put many points into one call. "
         f"Points that each have their own surface take {surfaces:.2g} µs there, those of a grid that is streamed to a "
         f"file {stream:.2g} µs. A new process imports the "
@@ -403,7 +402,7 @@ def is_measured() -> bool:
     if not all((ACCURACY / f"{name}.csv").is_file() for name in SHOWN):
         return False
     rows = read_csv(ACCURACY / "times.csv", TABLES["times"])
-    return {*(choice[:2] for choice in CHOICES), *BASELINES} <= {
+    return {*(choice[:2] for choice in CHOICES), PLAIN_SOLVER} <= {
         (row["method"], row["rtol"]) for row in rows
     }
 

@@ -8,11 +8,11 @@ import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.netcdf import write_dataset
 from chenhorng.archive.citation import Release, software_versions
 from chenhorng.archive.staging import pack, stage
 from chenhorng.scenes import scene_dataset
 from chenhorng.tables import DRAWN_POINTS, TABLES, write_csv
+from thirdbody.netcdf import write_dataset
 
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {
@@ -84,7 +84,7 @@ def make_release(folder):
     software = software_versions("pyproject.toml")
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
-    stage(place, products, [*SOURCES, *programs], settings, software, release, {})
+    stage(place, products, [*SOURCES, *programs], settings, software, release)
     pack(place, folder / f"{release.full_name}.zip", release.date)
     return place
 
