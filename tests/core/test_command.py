@@ -65,8 +65,10 @@ def example(capsys):
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path, monkeypatch, defaults):
-    """An empty folder, and two members of the ensemble, which are enough here."""
+    """An empty folder, a plain terminal, and two members of the ensemble, which are enough here."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setenv("NO_COLOR", "1")
     every = inputs.parameters_of
 
     def with_two_members(calibrated):
