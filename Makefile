@@ -52,7 +52,7 @@ test: $(VENV)/test.done $(VENV)/slurm.done
 
 # of the library by its own tests, without those of many points, which it would slow
 coverage: $(VENV)/test.done
-	$(PYTEST) tests/core tests/lab --ignore=tests/core/test_continuity.py --ignore=tests/core/test_properties.py --cov
+	$(PYTEST) tests/core --ignore=tests/core/test_continuity.py --ignore=tests/core/test_properties.py --cov
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build/html

@@ -4,8 +4,8 @@
     python -m benchmarks.boundary_elements benchmarks/boundary_elements.csv
 
 Writes one row for each surface, hardness and load, in some ten minutes.  ``ContactMechanics`` presses a rigid
-rough plane on an elastic half-space, by boundary elements that bear at most the hardness; ``thirdbody`` is given
-what ``thirdbody.lab.surface`` measures of the same heights.  Area over load depends on F*/slope, H/(E_ss slope)
+rough plane on an elastic half-space, by boundary elements that bear at most the hardness; ``thirdbody`` has the
+summits of the same heights.  Area over load depends on F*/slope, H/(E_ss slope)
 and eta_s R sigma alone, so that one slope stands for all.  ``PolonskyKeerRey`` of the package ``tamaas`` finds the
 same elastic areas within 2e-4 (one surface, three loads).
 """
@@ -17,12 +17,12 @@ from collections.abc import Iterator
 from itertools import product
 
 import numpy as np
-import pandas as pd
 from ContactMechanics import PeriodicFFTElasticHalfSpace
 from ContactMechanics.Optimization import constrained_conjugate_gradients
 from numpy.typing import NDArray
 
 import thirdbody as tb
+from thirdbody.core.parameters import Parameters, mccool_summits
 
 POINTS = 512  # on a side
 SPACING = 100e-9  # m
@@ -52,12 +52,29 @@ def random_heights(longest: int, seed: int) -> NDArray[np.float64]:
     noise = np.random.default_rng(seed).standard_normal((POINTS, POINTS))
     heights = np.fft.ifft2(amplitude * np.fft.fft2(noise)).real
     heights *= SPACING / heights.std()
-    return heights * SLOPE / measured(heights).loc["equivalent", "slope"]
+    return heights * SLOPE / math.sqrt(moments(heights)[1])
 
 
-def measured(heights: NDArray[np.float64]) -> pd.DataFrame:
-    """The table of ``thirdbody.lab.surface`` for ``heights`` [m]."""
-    return tb.lab.surface(1e9 * heights, spacing_nm=1e9 * SPACING, form="none")
+def moments(heights: NDArray[np.float64]) -> tuple[float, float, float]:
+    """Mean squares of ``heights`` [m], and of the slopes and curvatures of profiles, by differences."""
+    ahead = [np.roll(heights, -1, axis) for axis in (0, 1)]
+    behind = [np.roll(heights, 1, axis) for axis in (0, 1)]
+    slopes = (ahead - heights)[:, :-1, :-1] / SPACING
+    bends = (np.add(ahead, behind) - 2.0 * heights)[:, 1:-1, 1:-1] / SPACING**2
+    return np.var(heights), np.mean(slopes**2), np.mean(bends**2)
+
+
+def with_summits(heights: NDArray[np.float64]) -> Parameters:
+    """Inputs with the summits of ``heights`` [m] by their moments (McCool 1987, J. Tribol. 109:264)."""
+    m_0, m_2, m_4 = moments(heights)
+    roughness, radius = math.sqrt(m_0), 0.375 * math.sqrt(math.pi / m_4)
+    summit_parameter = m_4 / (6.0 * math.sqrt(3.0) * math.pi * m_2) * radius * roughness
+    return tb.load_parameters().changed(
+        reference_roughness=roughness,
+        summit_radius=radius,
+        summit_parameter=summit_parameter,
+        **mccool_summits(summit_parameter),
+    )
 
 
 def full_area(heights: NDArray[np.float64], hardness: float, load: float) -> float:
@@ -77,9 +94,8 @@ def full_area(heights: NDArray[np.float64], hardness: float, load: float) -> flo
     return (np.count_nonzero(touches) - CORNERS * edges) / touches.size
 
 
-def summit_area(table: pd.DataFrame, hardness: float, load: float) -> float:
-    """A_t* [1] by the summits of a ``table`` of ``measured``, at ``hardness`` H/E_ss and ``load`` F* [1]."""
-    inputs = tb.lab.surface_parameters(table)
+def summit_area(inputs: Parameters, hardness: float, load: float) -> float:
+    """A_t* [1] by the summits of ``inputs``, at ``hardness`` H/E_ss and ``load`` F* [1]."""
     hardness = min(hardness * inputs.elastic_modulus_surfaces, HARDEST)
     inputs = inputs.changed(hardness_surface_1=hardness, hardness_surface_2=hardness)
     nothing = {"viscosity": 0.0, "particle_diameter": 0.0, "particle_density": 0.0}
@@ -92,14 +108,13 @@ def rows() -> Iterator[dict[str, float | str]]:
     """Rows of the table: both areas for each surface, hardness and load."""
     for longest, seed in product(LONGEST, SEEDS):
         heights = random_heights(longest, seed)
-        table = measured(heights)
-        summits = table.loc["equivalent", ["roughness", "summit_density", "summit_radius"]]
-        summit_parameter = f"{summits.prod():.4f}"
+        inputs = with_summits(heights)
+        summit_parameter = f"{inputs.summit_parameter:.4f}"
         for hardness, load in product(HARDNESSES, LOADS):
             values = seed, summit_parameter, hardness, load
             areas = (
                 area(given, SLOPE * hardness, SLOPE * load)
-                for area, given in ((full_area, heights), (summit_area, table))
+                for area, given in ((full_area, heights), (summit_area, inputs))
             )
             yield dict(zip(COLUMNS, (*values, *(f"{area:.5g}" for area in areas)), strict=True))
 

@@ -1,6 +1,6 @@
 """Writes ``measured.csv``: no measurement, but a member of the ensemble with errors of a laboratory.
 
-Friction and contact resistance come from the same estimates as in ``thirdbody.lab.compare``.
+Friction and contact resistance come from the estimates of ``docs/recipes.md``.
 """
 
 from pathlib import Path
@@ -22,12 +22,14 @@ points = tb.solve(
     parameters=truth,
 )
 scatter = 1.0 + SCATTER * np.random.default_rng(1).standard_normal((2, loads.size))
-friction = tb.lab.friction(points, boundary_friction=0.11, film_friction=0.035)
+friction = 0.11 * points.solid_load_fraction + 0.035 * points.fluid_load_fraction
+area = points.total_contact_area * truth.apparent_area
+resistance = 2.2e-7 / (2.0 * np.sqrt(area / np.pi))
 table = pd.DataFrame(
     {
         "load [N]": loads.round(2),
         "friction coefficient": friction * scatter[0],
-        "contact resistance [mohm]": 1e3 * tb.lab.contact_resistance(points) * scatter[1],
+        "contact resistance [mohm]": 1e3 * resistance * scatter[1],
     }
 )
 table.to_csv(Path(__file__).with_name("measured.csv"), index=False, float_format="%.4g")

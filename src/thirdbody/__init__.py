@@ -16,8 +16,8 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 
 ``solve`` also takes arrays.  ``grid`` returns a dataset over five axes, ``plot`` draws it, and
 ``stream`` writes datasets larger than memory.  ``find``, ``transitions``, ``turning_point`` and
-``turning_window`` search along an axis and return tables.  ``lab`` has what a test rig needs.  The equations
-and the force balance are in ``thirdbody.core``, which needs only numpy and scipy.
+``turning_window`` search along an axis and return tables.  The equations and the force balance are in
+``thirdbody.core``, which needs only numpy and scipy.
 """
 
 from thirdbody.lazy import lazy_names

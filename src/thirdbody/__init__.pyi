@@ -1,4 +1,3 @@
-from thirdbody import lab as lab
 from thirdbody.bearings import Material as Material
 from thirdbody.bearings import bearing as bearing
 from thirdbody.conditions import OutOfRangeWarning as OutOfRangeWarning

@@ -18,7 +18,6 @@ from thirdbody.bearings import hertz_contact
 from thirdbody.conditions import axis_of, check_count, without_warnings
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.turning_points import PROMINENCE
-from thirdbody.lab.comparison import read_runs, solve_runs
 from thirdbody.notes import area_note, few_notes, range_note, sizes_note, speed_note
 from thirdbody.points import Solution, solve
 from thirdbody.ranges import ranges, spread
@@ -43,17 +42,6 @@ def state(parameters: Parameters, conditions: Conditions) -> pd.DataFrame:
     notes = _notes(parameters, conditions, values["solution_status"])
     is_solved = isinstance(values["separation"], float)
     return _table(f"State at {_words(conditions)}", rows, notes, is_solved)
-
-
-def runs(parameters: Parameters, path: str, conditions: Conditions) -> pd.DataFrame:
-    """The state of each row of a table of conditions, a CSV file with units in its headings; ``conditions`` are those
-    that are no columns.  Variables are in SI, with the ends of their ranges in columns ``_low`` and ``_high``."""
-    _, table, notes = read_runs(path, parameters, conditions, is_measured=False)
-    solutions = solve_runs(table, (parameters, *parameters.members))
-    columns = _with_ranges(solutions, [name for name in QUANTITIES if name not in COMPLEMENTS])
-    table = table.assign(**{name: values.to_numpy() for name, values in columns.items()})
-    table.attrs["notes"] = [*notes, range_note(parameters.members)]
-    return table
 
 
 def compare_interfaces(

@@ -22,8 +22,6 @@ def lazy_names(package: str, file: str) -> tuple[list[str], Callable[[str], Any]
     def attribute(name: str) -> Any:
         if name not in modules:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
-        if modules[name] == package:
-            return import_module(f"{package}.{name}")
         value = getattr(import_module(modules[name]), name)
         setattr(sys.modules[package], name, value)  # so that this is not called again
         return value

@@ -25,10 +25,10 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
     )
 
 
-def few_notes(per_m2: float, area: float, name: str = "particles") -> list[str]:
-    """A note if there is less than one particle, or another thing called ``name``, in the nominal area A_n [m2]."""
+def few_notes(per_m2: float, area: float) -> list[str]:
+    """A note if there is less than one particle in the nominal area A_n [m2]."""
     count = per_m2 * area
-    note = f"{count:.2g} {name} in A_n = {1e6 * area:.3g} mm2: most contacts have none"
+    note = f"{count:.2g} particles in A_n = {1e6 * area:.3g} mm2: most contacts have none"
     return [note] if 0.0 < count < 1.0 else []
 
 

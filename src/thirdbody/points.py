@@ -82,7 +82,7 @@ def solve(
 
     Notes
     -----
-    ``thirdbody.lab.equivalent_roughness`` gives the roughness of two surfaces.  The diameter is the mean of the
+    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The diameter is the mean of the
     paper: with a ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The speed of a disc under
     a ball that does not turn is twice the entrainment speed (u_1 + u_2)/2.  The density of the oil is that given to
     ``thirdbody.bearing``, or else 850 kg/m3.

@@ -160,16 +160,3 @@ def test_numbers_have_as_many_digits_as_their_range_allows(inputs):
     (line,) = [line.split() for line in text.splitlines() if "carried by the solids" in line]
     # a range of 0.04 leaves two digits behind the point of 0.766
     assert line[0] == "L_s" and len(line[1]) in (4, 5)
-
-
-def test_a_table_of_conditions_gives_a_table_of_states(inputs, tmp_path):
-    path = tmp_path / "runs.csv"
-    path.write_text("run,load [N],viscosity (mm^2/s)\na,5,90\nb,10,0\n")
-    layer = {key: ENGINEERING[key] for key in ENGINEERING if "load" not in key}
-    del layer["viscosity_cSt"]
-    table = answers.runs(inputs, str(path), layer)
-    solution = tb.solve(load_N=[5.0, 10.0], viscosity_cSt=[90.0, 0.0], **layer, parameters=inputs)
-    assert table["solid_load_fraction"].tolist() == solution.solid_load_fraction.tolist()
-    assert (solution.lubrication_regime == table["lubrication_regime"]).all()
-    assert (table["separation_low"] <= table["separation_high"]).all()
-    assert any("run" in note for note in table.attrs["notes"])

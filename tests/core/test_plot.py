@@ -9,7 +9,7 @@ import xarray as xr
 
 import thirdbody as tb
 from thirdbody.plotting.drawing import FORMATS, save_figure
-from thirdbody.plotting.plot import plot_comparison, plot_curve
+from thirdbody.plotting.plot import plot_curve
 from thirdbody.plotting.scales import SCALES, axis_label
 from thirdbody.variables import AXES as CONDITIONS
 
@@ -212,22 +212,6 @@ def test_a_curve_of_one_interface_is_drawn_with_its_range(along, unit):
     assert outline.vertices[:, 1].max() == pytest.approx(0.7)
     np.testing.assert_array_equal(second.lines[0].get_ydata(), ratio)
     assert not second.collections
-
-
-@pytest.mark.parametrize("between", [True, False], ids=["a curve", "marks"])
-def test_measurements_are_drawn_beside_the_model(between):
-    measured = pd.DataFrame(
-        {"load_N": [20.0, 5.0, 10.0], "friction_coefficient": [0.1, 0.06, 0.08]}
-    )
-    model = {f"friction_coefficient_{end}": [0.09, 0.08, 0.07] for end in ("model", "low", "high")}
-    table = measured.assign(**model)
-    curve = table.sort_values("load_N") if between else table.iloc[:0]
-    (axes,) = plot_comparison(table, curve, "load_N", ["friction_coefficient"]).axes
-    computed, points = axes.lines
-    assert computed.get_marker() == ("None" if between else "+")
-    np.testing.assert_array_equal(computed.get_ydata(), [0.08, 0.07, 0.09])
-    np.testing.assert_array_equal(points.get_xdata(), [5.0, 10.0, 20.0])
-    np.testing.assert_array_equal(points.get_ydata(), [0.06, 0.08, 0.1])
 
 
 def test_a_band_is_drawn_over_newtons(grid):

@@ -123,8 +123,7 @@ def test_the_page_and_the_files_explain_each_status_once_and_alike():
 
 def test_the_reference_has_each_public_name_once():
     documented = re.findall(r"^   thirdbody\.([\w.]+)$", (DOCS / "api.md").read_text("utf-8"), re.M)
-    names = {*thirdbody.__all__} - {"__version__", "lab"}
-    names |= {f"lab.{name}" for name in thirdbody.lab.__all__}
+    names = {*thirdbody.__all__} - {"__version__"}
     assert sorted(documented) == sorted(names)
 
 

@@ -39,10 +39,8 @@ def test_source(check):
 
 
 def test_the_users_file_has_every_public_name():
-    names = set(
-        re.findall(r"(?<=\btb\.)\w+|(?<=\btb\.lab\.)\w+", PUBLIC_API.read_text(encoding="utf-8"))
-    )
-    assert names == {*thirdbody.__all__, *thirdbody.lab.__all__}
+    names = set(re.findall(r"(?<=\btb\.)\w+", PUBLIC_API.read_text(encoding="utf-8")))
+    assert names == {*thirdbody.__all__}
 
 
 def test_snakemake_asks_for_nothing_but_environments():

@@ -7,15 +7,15 @@ from pathlib import Path
 from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
 from thirdbody.conditions import OIL_DENSITY
 from thirdbody.core.parameters import Parameters
-from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
 from chenhorng.job_log import job
+from chenhorng.page.oils import OILS, TEMPERATURES, VISCOSITIES
 from chenhorng.page.page import page_content, page_text
 from thirdbody.plain_yaml import read_yaml
 
 
 def rig_content(parameters):
     """What follows from materials and oils, each combination and grade that the library takes."""
-    materials, oils = [], {}
+    materials = []
     first, *_ = MATERIALS  # those of the paper
     for names in product(MATERIALS, repeat=len(BODIES)):
         bodies = dict(zip(BODIES, names, strict=True))
@@ -26,19 +26,14 @@ def rig_content(parameters):
             continue
         changed = {name: n for name, n in inputs.items() if n != getattr(parameters, name)}
         materials.append(bodies | {"inputs": changed})
-    for grade in GRADES:
-        try:
-            oils[grade] = oil_viscosity([40.0, 100.0], grade=grade).tolist()
-        except ValueError:  # too thin at 100 C
-            continue
     numbers = "speed_m_per_s", "oil_density_kg_per_m3"
     return {
         "materials": materials,
-        "oils": oils,
+        "oils": OILS,
         "usual_density": OIL_DENSITY,
         **{name: USUAL_BEARING[name][:2] for name in numbers},
-        "temperature_C": [COLDEST, HOTTEST],
-        "oil_viscosity_cSt": [LEAST, MOST],
+        "temperature_C": TEMPERATURES,
+        "oil_viscosity_cSt": VISCOSITIES,
     }
 
 

@@ -22,7 +22,7 @@ from thirdbody.conditions import axis_of, checked_variables, numbers_in, unit_of
 from thirdbody.curves import LUBRICATED
 from thirdbody.netcdf import OF_THE_FILE, read_plain
 from thirdbody.plotting.curves import curve_figure, draw_panels
-from thirdbody.plotting.drawing import STYLE, Drawing
+from thirdbody.plotting.drawing import STYLE
 from thirdbody.plotting.marks import range_series, read_turning_points
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
@@ -187,54 +187,6 @@ def _panel(
         for (label, values), look in zip(curves.items(), looks, strict=True)
     ]
     return Panel(SCALES[name].title, over, name, series)
-
-
-def plot_comparison(
-    table: pd.DataFrame, curve: pd.DataFrame, along: str, variables: Sequence[str]
-) -> Figure:
-    """Draw measurements over one condition beside the model, a panel for each variable.
-
-    Parameters
-    ----------
-    table : pandas.DataFrame
-        One row per measurement: the column ``along``, each of the ``variables`` as measured, and with
-        ``_model`` as computed, with ``_low`` and ``_high`` if it has a range.
-    curve : pandas.DataFrame
-        The model between the measurements, in the same columns.  If it is empty, the model is a mark beside
-        each measurement.
-    along : str
-        The column along x.
-    variables : sequence of str
-        The measured quantities.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
-    table = table.sort_values(along)
-    model = curve if len(curve) else table
-    x, measured = model[along], table[along]
-    look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
-    ensemble = "5 to 95 % of the ensemble"
-    with matplotlib.style.context(STYLE, after_reset=True):
-        figure = Drawing(figsize=(3.4 * len(variables), 2.8), layout="constrained")
-        panels = figure.subplots(1, len(variables), squeeze=False)[0]
-        for axes, name in zip(panels, variables, strict=True):
-            axes.plot(x, model[f"{name}_model"], color=BLUE, label="model", **look)
-            if f"{name}_low" in model:
-                ends = model[f"{name}_low"], model[f"{name}_high"]
-                if len(curve):
-                    fill = {"color": BLUE, "alpha": 0.2, "linewidth": 0.0}
-                    axes.fill_between(x, *ends, label=ensemble, **fill)
-                else:
-                    axes.vlines(x, *ends, color=BLUE, alpha=0.4, label=ensemble)
-            axes.plot(measured, table[name], "o", color="black", label="measured")
-            if 0.0 < 10.0 * measured.min() < measured.max():
-                axes.set_xscale("log")
-            axes.set_xlabel(along.replace("_", " "))
-            axes.set_ylabel(name.replace("_", " "))
-        figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
-    return figure
 
 
 def _note(data: xr.Dataset, name: str, value: float) -> str:

@@ -1,5 +1,4 @@
-// Materials, speed and oil: the inputs and the viscosity that follow from them, as from `thirdbody bearing` and
-// `thirdbody oil`.
+// Materials, speed and oil: the inputs and the viscosity that follow from them, as from `thirdbody bearing`.
 
 import { content, defaultInputs } from "./content.js";
 
