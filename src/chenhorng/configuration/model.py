@@ -6,10 +6,13 @@ The classes are closed, so that a misspelt key is an error, and numbers are numb
 import math
 import re
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from thirdbody.variables import VARIABLES
 
 Figure = Literal[*(f"fig{number:02d}" for number in range(3, 14))]
 FOLDERS = (
@@ -28,10 +31,10 @@ def zero_or_from(least):
     return AfterValidator(check)
 
 
-def _increasing(ends):
-    if not ends[0] < ends[-1]:
-        raise ValueError("allowed: two numbers that increase")
-    return ends
+def _increasing(values):
+    if any(after <= before for before, after in pairwise(values)):
+        raise ValueError("allowed: numbers that increase")
+    return values
 
 
 def _distinct(values):
@@ -58,8 +61,9 @@ Density = Annotated[
 Rtol = number(1e-11, 1e-2, "requested relative error [1]")
 Positive = Field(gt=0)
 File = Annotated[str, Field(pattern=r"^config/[A-Za-z0-9_/-]+\.yaml$")]
-Pair = AfterValidator(_increasing)
+Increasing = AfterValidator(_increasing)
 Values = Field(min_length=1, max_length=1000), AfterValidator(_distinct)
+Axis = Field(min_length=1, max_length=1000), Increasing
 
 
 class Closed(BaseModel):
@@ -71,7 +75,7 @@ class Closed(BaseModel):
 class LoadAxis(Closed):
     """F_t* from the first to the last load in newtons, evenly spaced in its logarithm."""
 
-    load_N: Annotated[list[Load], Field(min_length=2, max_length=2), Pair]
+    load_N: Annotated[list[Load], Field(min_length=2, max_length=2), Increasing]
     count: Annotated[int, Field(ge=5, le=100_000, description="number of loads")]
 
 
@@ -140,7 +144,7 @@ class Windows(Closed):
     roughness_nm: Annotated[list[Roughness], *Values]
     particle_density_per_m2: Annotated[Density, Positive]
     particle_diameter_per_roughness: Annotated[
-        list[Annotated[Ratio, Positive]], Field(min_length=2, max_length=2), Pair
+        list[Annotated[Ratio, Positive]], Field(min_length=2, max_length=2), Increasing
     ]
     count: Annotated[
         int, Field(ge=10, le=100_000, description="sampled x_a/sigma before the ends are refined")
@@ -152,6 +156,18 @@ class Schematics(Closed):
 
     fig01: Annotated[list[Panel], Field(min_length=1, max_length=1)]
     fig02: Annotated[list[Panel], Field(min_length=3, max_length=3)]
+
+
+class Atlas(Closed):
+    """The conditions that ``snakemake atlas`` solves: every combination, a file for each roughness."""
+
+    load_N: Annotated[list[Load], *Axis]
+    viscosity_cSt: Annotated[list[Viscosity], *Axis]
+    particle_diameter_nm: Annotated[list[Diameter], *Axis]
+    roughness_nm: Annotated[list[Roughness], *Axis]
+    particle_density_per_m2: Annotated[list[Density], *Axis]
+    rtol: Rtol
+    variables: Annotated[list[Literal[*VARIABLES]], Field(description="kept at each point")]
 
 
 def _plain(name, taken):
@@ -195,7 +211,7 @@ class Configuration(Closed):
     scenes: Annotated[dict[str, Scene], AfterValidator(_named)]
     schematics: Schematics
     accuracy: Annotated[File, Field(description="settings of the accuracy run")]
-    atlas: Annotated[File, Field(description="settings of the atlas")]
+    atlas: Atlas
 
 
 def check(content: Any, name: str) -> None:
