@@ -58,16 +58,15 @@ CAPTIONS = {
             "The load F_t is carried by summits of both surfaces, by particles, and by the lubricant. "
             "Orange particles carry load, pale ones do not: in the model a particle carries load if its "
             "diameter exceeds d - y - h_e, wherever it lies on the roughness, where y is the height of the "
-            "plane on which all particles rest in the model; here also if it is drawn between both "
-            "surfaces. The tint is the elastic zone h_e of Eqs. 4 and 5, below the mean plane of surface 1; "
-            "of the random sections one is shown with no pale particle in it. Dashed lines are the mean "
-            "planes. Surfaces and sizes are drawn from the distributions of the model, at the separation d "
-            "computed for the load F_t."
+            "plane on which all particles rest in the model and h_e the elastic depth of Eqs. 4 and 5; "
+            "here also if it touches both surfaces. Dashed lines are the mean planes. The surfaces have a "
+            "shape of our choice, raised at two places into contact; their roughness, the sizes of the "
+            "particles and the separation d, computed for the load F_t, are those of the model."
         ),
         alternative=(
             "A cut through two rough surfaces, one above the other, with lubricant and round particles in "
-            "the gap. Lines name surfaces, lubricant, a particle and a contact; arrows mark the separation "
-            "d, the load and the depth of the tinted zone h_e."
+            "the gap. One particle touches both surfaces. Names stand at surfaces, lubricant, this particle and "
+            "a contact of summits; arrows mark the load, the separation d and the elastic depth h_e."
         ),
     ),
     "fig02": Caption(
@@ -76,8 +75,9 @@ CAPTIONS = {
         message=(
             "At the same load, in the s-s mode (A) summits carry it, in the p-s mode (B) particles, in the "
             "hybrid mode (C) both. Orange particles carry load, by the rule of Figure 1; pale ones, the specks "
-            "in A, do not. The tint is the elastic zone h_e. Surfaces and sizes are drawn from the "
-            "distributions of the model, at the separation d computed for the load F_t."
+            "in A, do not. The surfaces have the shape of Figure 1, raised into contact as the mode says; their "
+            "roughness, the sizes of the particles and the separation d, computed for the load F_t, are "
+            "those of the model."
         ),
         alternative=(
             "Three cuts through two rough surfaces with round particles between them. In A summits touch "
