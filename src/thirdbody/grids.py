@@ -25,7 +25,7 @@ from thirdbody.files import atomic_write
 from thirdbody.inputs import or_calibrated
 from thirdbody.messages import format_path, format_value
 from thirdbody.netcdf import declare
-from thirdbody.progress import Progress
+from thirdbody.progress import progress_bar
 from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
 from thirdbody.version import current
 
@@ -58,7 +58,7 @@ def grid(
     variables : str or collection of str, optional
         Variables of ``Solution`` to compute; ``solution_status`` is always included.
     progress : bool, optional
-        Whether a long call reports its progress, as in ``solve``.
+        Whether a long call shows its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities, by any of their names in
         ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact; diameter or
@@ -125,8 +125,8 @@ def _solved_grid(
 ) -> xr.Dataset:
     """The dataset of five axes, for a ``request`` by name."""
     points = prod(axis.size for axis in axes.values())
-    with Progress(points, "points", progress) as bar:
-        values = _values(axes, parameters, rtol, names, bar.add)
+    with progress_bar(points, progress) as bar:
+        values = _values(axes, parameters, rtol, names, bar.update)
     listed = {name: axis.tolist() for name, axis in request.items()}
     described = described_grid(axes, values, parameters, rtol, request=listed, load_key=load_key)
     return described.to_xarray().assign_attrs(software_version=current().text)
@@ -209,7 +209,7 @@ def stream(
             )
         with (
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
-            Progress(prod(shape), "points", progress) as bar,
+            progress_bar(prod(shape), progress) as bar,
         ):
             storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
             storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
@@ -219,7 +219,7 @@ def stream(
             for corner in product(*starts):
                 block = tuple(slice(i, i + length) for i, length in zip(corner, lengths))
                 sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
-                values = _values(sides, parameters, rtol, names, bar.add)
+                values = _values(sides, parameters, rtol, names, bar.update)
                 for name, variable in stored.items():
                     variable[block] = values[name]
 
