@@ -6,11 +6,6 @@ topographies, ``oil_viscosity`` and ``oil_grade`` the viscosity of oils, ``clean
 the particles per area of a film.
 """
 
-from thirdbody.lazy import lazy_names
+import lazy_loader
 
-__all__, __getattr__ = lazy_names(__name__, __file__)
-
-
-def __dir__() -> list[str]:
-    """All names, imported or not."""
-    return __all__
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
