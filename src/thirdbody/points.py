@@ -21,7 +21,7 @@ from thirdbody.core.regimes import NO_FLAG, STATES, codes_to_name, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.inputs import or_calibrated
 from thirdbody.notes import area_note
-from thirdbody.progress import Progress
+from thirdbody.progress import progress_bar
 from thirdbody.variables import ERROR_BOUND, FLAGS, QUANTITIES, with_table
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def solve(
     variables : str or collection of str, optional
         Names of the variables to keep, by default all those of ``Solution``.
     progress : bool
-        Whether a long call reports its progress on standard error.
+        Whether a long call shows its progress on a terminal, on standard error.
 
     Returns
     -------
@@ -115,8 +115,8 @@ def solve(
     arrays, pattern = broadcast_by_name(read) if read.labelled else (read.arrays, None)
     arrays = without_speed(arrays, parameters)
     points = np.broadcast(*arrays.values()).size
-    with Progress(points, "points", progress) as bar:
-        values = solve_points(arrays, parameters, rtol, names, bar.add)
+    with progress_bar(points, progress) as bar:
+        values = solve_points(arrays, parameters, rtol, names, bar.update)
     values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
     return Solution(
         variables=values

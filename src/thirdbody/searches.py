@@ -32,7 +32,7 @@ from thirdbody.core.turning_points import PROMINENCE, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.inputs import or_calibrated
 from thirdbody.labels import indexed
-from thirdbody.progress import Progress
+from thirdbody.progress import progress_bar
 from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
 
 LOADS = (0.04, 80.0)  # first and last [N] of Table 2
@@ -229,8 +229,8 @@ def turning_point(
     curves = without_speed(queries.columns, parameters)
     points = {"load": loads[:, None]} | curves
     names = ["separation", "particle_contact_area_ratio"]
-    with Progress(count * queries.size, "points", progress) as bar:
-        solved = solve_points(points, parameters, rtol, names, bar.add)
+    with progress_bar(count * queries.size, progress) as bar:
+        solved = solve_points(points, parameters, rtol, names, bar.update)
     maxima = turning_points(solved["separation"], **curves, parameters=parameters, rtol=rtol)
     ratio = solved["particle_contact_area_ratio"]
     rise = np.fmax.reduce(ratio - np.fmin.accumulate(ratio))
@@ -378,8 +378,8 @@ def _crossings(
         scale = without_speed(one, parameters)["viscosity"].item()
     others = without_speed(others, parameters)
     solved = "viscosity" if axis == "speed" else axis
-    with Progress(samples.size * queries.size, "points", progress) as bar:
-        places = crossings(limits, solved, scale * samples, others, parameters, rtol, bar.add)
+    with progress_bar(samples.size * queries.size, progress) as bar:
+        places = crossings(limits, solved, scale * samples, others, parameters, rtol, bar.update)
     return places._replace(value=places.value / scale, error=places.error / scale)
 
 

@@ -1,6 +1,7 @@
 """Figures: what each shows, that its files say the same, and that their bytes are stable."""
 
 import csv
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 import xarray as xr
 import yaml
 from matplotlib.colors import to_rgb
+from matplotlib.text import Text
 
 import thirdbody as tb
 from chenhorng.claims.between_curves import BEND, area_slope
@@ -559,12 +561,31 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
             assert np.isclose(ends, row["high"]).any() or row["high"] > 1.0, row
 
 
+def schematic_state(condition, load_N, parameters):
+    load = load_N / parameters.newtons_per_load
+    solution = tb.solve(**condition._asdict(), load=load, parameters=parameters)
+    return state_of(condition, load_N, solution.variables)
+
+
+@pytest.mark.parametrize("name", SCHEMATICS)
+def test_no_text_of_a_schematic_is_over_a_line_or_another_text(defaults, name):
+    panels = yaml.safe_load((ROOT / "config/config.yaml").read_text())["schematics"][name]
+    states = [schematic_state(Condition.of(each), each["load_N"], defaults) for each in panels]
+    schematic = SCHEMATICS[name](sections(name, states, defaults))
+    schematic.draw_without_rendering()
+    for axes, panel in zip(schematic.axes, schematic.panels, strict=True):
+        boxes = [Text.get_window_extent(text) for text in axes.texts if text.get_text()]
+        for box, other in combinations(boxes, 2):
+            assert not box.overlaps(other)
+        for line in panel.series:
+            points = axes.transData.transform(np.column_stack([line.x, line.y]))
+            for box in boxes:
+                assert not any(box.contains(*point) for point in points), line.name
+
+
 def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     def state(diameter, load, viscosity):
-        condition = Condition(viscosity, diameter, 3e-7, 1e11)
-        given = condition._asdict() | {"load": load / parameters.newtons_per_load}
-        solution = tb.solve(**given, parameters=parameters)
-        return state_of(condition, load, solution.variables)
+        return schematic_state(Condition(viscosity, diameter, 3e-7, 1e11), load, parameters)
 
     states = [state(diameter, 2.0, 0.0) for diameter in (1e-7, 1e-6, 3e-7)]
     lubricated = sections("fig01", [state(5e-7, 50.0, 9e-5)], parameters)

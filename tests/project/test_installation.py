@@ -2,7 +2,6 @@
 
 import os
 import re
-import runpy
 import shlex
 import subprocess
 import sys
@@ -119,7 +118,8 @@ def test_a_missing_extra_is_named_in_one_line(installed):
 
 
 def test_an_editor_sees_the_names_where_they_are():
-    stub = runpy.run_path(str(Path(thirdbody.__file__).with_suffix(".pyi")))
+    stub = {"__package__": "thirdbody"}
+    exec(Path(thirdbody.__file__).with_suffix(".pyi").read_text(encoding="utf-8"), stub)
     seen = {name: value for name, value in stub.items() if not name.startswith("__")}
     given = {name: getattr(thirdbody, name) for name in thirdbody.__all__ if name != "__version__"}
     assert seen == given

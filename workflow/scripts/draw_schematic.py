@@ -1,4 +1,4 @@
-"""Solve the interfaces of one schematic, and draw random sections through them, to scale."""
+"""Solve the interfaces of one schematic, and draw sections through them, to scale."""
 
 import matplotlib.style
 

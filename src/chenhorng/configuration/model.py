@@ -6,10 +6,13 @@ The classes are closed, so that a misspelt key is an error, and numbers are numb
 import math
 import re
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Annotated, Any
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from thirdbody.variables import VARIABLES
 
 FIGURES = {f"fig{number:02d}" for number in range(3, 14)}
 FOLDERS = (
@@ -28,10 +31,16 @@ def zero_or_from(least: float) -> AfterValidator:
     return AfterValidator(check)
 
 
-def _increasing(ends):
-    if not ends[0] < ends[-1]:
-        raise ValueError("allowed: two numbers that increase")
-    return ends
+def _increasing(values):
+    if any(after <= before for before, after in pairwise(values)):
+        raise ValueError("allowed: numbers that increase")
+    return values
+
+
+def _variable(name):
+    if name not in VARIABLES:
+        raise ValueError(f"allowed: {', '.join(VARIABLES)}")
+    return name
 
 
 def _distinct(values):
@@ -76,8 +85,9 @@ File = Annotated[
         json_schema_extra={"allowed": "the path of a YAML file in config/"},
     ),
 ]
-Pair = AfterValidator(_increasing)
+Increasing = AfterValidator(_increasing)
 Values = Field(min_length=1, max_length=1000), AfterValidator(_distinct)
+Axis = Field(min_length=1, max_length=1000), Increasing
 
 
 class Closed(BaseModel):
@@ -89,7 +99,7 @@ class Closed(BaseModel):
 class LoadAxis(Closed):
     """F_t* from the first to the last load in newtons, evenly spaced in its logarithm."""
 
-    load_N: Annotated[list[Load], Field(min_length=2, max_length=2), Pair]
+    load_N: Annotated[list[Load], Field(min_length=2, max_length=2), Increasing]
     count: Annotated[int, Field(ge=5, le=100_000, description="number of loads")]
 
 
@@ -170,7 +180,7 @@ class Windows(Closed):
     roughness_nm: Annotated[list[Roughness], *Values]
     particle_density_per_m2: Annotated[Density, Positive]
     particle_diameter_per_roughness: Annotated[
-        list[Annotated[Ratio, Positive]], Field(min_length=2, max_length=2), Pair
+        list[Annotated[Ratio, Positive]], Field(min_length=2, max_length=2), Increasing
     ]
     count: Annotated[
         int, Field(ge=10, le=100_000, description="sampled x_a/sigma before the ends are refined")
@@ -182,6 +192,20 @@ class Schematics(Closed):
 
     fig01: Annotated[list[Panel], Field(min_length=1, max_length=1)]
     fig02: Annotated[list[Panel], Field(min_length=3, max_length=3)]
+
+
+class Atlas(Closed):
+    """The conditions that ``snakemake atlas`` solves: every combination, a file for each roughness."""
+
+    load_N: Annotated[list[Load], *Axis]
+    viscosity_cSt: Annotated[list[Viscosity], *Axis]
+    particle_diameter_nm: Annotated[list[Diameter], *Axis]
+    roughness_nm: Annotated[list[Roughness], *Axis]
+    particle_density_per_m2: Annotated[list[Density], *Axis]
+    rtol: Rtol
+    variables: Annotated[
+        list[Annotated[str, AfterValidator(_variable)]], Field(description="kept at each point")
+    ]
 
 
 def _plain(name, taken):
@@ -236,7 +260,7 @@ class Configuration(Closed):
     ]
     schematics: Schematics
     accuracy: Annotated[File, Field(description="settings of the accuracy run")]
-    atlas: Annotated[File, Field(description="settings of the atlas")]
+    atlas: Atlas
 
 
 def check(content: Any, name: str) -> None:
