@@ -17,10 +17,10 @@ import numpy as np
 from tabulate import tabulate
 
 import thirdbody
-from thirdbody.core.solve import solve_points
-from thirdbody.grids import crossed
 from chenhorng.configuration.settings import read_settings
 from chenhorng.scenes import scene_groups
+from thirdbody.core.solve import solve_points
+from thirdbody.grids import crossed
 from thirdbody.plain_yaml import config_directory
 from thirdbody.variables import NUMBERS
 

@@ -29,9 +29,9 @@ from tabulate import tabulate
 import thirdbody
 from benchmarks.ranges import CONDITIONS, shares_within
 from benchmarks.work_precision import largest_errors
-from thirdbody.core.film import Film
 from chenhorng.calibration.calibration import Interpretation, Unknown
 from chenhorng.tables import TABLES, read_csv
+from thirdbody.core.film import Film
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.symbols import unicode
 from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES

@@ -12,11 +12,11 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
+from chenhorng.home import config_directory
 from thirdbody.bearings import bearing, hertz_contact
 from thirdbody.conditions import entrainment_speed
 from thirdbody.curves import Condition
 from thirdbody.inputs import load_parameters
-from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.points import solve
 

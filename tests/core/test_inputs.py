@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 import yaml
 
+from chenhorng.home import config_directory
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import CALIBRATED_FILE, load_parameters
-from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 
 CALIBRATED = config_directory() / "calibrated"

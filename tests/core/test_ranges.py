@@ -11,9 +11,9 @@ from methods import ENGINEERING
 
 import thirdbody as tb
 from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, shares_within
+from chenhorng.home import config_directory
 from thirdbody.core.parameters import WORDS
 from thirdbody.inputs import BELONGS_TO, CALIBRATED
-from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.ranges import ENDS
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from chenhorng.claims.claims import load_claims
+from chenhorng.home import config_directory
 from chenhorng.page import page as building
 from chenhorng.page.page import figure_content, page_text, plain_text
-from chenhorng.home import config_directory
 
 HERE = Path(building.__file__).parent
 SOME, OTHER = {"viscosity": 9e-5, "roughness": 3e-7}, {"viscosity": 0.0, "roughness": 3e-7}

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.configuration import schema
 from chenhorng.configuration.schema import validate
+from thirdbody.core.parameters import Parameters
 from thirdbody.plain_yaml import read_yaml
 
 ROOT = Path(__file__).parents[2]

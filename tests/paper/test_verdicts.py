@@ -21,8 +21,8 @@ from chenhorng.claims.judge import Judge, count_once
 from chenhorng.claims.kinds import Value
 from chenhorng.claims.verdicts import claims_html, claims_json, claims_markdown
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
-from chenhorng.tables import TABLES
 from chenhorng.home import config_directory
+from chenhorng.tables import TABLES
 from thirdbody.plain_yaml import read_yaml
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")

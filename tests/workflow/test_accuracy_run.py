@@ -5,9 +5,9 @@ import yaml
 from workspace import MINIMAL, ROOT
 
 from benchmarks.classes import CLASSES, TIMED
+from chenhorng.tables import TABLES, read_csv
 from tests.oracle.comparison import PLACES, RTOLS
 from tests.oracle.extended import why_not
-from chenhorng.tables import TABLES, read_csv
 
 NAMES = "errors", "extremes", "oracle", "times", "uses"
 PRODUCTS = {f"accuracy/{name}.csv" for name in NAMES} | {"accuracy/work_precision.png"}

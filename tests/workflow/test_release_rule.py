@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from workspace import MINIMAL, ROOT, Workspace
 
-from thirdbody.files import digest
 from chenhorng.archive.citation import Release
 from chenhorng.archive.files import files_in
+from thirdbody.files import digest
 
 FILES = ROOT / "pyproject.toml", ROOT / "CITATION.cff"
 PAPER = Release.of(*FILES)

@@ -4,12 +4,12 @@ import json
 from itertools import product
 from pathlib import Path
 
-from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
-from thirdbody.conditions import OIL_DENSITY
-from thirdbody.core.parameters import Parameters
 from chenhorng.job_log import job
 from chenhorng.page.oils import OILS, TEMPERATURES, VISCOSITIES
 from chenhorng.page.page import page_content, page_text
+from thirdbody.bearings import BODIES, MATERIALS, USUAL_BEARING, bearing
+from thirdbody.conditions import OIL_DENSITY
+from thirdbody.core.parameters import Parameters
 from thirdbody.plain_yaml import read_yaml
 
 

@@ -10,9 +10,9 @@ for name in ("NPY_DISABLE_CPU_FEATURES", "OPENBLAS_CORETYPE"):
 from benchmarks.accuracy import time_rows
 from benchmarks.baselines import load_plain_model
 from benchmarks.uses import use_rows
-from thirdbody.core.parameters import Parameters
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
+from thirdbody.core.parameters import Parameters
 
 with job(snakemake) as output:
     budget = snakemake.params.budget

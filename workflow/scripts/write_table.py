@@ -1,9 +1,9 @@
 """Combine the parts of a table, and write it as CSV and, to be read, as HTML and LaTeX."""
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.job_log import job
 from chenhorng.sheets import sheet_of
 from chenhorng.tables import TABLES, read_csv, write_csv
+from thirdbody.core.parameters import Parameters
 
 with job(snakemake) as output:
     table = snakemake.wildcards.table

@@ -5,17 +5,17 @@ by ``chenhorng.claims.evidence``, and holds if it is off by at most one toleranc
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from pydantic import ConfigDict
-from pydantic.dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from pydantic import ConfigDict
+from pydantic.dataclasses import dataclass
 
-from thirdbody.curves import Condition
 from chenhorng.places import figures_named
 from chenhorng.sampling import TINY, NotReached, SolvedCurve, loads_within, logarithm, sample
+from thirdbody.curves import Condition
 from thirdbody.variables import CONDITION_AXES
 
 if TYPE_CHECKING:

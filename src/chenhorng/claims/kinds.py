@@ -1,12 +1,12 @@
 """The ten kinds of claims: the fields that each has beside those of all, and its check."""
 
 from collections.abc import Mapping, Sequence
-from pydantic import Field
-from pydantic.dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
+from pydantic.dataclasses import dataclass
 
 from chenhorng.claims.between_curves import (
     BETWEEN_CURVES,

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from chenhorng.home import config_directory
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import changed_inputs, parameters_of
-from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 
 Values = dict[str, float | str]

@@ -9,6 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from chenhorng.configuration.inputs import choose_inputs, uncalibrated_values
+from chenhorng.configuration.model import check
+from chenhorng.scenes import RELATIVE_DIAMETER, scene_groups
 from thirdbody.core.parameters import Parameters
 from thirdbody.curves import (
     MOST_PANELS,
@@ -17,9 +20,6 @@ from thirdbody.curves import (
     variables_over_load,
 )
 from thirdbody.messages import format_value
-from chenhorng.configuration.inputs import choose_inputs, uncalibrated_values
-from chenhorng.configuration.model import check
-from chenhorng.scenes import RELATIVE_DIAMETER, scene_groups
 from thirdbody.plain_yaml import read_yaml
 
 MOST_POINTS = 3_000_000  # of a scene: while they are solved they fill the memory of a job

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.curves import condition_key, row_key
 from chenhorng.claims.between_curves import area_slope, bend_load, crossings
+from thirdbody.curves import condition_key, row_key
 from thirdbody.plotting import marks
 from thirdbody.plotting.marks import AREA, RATIO, RELATIVE_AREA, is_on
 from thirdbody.plotting.panels import UPRIGHT, Curve, Series
