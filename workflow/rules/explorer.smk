@@ -8,7 +8,7 @@ rule build_explorer:
         departures="<results>/extracted/departures/verdicts.json",
         page=[
             project_file(path)
-            for folder in ("page", "vendor")
+            for folder in ("web", "vendor")
             for path in sorted(PACKAGES.glob(f"chenhorng/page/{folder}/*.*"))
         ],
     output:

@@ -9,7 +9,7 @@ from thirdbody.conditions import OIL_DENSITY
 from thirdbody.core.parameters import Parameters
 from thirdbody.lab.oil import COLDEST, GRADES, HOTTEST, LEAST, MOST, oil_viscosity
 from chenhorng.job_log import job
-from chenhorng.page.page import page_content, page_text
+from chenhorng.page.build import page_content, page_text
 from thirdbody.plain_yaml import read_yaml
 
 

@@ -1,5 +1,5 @@
 """The page: content collected from products of the workflow, put into one HTML file with the
-template, style and scripts of the folder ``page/`` and with D3.  It computes the curves itself."""
+template, style and scripts of the folder ``web/`` and with D3.  It computes the curves itself."""
 
 import json
 import re
@@ -146,13 +146,13 @@ def page_text(content: Mapping[str, Any]) -> str:
     """The page as self-contained HTML, from the ``content`` of ``page_content``."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
-        "style.css": _read("page/style.css"),
+        "style.css": _read("web/style.css"),
         "d3.LICENSE": _read("vendor/d3.LICENSE"),
         "d3.min.js": _read("vendor/d3.min.js"),
         "content.json": data.replace("<", "\\u003c"),
         "main.js": _one_script(FIRST),
     }
-    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("page/index.html"))
+    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("web/index.html"))
 
 
 def _one_script(first: str) -> str:
@@ -162,7 +162,7 @@ def _one_script(first: str) -> str:
     def join(name):
         if name in joined:
             return
-        text = _read(f"page/{name}")
+        text = _read(f"web/{name}")
         for _, imported in IMPORT.findall(text):
             join(imported)
         body = IMPORT.sub(r'const \1 = modules["\2"];', EXPORT.sub("", text))
