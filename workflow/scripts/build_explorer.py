@@ -44,20 +44,8 @@ def rig_content(parameters):
 
 with job(snakemake) as output:
     parameters = snakemake.params.parameters
-    settings = snakemake.params.calibration
-    unknowns = settings["unknowns"]
+    unknowns = snakemake.params.unknowns
     entries = read_yaml(snakemake.params.entries)
-    titles = {name: each["title"] for name, each in settings["interpretations"].items()}
-    interpretations = [
-        {
-            "name": name,
-            "title": titles[name],
-            "inputs": each["inputs"],
-            "ensemble": each["ensemble"],
-        }
-        for each in map(read_yaml, snakemake.params.calibrated)
-        if (name := each["interpretation"]) in titles
-    ]
     inputs = {
         name: entry | unknowns.get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()
@@ -75,7 +63,6 @@ with job(snakemake) as output:
         judged,
         departures,
         inputs,
-        interpretations,
         snakemake.params.ensemble,
         {row["symbol"]: row["printed"] for row in read_yaml(snakemake.params.tables)["table2"]},
         rig_content(Parameters(**parameters)),

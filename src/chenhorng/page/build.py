@@ -34,7 +34,7 @@ MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
 STATED = (  # what the page shows of a statement in claims.json
-    *("id", "part", "place", "statement", "verdict", "verdicts_of", "finding"),
+    *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
 )
 
@@ -44,7 +44,6 @@ def page_content(
     judged: Mapping[str, Any],
     departures: Sequence[Mapping[str, Any]],
     inputs: Mapping[str, Any],
-    interpretations: Sequence[Mapping[str, Any]],
     ensemble: Sequence[Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
     rig: Mapping[str, Any],
@@ -55,9 +54,8 @@ def page_content(
     ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
     departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
-    ``interpretations`` have ``name``, ``title``, ``inputs`` and ``ensemble`` of each calibrated one, ``ensemble``
-    the inputs of each member that differ from the default, ``ranges`` the first and last value of each
-    condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
+    ``ensemble`` has the inputs of each member that differ from the default, ``ranges`` the first and last value of
+    each condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
     oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
     ``usual_density`` of an oil; and the least and most of each number that a reader gives.
     """
@@ -85,7 +83,6 @@ def page_content(
             name: {**entry, **(BOUNDS[name]._asdict() if name in BOUNDS else {})}
             for name, entry in inputs.items()
         },
-        "interpretations": list(interpretations),
         "ensemble": list(ensemble),
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
