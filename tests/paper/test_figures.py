@@ -14,13 +14,13 @@ from thirdbody.curves import Condition, condition_key
 from chenhorng.claims.between_curves import BEND, area_slope
 from chenhorng.claims.claims import load_claims, printed_rows
 from chenhorng.figures.captions import caption
-from chenhorng.figures.curves import CURVE_FIGURES, HEADLINES, plot
-from chenhorng.figures.files import SUFFIXES, figure_record, save, write_wide
+from chenhorng.figures.curve_figures import CURVE_FIGURES, HEADLINES, plot
+from chenhorng.figures.products import SUFFIXES, figure_record, save, write_wide
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import STRETCH, sections, state_of
 from chenhorng.scenes import scene_dataset
-from thirdbody.plotting.curves import curve_figure, curves_in
+from thirdbody.plotting.load_curves import curve_figure, curves_in
 from thirdbody.plotting.marks import BAND, LOCUS, SLIGHT, WINDOW
 from thirdbody.plotting.marks import TURNING_POINTS as STARS
 from thirdbody.plotting.panels import CURVE

@@ -7,7 +7,7 @@ import numpy as np
 
 from thirdbody.curves import Condition
 from chenhorng.figures import printed
-from chenhorng.figures.curves import HEADLINES, OURS
+from chenhorng.figures.curve_figures import HEADLINES, OURS
 from chenhorng.typeset import markdown_text
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel

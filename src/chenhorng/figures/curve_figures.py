@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from thirdbody.netcdf import PlainDataset
 from chenhorng.figures import printed as printed_marks
-from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
+from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.panels import Curve, Series
 
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
