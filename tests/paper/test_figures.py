@@ -410,11 +410,10 @@ def test_turning_points_and_windows_are_marked(datasets, printed):
     (ends,) = last.of_kind(WINDOW)
     assert ends.x.tolist() == [0.9, 1.2]
     assert {"printed, without height", "tolerance of a printed line"} <= {*key_of(drawing)}
-    # 0.83 and 0.8333 are one number; strips of others do not cover each other
-    strips = [strip.get_bbox() for strip in drawing.axes[3].patches]
-    assert len(strips) == 4 and len({strip.x0 for strip in strips}) == 4
-    inside = [strip.padded(-1e-3) for strip in strips]
-    assert not any(one.overlaps(two) for one in inside for two in inside if one is not two)
+    # 0.83 and 0.8333 are one number; strips that overlap are seen through
+    strips = drawing.axes[3].patches
+    assert len(strips) == 4 and len({strip.get_bbox().x0 for strip in strips}) == 4
+    assert all(0.0 < strip.get_facecolor()[3] < 1.0 for strip in strips)
     assert "fig09-window" in [series.name for series in last.of_kind(ALONG_X)]
     left_out = points[len(points) // 2]
     some = [point for point in points if point is not left_out]

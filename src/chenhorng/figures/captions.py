@@ -161,12 +161,12 @@ MEANINGS = {
     printed.PRINTED: "Diamonds: numbers that the paper prints; bars: their tolerances.",
     printed.ALONG_X: (
         "Upright lines of dashes and dots: numbers that the paper prints along x alone, without the height, "
-        "in the colour of their curve if it is one; the strip around a line is its tolerance; "
-        "strips that would overlap are low, at the top, and those of unlike lines have their outlines."
+        "in the colour of their curve if it is one; the strip around a line is its tolerance, darker where "
+        "strips overlap."
     ),
     printed.OF_ALL: "Dotted upright lines: those that the paper prints for all surfaces.",
     printed.COMPUTED: (
-        "Hexagons, several with the names of their curves: the bends or the crossing of the computed curves "
+        "Hexagons: the bends or the crossing of the computed curves "
         "for which the line is printed; "
         "outside the strip the model misses the number, unless it is printed for no curve in particular: then "
         "one in the strip is enough."
