@@ -16,12 +16,9 @@ TOOL = runpy.run_path(DOCS / "readme_numbers.py")
 MODEL = (DOCS / "model.md").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    ("page", "block"), [("README.md", "library"), ("docs/model.md", "variables")]
-)
-def test_a_page_has_what_its_command_prints(page, block):
-    text = (ROOT / page).read_text(encoding="utf-8")
-    assert TOOL["BLOCKS"][block]() in text
+def test_the_first_page_has_what_its_example_prints():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert TOOL["BLOCKS"]["library"]() in text
 
 
 def test_the_page_and_the_files_explain_each_status_once_and_alike():
