@@ -1,16 +1,17 @@
-"""The tables of the page on the configuration, from its schemas and files."""
+"""The tables of the page on the configuration, from the classes that check it and its files."""
 
 from pathlib import Path
 
 import yaml
 
+from chenhorng.configuration.model import Configuration
 from thirdbody.core.parameters import BOUNDS
 
 ROOT = Path(__file__).resolve().parents[1]
-CONFIG, SCHEMAS = ROOT / "config", ROOT / "src/chenhorng/configuration"
+CONFIG = ROOT / "config"
 LIMITS = {
     "minimum": "from {}",
-    "exclusiveMinimum": "and above {}",
+    "exclusiveMinimum": "above {}",
     "maximum": "to {}",
     "minItems": "of {} or more",
 }
@@ -21,42 +22,43 @@ def read(path):
     return yaml.safe_load(path.read_text(encoding="utf-8"))
 
 
-def resolved(schema, document):
-    """A schema with what its references say, and the document in which further ones are."""
-    if not isinstance(schema.get("$ref"), str) or "#" not in schema["$ref"]:
-        return schema, document
-    file, _, pointer = schema["$ref"].partition("#")
-    document = read(SCHEMAS / file) if file else document
-    target = document
-    for key in pointer.strip("/").split("/"):
-        target = target[key]
-    target, document = resolved(target, document)
-    return target | {key: each for key, each in schema.items() if key != "$ref"}, document
+def choices(schema, definitions):
+    """What a value may be, each a schema without references; a key that is left out has none."""
+    if "anyOf" in schema:
+        return [one for each in schema["anyOf"] for one in choices(each, definitions)]
+    if "$ref" in schema:
+        return choices(definitions[schema["$ref"].rpartition("/")[2]], definitions)
+    return [schema] if schema.get("type") != "null" else []
 
 
 def allowed(schema):
     """What a value may be, in words."""
-    if "allowed" in schema:
-        return str(schema["allowed"])
     if "enum" in schema:
         return ", ".join(map(str, schema["enum"]))
-    kind = schema.get("type", "")
-    kinds = [kind] if isinstance(kind, str) else kind
-    words = " or ".join(KINDS.get(kind, kind) for kind in kinds)
-    limits = [text.format(f"{schema[key]:g}") for key, text in LIMITS.items() if key in schema]
-    return " ".join([words, *limits])
+    kind = KINDS.get(schema.get("type"), schema.get("type", ""))
+    ends = {key: schema[key] for key in LIMITS if key in schema}
+    if "exclusiveMinimum" in ends:
+        ends.pop("minimum", None)
+    limits = [LIMITS[key].format(f"{end:g}") for key, end in ends.items()]
+    text = " ".join([kind, *limits])
+    entry = schema.get("items", {})
+    return f"{text}, of {allowed(entry)}" if entry.get("type") in ("number", "integer") else text
 
 
-def keys(schema, document, place=""):
-    """Yield place, schema of each key below a schema."""
+def keys(schema, definitions, place=""):
+    """Yield place, description and allowed values of each key below a schema."""
     for name, each in schema.get("properties", {}).items():
-        inner, inside = resolved(each, document)
-        yield f"{place}{name}", inner
-        yield from keys(inner, inside, f"{place}{name}.")
+        found = choices(each, definitions)
+        entries = [one for each in found for one in choices(each.get("items", {}), definitions)]
+        descriptions = (one.get("description", "") for one in (each, *found, *entries))
+        description = next(filter(None, descriptions), "").split("\n")[0]
+        yield f"{place}{name}", description, " or ".join(map(allowed, found))
+        for one in found:
+            yield from keys(one, definitions, f"{place}{name}.")
     for name, marker in (("additionalProperties", ".NAME."), ("items", "[].")):
         if isinstance(schema.get(name), dict):
-            inner, inside = resolved(schema[name], document)
-            yield from keys(inner, inside, place[:-1] + marker)
+            for one in choices(schema[name], definitions):
+                yield from keys(one, definitions, place[:-1] + marker)
 
 
 def row(*cells):
@@ -65,10 +67,10 @@ def row(*cells):
 
 def configuration():
     """A row a key of ``config/config.yaml`` and ``config/scenes.yaml``."""
-    schema = read(SCHEMAS / "config.schema.yaml")
+    schema = Configuration.model_json_schema()
     text = row("key", "what it is", "allowed") + row("---", "---", "---")
-    for place, each in keys(schema, schema):
-        text += row(f"`{place}`", each.get("description", ""), allowed(each))
+    for place, description, values in keys(schema, schema["$defs"]):
+        text += row(f"`{place}`", description, values)
     return text
 
 
