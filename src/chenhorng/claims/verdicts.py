@@ -80,7 +80,7 @@ class Report:
         def is_of_the_run(content):
             return judge.base | content["inputs"] == every
 
-        said = {} if is_of_the_run(default) else {"identification": {}}
+        said: dict[str, Any] = {} if is_of_the_run(default) else {"identification": {}}
         verdicts = judge(every)
         candidates = [
             Candidate.of(judge, each, verdicts if is_of_the_run(each) else None)
