@@ -4,7 +4,7 @@ Each stands between two markers that name it.
 
     python docs/readme_numbers.py            say what differs from results/, exit 1 if anything does
     python docs/readme_numbers.py --write    renew it
-    python docs/readme_numbers.py --show deviations    print one of the blocks
+    python docs/readme_numbers.py --show took    print one of the blocks
 
 The last bits of a number depend on the processor: a page agrees with a run if it shows the same
 digits, or, where a number lies at the edge of two roundings, either.  What `make accuracy` measures
@@ -22,25 +22,19 @@ from textwrap import fill
 import numpy as np
 import pandas as pd
 from matplotlib.pyplot import imread
-from scipy.optimize import brentq
 from scipy.special import erf
 from tabulate import tabulate
 
 import thirdbody
 from benchmarks.ranges import CONDITIONS, shares_within
 from benchmarks.work_precision import largest_errors
-from chenhorng.calibration.calibration import Interpretation, Unknown
 from chenhorng.tables import TABLES, read_csv
-from thirdbody.core.film import Film
-from thirdbody.plain_yaml import read_yaml
-from thirdbody.symbols import unicode
-from thirdbody.variables import AXES, NORMAL_LOAD, VARIABLES
 
 ROOT = Path(__file__).resolve().parents[1]
 BITS = 1e-9  # of a number, on another processor
 move = 0.0  # of the numbers that are read
 README = ROOT / "README.md"
-PAGES = README, ROOT / "paper.md", ROOT / "docs" / "model.md", ROOT / "docs" / "results.md"
+PAGES = README, ROOT / "paper.md", ROOT / "docs" / "results.md"
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 MEASURED_PICTURE = ROOT / "docs" / "work_precision.png", ACCURACY / "work_precision.png"
@@ -83,20 +77,6 @@ def claims_block() -> str:
     return fill(f"{read_claims()['score']} {deviations}", 120)
 
 
-def failures_block() -> str:
-    """The statements that fail, each in a sentence."""
-    failed = [row for row in read_claims()["statements"] if row["verdict"] == "fails"]
-    table = [
-        {
-            "place": row["place"].removesuffix(", section 3.3"),
-            "statement": row["statement"],
-            "found": row["finding"],
-        }
-        for row in failed
-    ]
-    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-
-
 def library_block() -> str:
     """What the example of README prints."""
     (example,) = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
@@ -111,89 +91,6 @@ def ranges_block() -> str:
     shares = shares_within(thirdbody.load_parameters())
     text = ", ".join(f"{name} in {share:.0%}" for name, share in shares.items())
     return f"Of {CONDITIONS} conditions: {text}."
-
-
-def interpretations_block() -> str:
-    """Every interpretation in the order of the rule: loss of what was left out, and what follows."""
-    table = pd.DataFrame(read_claims()["interpretations"]).drop(
-        columns=["folds", "median_deviation"]
-    )
-    table["mean_deviation"] = table["mean_deviation"].map("{:.1%}".format)
-    table["summit_parameter"] = table["summit_parameter"].map("{:.3f}".format)
-    table["equal"] = table["equal"].map({True: "yes", False: ""})
-    headings = {name: name.replace("_", " ") for name in table}
-    table = table.rename(columns=headings).astype(object)
-    return table.where(table.notna(), "").to_markdown(index=False, disable_numparse=True)
-
-
-def deviations_block() -> str:
-    """Every printed number of the headline statements beside the computed one."""
-    rows = read_table("deviations")
-    table = pd.DataFrame(
-        {
-            "place": rows["place"].str.removesuffix(", section 3.3"),
-            "statement": rows["id"].map("`{}`".format),
-            "printed": rows["printed"].map("{:.4g}".format),
-            "computed": rows["computed"].map("{:.4g}".format),
-            "deviation": rows["deviation"].map("{:+z.1%}".format),
-        }
-    )
-    return table.to_markdown(index=False, disable_numparse=True)
-
-
-def departures_block() -> str:
-    """Statements that hold with each departure from the print taken back."""
-    rows = read_rows("departures")
-    table = [
-        {
-            "taken back": row["departure"],
-            "statements that hold": f"{row['holds']:g} of {row['judged']:g}",
-            "headline": "" if row["headline"] is None else f"{row['headline']:g}",
-            "median deviation": percent(row["median_deviation"]),
-            "mean deviation": percent(row["mean_deviation"]),
-        }
-        for row in rows
-    ]
-    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-
-
-def percent(fraction: float | None) -> str:
-    """A fraction in per cent; empty if there is none."""
-    return "" if fraction is None else f"{fraction:.1%}"
-
-
-# printed ends of H_c in Figure 11C, with one unit of the last digit, by viscosity [cSt]
-PRINTED_FILMS = (1.15e-4, 70), (1.63e-4, 120), (2.34e-4, 120)
-LAST_DIGIT = 0.01e-4
-
-
-def film_loads_block() -> str:
-    """The load in W at which Eq. 7 gives the printed ends of H_c on 300 nm, with their rounding."""
-    inputs = thirdbody.load_parameters()
-    newtons = inputs.elastic_modulus_surfaces * inputs.ball_radius**2
-
-    def load_of(thickness, viscosity):
-        film = Film.of(np.array([1e-6 * viscosity]), np.array([3e-7]), inputs)
-
-        def excess(log_load):
-            return film.thickness(np.array([log_load - np.log(newtons)]))[0].item() - thickness
-
-        return np.exp(brentq(excess, np.log(1e-4), np.log(1e4)))
-
-    table = []
-    for thickness, viscosity in PRINTED_FILMS:
-        half = 0.5 * LAST_DIGIT
-        load, high, low = (
-            f"{load_of(each, viscosity):.3g}"
-            for each in (thickness, thickness - half, thickness + half)
-        )
-        table.append(
-            {
-                "printed H_c": f"{thickness:.3g} at {viscosity} cSt",
-                "load in W": f"{load} N ({low} to {high})",
-            }
-        )
-    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
 def took_block() -> str:
@@ -246,40 +143,6 @@ def took_block() -> str:
     ]
     names = "assumed", "the paper", "here", "statements that hold without it"
     table = [dict(zip(names, line, strict=True)) for line in lines]
-    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-
-
-def disagreement(unknown: Unknown, found: dict) -> float:
-    """The most by which medians, or either end, of the ranges that seeds draw differ, as a share of
-    these ranges, on the scale on which the input is searched."""
-    medians, lows, highs = (
-        np.array([unknown.position(value) for value in values])
-        for values in (found["median_of_each_seed"], *zip(*found["range_of_each_seed"]))
-    )
-    return max(map(np.ptp, (medians, lows, highs))) / np.mean(highs - lows)
-
-
-def identified_block() -> str:
-    """Inputs of the default interpretation, what is acceptable, what each seed draws, and by how much seeds
-    differ."""
-    content = read_yaml(ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"])
-    settings = read_yaml(ROOT / "config" / "calibration.yaml")
-    unknowns = {
-        each.name: each for each in Interpretation.of(content["interpretation"], settings).unknowns
-    }
-    table = [
-        {
-            "input": name,
-            "chosen": f"{content['inputs'][name]:.3g}",
-            "acceptable": "{:.3g} to {:.3g}".format(*found["acceptable"]),
-            "5 to 95 % of what each seed draws": ", ".join(
-                "{:.3g} to {:.3g}".format(*ends) for ends in found["range_of_each_seed"]
-            ),
-            "seeds differ by": f"{disagreement(unknowns[name], found):.2f}",
-            "identified": "yes" if found["identified"] else "no",
-        }
-        for name, found in content["identification"].items()
-    ]
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
@@ -361,35 +224,11 @@ def oracle_block() -> str:
     )
 
 
-def variables_block() -> str:
-    """Conditions and results: what each is called and what it is."""
-    results = NORMAL_LOAD, *VARIABLES.values()
-    rows = [(axis, "") for axis in AXES.values()] + [(each, each.equation) for each in results]
-    table = [
-        {
-            "symbol": unicode(each.symbol.replace("none", "")),
-            "name in files and code": f"`{each.name}`",
-            "unit": each.unit,
-            "what it is": each.label,
-            "defined in": equation.replace("none", "") and f"Eq. {equation}".replace("Eq. s", "s"),
-        }
-        for each, equation in rows
-    ]
-    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-
-
 BLOCKS = {
     "claims": claims_block,
     "took": took_block,
     "library": library_block,
-    "variables": variables_block,
-    "deviations": deviations_block,
-    "failures": failures_block,
-    "departures": departures_block,
     "ranges": ranges_block,
-    "interpretations": interpretations_block,
-    "identified": identified_block,
-    "film loads": film_loads_block,
 }
 MEASURED = {"accuracy": accuracy_block, "oracle": oracle_block}
 SPREAD = 3.0  # of times, between machines and runs

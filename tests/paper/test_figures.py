@@ -15,14 +15,14 @@ import thirdbody as tb
 from chenhorng.claims.between_curves import BEND, area_slope
 from chenhorng.claims.claims import load_claims, printed_rows
 from chenhorng.figures.captions import HEADLINES, caption
-from chenhorng.figures.curves import CURVE_FIGURES, plot
-from chenhorng.figures.files import SUFFIXES, figure_record, save, write_wide
+from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
+from chenhorng.figures.products import SUFFIXES, figure_record, save, write_wide
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import STRETCH, sections, state_of
 from chenhorng.scenes import scene_dataset
 from thirdbody.curves import Condition, condition_key
-from thirdbody.plotting.curves import curve_figure, curves_in
+from thirdbody.plotting.load_curves import curve_figure, curves_in
 from thirdbody.plotting.marks import BAND, LOCUS, SLIGHT, WINDOW
 from thirdbody.plotting.marks import TURNING_POINTS as STARS
 from thirdbody.plotting.panels import CURVE
@@ -412,11 +412,10 @@ def test_turning_points_and_windows_are_marked(datasets, printed):
     (ends,) = last.of_kind(WINDOW)
     assert ends.x.tolist() == [0.9, 1.2]
     assert {"printed, without height", "tolerance of a printed line"} <= {*key_of(drawing)}
-    # 0.83 and 0.8333 are one number; strips of others do not cover each other
-    strips = [strip.get_bbox() for strip in drawing.axes[3].patches]
-    assert len(strips) == 4 and len({strip.x0 for strip in strips}) == 4
-    inside = [strip.padded(-1e-3) for strip in strips]
-    assert not any(one.overlaps(two) for one in inside for two in inside if one is not two)
+    # 0.83 and 0.8333 are one number; strips that overlap are seen through
+    strips = drawing.axes[3].patches
+    assert len(strips) == 4 and len({strip.get_bbox().x0 for strip in strips}) == 4
+    assert all(0.0 < strip.get_facecolor()[3] < 1.0 for strip in strips)
     assert "fig09-window" in [series.name for series in last.of_kind(ALONG_X)]
     left_out = points[len(points) // 2]
     some = [point for point in points if point is not left_out]

@@ -24,10 +24,6 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 MODEL = (DOCS / "model.md").read_text(encoding="utf-8")
 
 
-def test_the_model_page_has_the_table_of_the_variables():
-    assert TOOL["BLOCKS"]["variables"]() in MODEL
-
-
 def test_the_readme_has_what_its_example_prints():
     """The digits shown: a number of the page is the one computed, rounded."""
     (code,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)

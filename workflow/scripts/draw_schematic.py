@@ -3,7 +3,7 @@
 import matplotlib.style
 
 from chenhorng.figures.captions import caption
-from chenhorng.figures.files import save
+from chenhorng.figures.products import save
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import sections, state_of
 from chenhorng.job_log import job

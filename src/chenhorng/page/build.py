@@ -1,5 +1,5 @@
 """The page: content collected from products of the workflow, put into one HTML file with the
-template, style and scripts of the folder ``page/`` and with D3.  It computes the curves itself."""
+template, style and scripts of the folder ``web/`` and with D3.  It computes the curves itself."""
 
 import json
 import re
@@ -33,7 +33,7 @@ MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
 STATED = (  # what the page shows of a statement in claims.json
-    *("id", "part", "place", "statement", "verdict", "verdicts_of", "finding"),
+    *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
 )
 
@@ -43,7 +43,6 @@ def page_content(
     judged: Mapping[str, Any],
     departures: Sequence[Mapping[str, Any]],
     inputs: Mapping[str, Any],
-    interpretations: Sequence[Mapping[str, Any]],
     ensemble: Sequence[Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
     rig: Mapping[str, Any],
@@ -54,9 +53,8 @@ def page_content(
     ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
     departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
-    ``interpretations`` have ``name``, ``title``, ``inputs`` and ``ensemble`` of each calibrated one, ``ensemble``
-    the inputs of each member that differ from the default, ``ranges`` the first and last value of each
-    condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
+    ``ensemble`` has the inputs of each member that differ from the default, ``ranges`` the first and last value of
+    each condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
     oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
     ``usual_density`` of an oil; and the least and most of each number that a reader gives.
     """
@@ -88,7 +86,6 @@ def page_content(
             name: {**entry, **(BOUNDS[name]._asdict() if name in BOUNDS else {})}
             for name, entry in inputs.items()
         },
-        "interpretations": list(interpretations),
         "ensemble": list(ensemble),
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
@@ -149,13 +146,13 @@ def page_text(content: Mapping[str, Any]) -> str:
     """The page as self-contained HTML, from the ``content`` of ``page_content``."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
-        "style.css": _read("page/style.css"),
+        "style.css": _read("web/style.css"),
         "d3.LICENSE": _read("vendor/d3.LICENSE"),
         "d3.min.js": _read("vendor/d3.min.js"),
         "content.json": data.replace("<", "\\u003c"),
         "main.js": _one_script(FIRST),
     }
-    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("page/index.html"))
+    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("web/index.html"))
 
 
 def _one_script(first: str) -> str:
@@ -165,7 +162,7 @@ def _one_script(first: str) -> str:
     def join(name):
         if name in joined:
             return
-        text = _read(f"page/{name}")
+        text = _read(f"web/{name}")
         for _, imported in IMPORT.findall(text):
             join(imported)
         body = IMPORT.sub(r'const \1 = modules["\2"];', EXPORT.sub("", text))

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from chenhorng.figures import printed as printed_marks
 from chenhorng.figures.captions import HEADLINES, REMARKS
 from thirdbody.netcdf import PlainDataset
-from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
+from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.panels import Curve, Series
 
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
