@@ -1,8 +1,19 @@
 # Every dataset, table and figure of Chen & Horng (2024), from its equations and calibrated inputs: snakemake -c2
 
+import os
+import platform
+
+import numpy
 from snakemake.utils import min_version
 
 min_version("9.12")
+
+# Optional instructions of numpy, and the kernels of linear algebra, differ in the last bits. Without them all
+# x86-64 processors make the same files, and it takes no longer: python -m benchmarks.processors
+if platform.machine() in ("x86_64", "AMD64"):
+    OPTIONAL = numpy.show_config(mode="dicts")["SIMD Extensions"].get("found", [])
+    os.environ.setdefault("NPY_DISABLE_CPU_FEATURES", " ".join(OPTIONAL))
+    os.environ.setdefault("OPENBLAS_CORETYPE", "Prescott")
 
 
 # whether this can run here

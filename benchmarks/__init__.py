@@ -1,6 +1,5 @@
 """What users choose by: time, true error, and behaviour at extremes.
 
 ``snakemake -c2 accuracy`` runs it.  ``points``, ``accuracy``, ``extremes`` and ``oracle`` measure true errors, ``classes``
-and ``uses`` times, beside a plain solver (``baselines``).  ``targets`` has what the library should reach, and
-``compare_runs`` compares two runs of the workflow.  Only the public interface of the library is measured.
+and ``uses`` times, beside a plain solver (``baselines``).  Only the public interface of the library is measured.
 """

@@ -1,7 +1,7 @@
-"""True errors and times of the library and of plain solvers, for each ``rtol`` and class of points.
+"""True errors and times of the library and of a plain solver, for each ``rtol`` and class of points.
 
-Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``), and ``array_roots`` and
-``nested_roots`` of ``baselines``.
+Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``) and
+``nested_roots`` (``NestedRoots`` of ``baselines``).
 """
 
 import math
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import thirdbody as tb
-from benchmarks.baselines import ArrayRoots, NestedRoots
+from benchmarks.baselines import NestedRoots
 from benchmarks.classes import (
     CLASSES,
     MICROSECONDS,
@@ -39,19 +39,11 @@ def error_rows(
         for method, solve in (("library", _library), ("library_grid", _library_grid)):
             table += _error_rows_of(method, rtol, groups, partial(solve, rtol=rtol))
 
-    for method, solver in _baselines(plain).items():
+    def solve_plainly(group):
+        with _quiet():
+            return NestedRoots(plain, group.parameters).solve(**group.conditions)
 
-        def solve(group, solver=solver):
-            with _quiet():
-                return solver(group.parameters).solve(**group.conditions)
-
-        table += _error_rows_of(method, None, groups, solve)
-    return table
-
-
-def _baselines(plain):
-    """The plain solvers of given parameters, by method."""
-    return {"array_roots": ArrayRoots, "nested_roots": partial(NestedRoots, plain)}
+    return table + _error_rows_of("nested_roots", None, groups, solve_plainly)
 
 
 def _library(group, rtol):
@@ -130,8 +122,8 @@ def _time_rows_of(kind, parameters, budget, plain):
         asked = {"parameters": parameters, "rtol": rtol, "progress": False}
         runs["library", rtol] = partial(tb.solve, **drawn["library"], **asked)
         runs["library_grid", rtol] = partial(tb.grid, **axes, **asked)
-    for method, solver in _baselines(plain).items():
-        runs[method, None] = partial(solver(parameters).solve, **drawn[method])
+    solver = NestedRoots(plain, parameters)
+    runs["nested_roots", None] = partial(solver.solve, **drawn["nested_roots"])
     with _quiet():
         seconds = least_seconds(runs, budget["rounds"])
     for (method, rtol), time in seconds.items():

@@ -1,4 +1,4 @@
-"""The work-precision figure: time of a point over the largest true error, of the library and of plain solvers."""
+"""The work-precision figure: time of a point over the largest true error, of the library and of a plain solver."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -13,7 +13,6 @@ HEIGHT = 2.9  # inches
 METHODS = {  # label, form and size; where two are the same, both are seen
     "library": ("tb.solve, rtol 1e-2 to 1e-11", "o-", 3.5),
     "library_grid": ("tb.grid, rtol written at the points", "s-", 6.5),
-    "array_roots": ("find_root on arrays", "D", 5.0),
     "nested_roots": ("quad and brentq, a point at a time", "^", 5.0),
 }
 DECADES = 0.5  # of the error, within which points of the grid have one text

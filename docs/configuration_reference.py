@@ -1,62 +1,54 @@
-"""The tables of the page on the configuration, from its schemas and files."""
+"""The tables of the page on the configuration, from its classes and files."""
 
 from pathlib import Path
 
-import yaml
-
+from chenhorng.configuration.model import Configuration
 from thirdbody.core.parameters import BOUNDS
+from thirdbody.plain_yaml import read_yaml
+from thirdbody.symbols import unicode
 
-ROOT = Path(__file__).resolve().parents[1]
-CONFIG, SCHEMAS = ROOT / "config", ROOT / "src/chenhorng/configuration"
+INPUTS = Path(__file__).resolve().parents[1] / "config" / "inputs.yaml"
 LIMITS = {
     "minimum": "from {}",
-    "exclusiveMinimum": "and above {}",
+    "exclusiveMinimum": "above {}",
+    "gt": "above {}",
     "maximum": "to {}",
-    "minItems": "of {} or more",
 }
-KINDS = {"array": "list", "object": "mapping", "boolean": "true or false", "string": "text"}
+KINDS = {"object": "mapping", "boolean": "true or false", "string": "text"}
 
 
-def read(path):
-    return yaml.safe_load(path.read_text(encoding="utf-8"))
-
-
-def resolved(schema, document):
-    """A schema with what its references say, and the document in which further ones are."""
-    if not isinstance(schema.get("$ref"), str) or "#" not in schema["$ref"]:
-        return schema, document
-    file, _, pointer = schema["$ref"].partition("#")
-    document = read(SCHEMAS / file) if file else document
-    target = document
-    for key in pointer.strip("/").split("/"):
-        target = target[key]
-    target, document = resolved(target, document)
-    return target | {key: each for key, each in schema.items() if key != "$ref"}, document
+def resolved(schema, definitions):
+    """A schema with what its reference says, or the first of its choices; others are null or a file."""
+    inner = schema.get("anyOf", [{}])[0]
+    if reference := schema.get("$ref", inner.get("$ref")):
+        inner = definitions[reference.rpartition("/")[2]]
+    return inner | schema
 
 
 def allowed(schema):
     """What a value may be, in words."""
     if "allowed" in schema:
-        return str(schema["allowed"])
-    if "enum" in schema:
-        return ", ".join(map(str, schema["enum"]))
-    kind = schema.get("type", "")
-    kinds = [kind] if isinstance(kind, str) else kind
-    words = " or ".join(KINDS.get(kind, kind) for kind in kinds)
-    limits = [text.format(f"{schema[key]:g}") for key, text in LIMITS.items() if key in schema]
+        return schema["allowed"].removeprefix("0, or " if "gt" in schema else "")
+    if schema["type"] == "array":
+        least, most = (schema.get(key) for key in ("minItems", "maxItems"))
+        count = f" of {least}" if least == most else f" of {least or 0} or more"
+        inner = schema["items"]
+        return f"list{count}" + (f": {allowed(inner)}" if "maximum" in inner else "")
+    words = KINDS.get(schema["type"], schema["type"])
+    bounds = schema.keys() - ({"minimum"} if schema.keys() & {"gt", "exclusiveMinimum"} else set())
+    limits = [text.format(f"{schema[key]:g}") for key, text in LIMITS.items() if key in bounds]
     return " ".join([words, *limits])
 
 
-def keys(schema, document, place=""):
+def keys(schema, definitions, place=""):
     """Yield place, schema of each key below a schema."""
     for name, each in schema.get("properties", {}).items():
-        inner, inside = resolved(each, document)
+        inner = resolved(each, definitions)
         yield f"{place}{name}", inner
-        yield from keys(inner, inside, f"{place}{name}.")
+        yield from keys(inner, definitions, f"{place}{name}.")
     for name, marker in (("additionalProperties", ".NAME."), ("items", "[].")):
         if isinstance(schema.get(name), dict):
-            inner, inside = resolved(schema[name], document)
-            yield from keys(inner, inside, place[:-1] + marker)
+            yield from keys(resolved(schema[name], definitions), definitions, place[:-1] + marker)
 
 
 def row(*cells):
@@ -65,20 +57,22 @@ def row(*cells):
 
 def configuration():
     """A row a key of ``config/config.yaml`` and ``config/scenes.yaml``."""
-    schema = read(SCHEMAS / "config.schema.yaml")
+    schema = Configuration.model_json_schema()
     text = row("key", "what it is", "allowed") + row("---", "---", "---")
-    for place, each in keys(schema, schema):
-        text += row(f"`{place}`", each.get("description", ""), allowed(each))
+    for place, each in keys(schema, schema["$defs"]):
+        words = each.get("description") or resolved(each["items"], schema["$defs"])["description"]
+        text += row(f"`{place}`", words, allowed(each))
     return text
 
 
 def inputs():
     """A row an input of the model."""
     text = row("input", "symbol", "unit", "source", "allowed") + row(*["---"] * 5)
-    for name, entry in read(CONFIG / "inputs.yaml").items():
+    for name, entry in read_yaml(INPUTS).items():
         bounds = ", ".join(map(str, entry["allowed"])) if "allowed" in entry else BOUNDS[name]
         unit = entry.get("unit", "")
-        text += row(f"`{name}`", entry.get("symbol", ""), unit, entry["source"], bounds)
+        symbol = unicode(entry.get("symbol", ""), is_symbol=True)
+        text += row(f"`{name}`", symbol, unit, entry["source"], bounds)
     return text
 
 

@@ -2,6 +2,7 @@
 and ACDD."""
 
 import re
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -71,6 +72,13 @@ def pytest_terminal_summary(terminalreporter, config):
 def tell(pytestconfig):
     """Function that has a line printed at the end: what was counted."""
     return pytestconfig.stash[COUNTED].append
+
+
+@pytest.fixture(scope="session")
+def needs_git():
+    """Skips a test where git is not installed."""
+    if shutil.which("git") is None:
+        pytest.skip("git is not installed")
 
 
 @pytest.fixture(scope="session")

@@ -5,7 +5,7 @@
 FOLDER is an unpacked archive, by default the one that this program lies in.  Needs Python 3.11,
 numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 sums of all files first, and looks
 for missing and extra files; nothing in FOLDER is imported before they agree.  Then it
-compares the descriptions of the package and the crate with the files, and each dataset with the
+compares the descriptions of the tables and the crate with the files, and each dataset with the
 data contract and the configuration (contract.py) and with the equations of the paper at every
 point; some points are solved again from the inputs alone (plain_model.py).  Prints one line.  Exit
 code 0: whole; 1: not.
@@ -31,12 +31,14 @@ from urllib.parse import unquote
 
 HERE = Path(__file__).resolve().parent
 DIGITS = 64  # hexadecimal, of a SHA-256 sum
+METADATA = "ro-crate-metadata.json"
+TABLE_SCHEMAS = "table-schemas.json"
 BAG_DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 PROGRAMS = ("content_hash.py", "contract.py", "plain_model.py", "recompute.py", "verify.py")
-TAG_FILES = {  # everything beside data/
-    *("README.md", "bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha256.txt"),
-    *(f"verification/{name}" for name in PROGRAMS),
-}
+# of the bag itself, which the crate does not describe
+OF_BAG = {"bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha256.txt"}
+# everything beside data/
+TAG_FILES = {"README.md", METADATA, *OF_BAG, *(f"verification/{name}" for name in PROGRAMS)}
 NO_PRODUCTS = ("source", "configuration")  # what the payload holds besides products
 CONFIGURATION = "data/configuration/config.json"
 INPUTS = "data/configuration/parameters.json"
@@ -139,21 +141,15 @@ def check_declarations(folder, found, faults):
         faults.add("bag-info.txt", "gives another size of the payload")
 
 
-def check_package(data, found, faults):
-    """datapackage.json: describes every product, with its size, sum and columns."""
-    package = read_json(data / "datapackage.json")
-    described = {resource["path"]: resource for resource in package["resources"]}
-    products = {name.removeprefix("data/") for name in found if is_product(name)}
-    for path in sorted(described.keys() ^ products):
-        faults.add(f"data/{path}", "is in only one of datapackage.json and the archive")
-    for path in sorted(described.keys() & products):
-        resource = described[path]
-        if resource["hash"] != f"sha256:{found[f'data/{path}']}":
-            faults.add(f"data/{path}", "is not what datapackage.json describes")
-        if resource["bytes"] != (data / path).stat().st_size:
-            faults.add(f"data/{path}", "is not of the size that datapackage.json gives")
-        if "schema" in resource:
-            check_table(data / path, resource["schema"]["fields"], f"data/{path}", faults)
+def check_tables(data, found, faults):
+    """table-schemas.json: describes the columns of every CSV file among the products."""
+    schemas = read_json(data / TABLE_SCHEMAS)
+    products = (name.removeprefix("data/") for name in found if is_product(name))
+    tables = {path for path in products if path.endswith(".csv")}
+    for path in sorted(schemas.keys() ^ tables):
+        faults.add(f"data/{path}", f"is in only one of {TABLE_SCHEMAS} and the archive")
+    for path in sorted(schemas.keys() & tables):
+        check_table(data / path, schemas[path]["fields"], f"data/{path}", faults)
 
 
 def is_product(name):
@@ -169,7 +165,7 @@ def check_table(path, fields, name, faults):
         rows = csv.reader(iter(lambda: file.readline(LONGEST_LINE), ""))
         header = next(rows)
         if header != [field["name"] for field in fields]:
-            faults.add(name, "has other columns than datapackage.json describes")
+            faults.add(name, f"has other columns than {TABLE_SCHEMAS} describes")
         for row in rows:
             if len(row) != len(header):
                 faults.add(name, "has rows of unequal length")
@@ -178,13 +174,12 @@ def check_table(path, fields, name, faults):
                     float(row[index])
 
 
-def check_crate(data, found, faults):
-    """ro-crate-metadata.json: describes every file of the payload, and no other."""
-    graph = read_json(data / "ro-crate-metadata.json")["@graph"]
+def check_crate(folder, found, faults):
+    """ro-crate-metadata.json: describes every file but those of the bag itself, and no other."""
+    graph = read_json(folder / METADATA)["@graph"]
     described = {unquote(entity["@id"]) for entity in graph if "File" in entity["@type"]}
-    payload = {name.removeprefix("data/") for name in found if name.startswith("data/")}
-    for path in sorted(described ^ (payload - {"ro-crate-metadata.json"})):
-        faults.add(f"data/{path}", "is in only one of ro-crate-metadata.json and the archive")
+    for path in sorted(described ^ (found.keys() - OF_BAG - {METADATA})):
+        faults.add(path, f"is in only one of {METADATA} and the archive")
 
 
 def check_datasets(folder, found, count, seed, faults):
@@ -241,17 +236,16 @@ def check_packed(folder, found, faults):
     packed = packed_beside(folder)
     if sha256(packed) != record_beside(folder)["archive"]["sha256"]:
         faults.add(packed, "is not the archive that its provenance names")
-    expected = {f"{folder.name}/{name}": name for name in found}
     with zipfile.ZipFile(packed) as archive:
         members = archive.infolist()
         names = Counter(member.orig_filename for member in members)  # as unpacking programs read it
-        for name in sorted(names.keys() ^ expected.keys()):
+        for name in sorted(names.keys() ^ found.keys()):
             faults.add(packed, f"and the folder do not both hold {name}")
         for name in sorted(name for name, count in names.items() if count > 1):
             faults.add(packed, f"holds {name} more than once")
         for member in members:
-            name = expected.get(member.orig_filename)
-            if name and not is_member(archive, member, folder / name, found[name]):
+            name = member.orig_filename
+            if name in found and not is_member(archive, member, folder / name, found[name]):
                 faults.add(packed, f"holds another {name}")
 
 
@@ -281,8 +275,8 @@ def verify(folder, count, seed, packed_too=False, sums_alone=False):
         "bag-info.txt": lambda: check_declarations(folder, found, faults),
     }
     contents = {
-        "data/datapackage.json": lambda: check_package(data, found, faults),
-        "data/ro-crate-metadata.json": lambda: check_crate(data, found, faults),
+        f"data/{TABLE_SCHEMAS}": lambda: check_tables(data, found, faults),
+        METADATA: lambda: check_crate(folder, found, faults),
         "data/datasets": lambda: counted.append(check_datasets(folder, found, count, seed, faults)),
     }
     others = {}

@@ -13,10 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.core.parameters import BOUNDS, Parameters
-from thirdbody.core.transitions import LIMITS, limit_crossings
-from thirdbody.core.windows import WindowSearch
-from thirdbody.curves import Condition
 from chenhorng.claims.evidence import (
     FULL_EFFORT,
     WINDOW_DENSITY,
@@ -24,6 +20,10 @@ from chenhorng.claims.evidence import (
     Evidence,
     solve_evidence,
 )
+from thirdbody.core.parameters import BOUNDS, Parameters
+from thirdbody.core.transitions import LIMITS, limit_crossings
+from thirdbody.core.windows import WindowSearch
+from thirdbody.curves import Condition
 from thirdbody.variables import AXES
 
 # Relative change of an input, at which the errors of the difference and of the solver balance

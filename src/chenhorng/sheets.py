@@ -1,4 +1,4 @@
-"""Tables for reading, as HTML and LaTeX: one row per curve, in engineering units, beside the numbers of the paper."""
+"""Sheets: tables as people read them, in HTML and LaTeX, with the numbers of the paper beside."""
 
 import math
 import re
@@ -12,9 +12,11 @@ from statistics import fmean, median
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from thirdbody.curves import row_key
 from chenhorng.tables import TABLES
-from chenhorng.typeset import html, latex
+from thirdbody.core.film import has_film
+from thirdbody.curves import row_key
+from thirdbody.plotting.scales import ABSENT, note
+from thirdbody.symbols import html, latex, short, unicode
 from thirdbody.variables import AXES, CONDITION_AXES
 
 DIGITS = 3
@@ -36,7 +38,7 @@ CROSSINGS = {  # columns of the transitions: symbol, limit, quantity and level
 }
 NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
 ARROWS = {"rising": "↑", "falling": "↓"}
-WORDS = ("", "none", "dry")  # in columns of numbers
+WORDS = ("", "none", ABSENT["viscosity"])  # in columns of numbers
 HEADING = re.compile(r"(.+) \[(.+)\]")  # a name and its unit
 UNITS_IN_LATEX = {
     "nm": r"\nm",
@@ -89,12 +91,18 @@ class Sheet:
             return ""
         return "0" * missing if _decimals(text) else "." + "0" * missing
 
+    def html(self) -> str:
+        """The table as a self-contained HTML page."""
+        return ENVIRONMENT.get_template("sheets.html").render(sheet=self)
+
     def latex(self, label: str) -> str:
         """The table for LaTeX, with its caption and ``label``; columns of numbers are those of siunitx."""
         names = [*self.rows[0]] if self.rows else []
         numeric = {name: name in self.decimals for name in names}
         lines = [
-            " & ".join(_latex_cell(text, numeric[name]) for name, text in row.items())
+            " & ".join(
+                _latex_cell(text, numeric[name], name == "symbol") for name, text in row.items()
+            )
             for row in self.rows
         ]
         return DOCUMENT.format(
@@ -127,27 +135,19 @@ def result_name(row: Mapping) -> str:
     name = RESULTS[row["quantity"] or row["output"]].format(row["level"]).replace("%", " %")
     varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
     axis = AXES[varied[row["output"].partition("_")[0]]]
-    value = row[axis.column]
-    if axis.name == "viscosity" and value == 0.0:
-        return f"{name}, dry"
-    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.alias_unit}"
+    return f"{name}, {note(axis.name, row[axis.column])}"
 
 
-def readable(
+def sheet_of(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> Sheet:
-    """The sheet of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``, without empty
-    columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
-    sheet = READABLE[table](rows, printed, newtons_per_load)
+    """The sheet of a ``table`` of ``SHEETS`` from its ``rows`` and those of the table ``printed``,
+    without empty columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
+    sheet = SHEETS[table](rows, printed, newtons_per_load)
     if not sheet.rows:
         return replace(sheet, note="There are none.")
     names = [name for name in sheet.rows[0] if any(row[name] for row in sheet.rows)]
     return replace(sheet, rows=[{name: row[name] for name in names} for row in sheet.rows])
-
-
-def page(sheet: Sheet) -> str:
-    """A self-contained HTML page of a ``sheet``."""
-    return ENVIRONMENT.get_template("sheets.html").render(sheet=sheet)
 
 
 def _decimals(text):
@@ -155,11 +155,11 @@ def _decimals(text):
     return 0 if "e" in text else len(text.rpartition(" ")[2].partition(".")[2])
 
 
-def _latex_cell(text, numeric):
+def _latex_cell(text, numeric, is_symbol):
     """A number as siunitx reads it, or a text."""
     if numeric and NUMBER.fullmatch(text):
         return text.replace("±", r"\pm")
-    return f"{{{latex(text)}}}" if numeric and text else latex(text)
+    return f"{{{latex(text)}}}" if numeric and text else latex(text, is_symbol)
 
 
 def _latex_heading(name):
@@ -271,8 +271,8 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
             {
                 "place": row["place"].removesuffix(", section 3.3"),
                 "statement": row["statement"],
-                "printed": _short(f"{row['printed']:.4g}"),
-                "computed": "none" if row["computed"] is None else _short(f"{row['computed']:.4g}"),
+                "printed": short(f"{row['printed']:.4g}"),
+                "computed": "none" if row["computed"] is None else short(f"{row['computed']:.4g}"),
                 "deviation": f"{100.0 * row['deviation']:+.1f} %".replace("-0.0", "0.0"),
             },
         )
@@ -315,7 +315,7 @@ def _percent(fraction) -> str:
     return "" if fraction is None else f"{100.0 * fraction:.1f} %"
 
 
-READABLE: dict[str, Callable[..., Sheet]] = {
+SHEETS: dict[str, Callable[..., Sheet]] = {
     "table1": partial(_paper_table, "Table 1. Properties of the materials"),
     "table2": partial(_paper_table, "Table 2. Operating conditions"),
     "tpca_loads": _turning_points,
@@ -337,7 +337,9 @@ def _curves(rows, printed):
         figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
         cells = {"figures": figures}
         for axis in CONDITION_AXES:
-            cells[f"{axis.sign} [{axis.alias_unit}]"] = _in_unit(axis.name, some[0][axis.column])
+            cells[f"{unicode(axis.symbol)} [{axis.alias_unit}]"] = _in_unit(
+                axis.name, some[0][axis.column]
+            )
         yield cells, some, [number for number in printed if row_key(number) == key]
 
 
@@ -356,9 +358,9 @@ def _headed(
 
 
 def _in_unit(name, value) -> str:
-    if name == "viscosity" and value == 0.0:
-        return "dry"
-    return _short(f"{AXES[name].from_si(value):.6g}")
+    if name == "viscosity" and not has_film(value):
+        return ABSENT[name]
+    return short(f"{AXES[name].from_si(value):.6g}")
 
 
 def _statuses(rows) -> str:
@@ -371,12 +373,7 @@ def _range(row, name) -> str:
     """A range in a row, or a single value."""
     ends = row[f"{name}_low"], row[f"{name}_high"]
     digits = 6 if name == "printed" else 4
-    return " to ".join(_short(f"{value:.{digits}g}") for value in ends if value is not None)
-
-
-def _short(text) -> str:
-    """A number without the sign and the zero of an exponent."""
-    return re.sub(r"e\+?(-?)0*", r"e\1", text)
+    return " to ".join(short(f"{value:.{digits}g}") for value in ends if value is not None)
 
 
 ENVIRONMENT = Environment(
@@ -386,7 +383,7 @@ ENVIRONMENT = Environment(
     lstrip_blocks=True,
     undefined=StrictUndefined,
 )
-ENVIRONMENT.filters["typeset"] = lambda text: Markup(html(text))
+ENVIRONMENT.filters["typeset"] = lambda *text: Markup(html(*text))
 
 
 def _elasticity(row) -> str:

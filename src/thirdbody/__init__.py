@@ -17,13 +17,14 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 ``solve`` also takes arrays.  ``grid`` returns a dataset over five axes, ``plot`` draws it, and
 ``stream`` writes datasets larger than memory.  ``find``, ``transitions``, ``turning_point`` and
 ``turning_window`` search along an axis and return tables.  The equations and the force balance are in
-``thirdbody.core``, which needs only numpy and scipy.
+``thirdbody.core``, which imports only numpy and scipy.
 """
 
-from thirdbody.lazy import lazy_names
+import lazy_loader
 
-_NAMES, _attribute = lazy_names(__name__, __file__)
-__all__ = ["__version__", *_NAMES]
+# the names in the stub beside this file, imported on first use
+_attribute, _, _names = lazy_loader.attach_stub(__name__, __file__)
+__all__ = ["__version__", *_names]
 
 
 def __getattr__(name: str):

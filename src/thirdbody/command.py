@@ -6,140 +6,35 @@ The rest of the library is imported only to answer a question, so that ``thirdbo
 import json
 import sys
 import warnings
-from collections.abc import Mapping
+from argparse import ArgumentParser, RawDescriptionHelpFormatter
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Annotated, Any
-
-import typer
+from typing import Any
 
 from thirdbody.variables import AXES, CONDITIONS
 
 ANSWERED, NONE_FOUND, BAD_INPUT = 0, 1, 2  # exit codes
-MATERIALS = (
-    "steel, silicon-nitride, alumina, or modulus [GPa], Poisson's ratio, hardness [GPa]: 205,0.29,5"
-)
 
 
-def _option(text: str, *names: str, metavar: str = "NUMBER") -> Any:
-    """An option, called as its argument if it is given no names."""
-    return typer.Option(*names, help=text, metavar=metavar)
-
-
-def _condition(name: str, text: str, before: str = "") -> Any:
-    """The option of a condition, with its name and unit in the table of variables."""
-    axis = CONDITIONS[name]
-    return _option(f"{text} [{axis.alias_unit}]", f"--{before}{axis.alias.replace('_', '-')}")
-
-
-def _other(name: str) -> Any:
-    return _condition(name, "of the second interface", "other-")
-
-
-Load = Annotated[float | None, _condition("load", "normal load")]
-Viscosity = Annotated[
-    float | None, _condition("viscosity", "kinematic viscosity of the oil, 0 if dry")
-]
-Size = Annotated[
-    float | None, _condition("particle_diameter", "mean particle diameter x_a, 0 if none")
-]
-Roughness = Annotated[
-    float | None, _condition("roughness", "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2)")
-]
-Density = Annotated[float | None, _condition("particle_density", "particles per area, 0 if none")]
-Speed = Annotated[
-    float | None, _condition("speed", "entrainment speed; default: that of the inputs")
-]
-Along = Annotated[
-    str, _option(f"condition that varies: {', '.join(CONDITIONS)}", metavar="CONDITION")
-]
-FIRST = _option("first value, in the unit of its option", "--from")
-LAST = _option("last value, in the unit of its option", "--to")
-Inputs = Annotated[
-    str | None, _option("inputs from bearing --write; default: calibrated", metavar="FILE")
-]
-Csv = Annotated[str | None, _option("table to write, - for standard output", metavar="FILE")]
-Plot = Annotated[str | None, _option("figure to write", metavar="FILE")]
-Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
-
-app = typer.Typer(
-    add_completion=False,
-    rich_markup_mode=None,
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
-
-
-def _version(is_given: bool) -> None:
-    if is_given:
-        import thirdbody
-
-        print(f"thirdbody {thirdbody.__version__}")
-        raise typer.Exit()
-
-
-@app.callback(epilog="Exit codes: 0 answered, 1 no such value, 2 bad input.")
-def _thirdbody(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="print the version")
-    ] = False,
-) -> None:
-    """Contact of rough surfaces with hard particles and an oil film between them."""
-
-
-def _example(*lines: str) -> str:
-    """The epilog with an example."""
-    return "\b\nExample:\n  " + " \\\n    ".join(lines)  # \b: no wrapping
-
-
-@app.command(
-    epilog=_example(
-        "thirdbody state --load-N 10 --viscosity-cSt 90",
-        "--particle-diameter-nm 500 --roughness-nm 300",
-        "--particle-density-per-m2 1e11",
-    )
-)
-def state(
-    load: Load = None,
-    viscosity: Viscosity = None,
-    particle_diameter: Size = None,
-    roughness: Roughness = None,
-    particle_density: Density = None,
-    speed: Speed = None,
-    inputs: Inputs = None,
-    as_json: Json = False,
-) -> int:
+def state(inputs: str | None, as_json: bool, **interface: float | None) -> int:
     """Load sharing, contact area, regime and mode."""
     from thirdbody import answers
 
-    conditions = _conditions(locals())
-    return _show(answers.state(_parameters(inputs), conditions), as_json)
+    return _show(answers.state(_parameters(inputs), _conditions(interface)), as_json)
 
 
-@app.command(
-    epilog=_example(
-        "thirdbody transitions --along viscosity --load-N 10",
-        "--particle-diameter-nm 500 --roughness-nm 300",
-        "--particle-density-per-m2 1e11",
-    )
-)
 def transitions(
-    along: Along = "load",
-    first: Annotated[float | None, FIRST] = None,
-    last: Annotated[float | None, LAST] = None,
-    load: Load = None,
-    viscosity: Viscosity = None,
-    particle_diameter: Size = None,
-    roughness: Roughness = None,
-    particle_density: Density = None,
-    speed: Speed = None,
-    inputs: Inputs = None,
-    as_json: Json = False,
+    along: str,
+    first: float | None,
+    last: float | None,
+    inputs: str | None,
+    as_json: bool,
+    **interface: float | None,
 ) -> int:
     """Where regime or mode change along a condition."""
     from thirdbody import answers
 
-    conditions = _conditions(locals(), without=along)
+    conditions = _conditions(interface, without=along)
     axis = CONDITIONS[along]
     ends = [end if given is None else given for end, given in zip(axis.searched, (first, last))]
     between = None if first is last is None else (ends[0], ends[1])
@@ -147,100 +42,51 @@ def transitions(
     return _show(table, as_json)
 
 
-@app.command(
-    epilog=_example(
-        "thirdbody turning-point --viscosity-cSt 0",
-        "--particle-diameter-nm 300 --roughness-nm 300",
-        "--particle-density-per-m2 1e11",
-    )
-)
 def turning_point(
-    first: Annotated[float, FIRST] = 0.04,
-    last: Annotated[float, LAST] = 80.0,
-    viscosity: Viscosity = None,
-    particle_diameter: Size = None,
-    roughness: Roughness = None,
-    particle_density: Density = None,
-    speed: Speed = None,
-    inputs: Inputs = None,
-    as_json: Json = False,
+    first: float, last: float, inputs: str | None, as_json: bool, **interface: float | None
 ) -> int:
     """The load at which the contact area turns (TPCA)."""
     from thirdbody import answers
 
-    conditions = _conditions(locals(), without="load")
+    conditions = _conditions(interface, without="load")
     return _show(answers.turning_load(_parameters(inputs), conditions, (first, last)), as_json)
 
 
-@app.command(
-    epilog=_example(
-        "thirdbody curve --along viscosity --from 10 --to 150 --load-N 10",
-        "--particle-diameter-nm 500 --roughness-nm 300",
-        "--particle-density-per-m2 1e11 --csv curve.csv --plot curve.svg",
-    )
-)
 def curve(
-    along: Along,
-    first: Annotated[float, FIRST],
-    last: Annotated[float, LAST],
-    count: Annotated[int, _option("number of points")] = 60,
-    load: Load = None,
-    viscosity: Viscosity = None,
-    particle_diameter: Size = None,
-    roughness: Roughness = None,
-    particle_density: Density = None,
-    speed: Speed = None,
-    csv: Csv = None,
-    plot: Plot = None,
-    inputs: Inputs = None,
+    along: str,
+    first: float,
+    last: float,
+    count: int,
+    csv: str | None,
+    plot: str | None,
+    inputs: str | None,
+    **interface: float | None,
 ) -> int:
     """All variables along one condition, as CSV or figure."""
     from thirdbody import answers
 
-    conditions = _conditions(locals(), without=along)
-    _check_files(csv, plot)
+    conditions = _conditions(interface, without=along)
+    if csv is not None and plot is not None and Path(csv).resolve() == Path(plot).resolve():
+        raise ValueError(f"--csv and --plot are both {csv}; allowed: two files")
     alias = CONDITIONS[along].alias
     table = answers.curve(_parameters(inputs), conditions, alias, (first, last), count)
     if plot is not None:
+        from thirdbody.plotting.drawing import save_figure
         from thirdbody.plotting.plot import plot_curve
 
-        _save(plot_curve(table, alias), plot)
-    _write_csv(table, csv or "-")
+        save_figure(plot_curve(table, alias), plot)
+    _write(table.to_csv(index=False, float_format="%.10g"), csv or "-")
     return ANSWERED
 
 
-@app.command(
-    epilog=_example(
-        "thirdbody compare --load-N 10 --viscosity-cSt 90",
-        "--particle-diameter-nm 500 --roughness-nm 300",
-        "--particle-density-per-m2 1e11 --other-viscosity-cSt 120",
-    )
-)
 def compare(
-    load: Load = None,
-    viscosity: Viscosity = None,
-    particle_diameter: Size = None,
-    roughness: Roughness = None,
-    particle_density: Density = None,
-    speed: Speed = None,
-    other_load: Annotated[float | None, _other("load")] = None,
-    other_viscosity: Annotated[float | None, _other("viscosity")] = None,
-    other_particle_diameter: Annotated[float | None, _other("particle_diameter")] = None,
-    other_roughness: Annotated[float | None, _other("roughness")] = None,
-    other_particle_density: Annotated[float | None, _other("particle_density")] = None,
-    other_speed: Annotated[float | None, _other("speed")] = None,
-    other_inputs: Annotated[
-        str | None, _option("inputs of the second interface", metavar="FILE")
-    ] = None,
-    inputs: Inputs = None,
-    as_json: Json = False,
+    other_inputs: str | None, inputs: str | None, as_json: bool, **interfaces: float | None
 ) -> int:
     """Two interfaces; the second differs by --other-..."""
     from thirdbody import answers
 
-    given = locals()
-    conditions = _conditions(given)
-    changes = _by_alias({name: given[f"other_{name}"] for name in CONDITIONS})
+    conditions = _conditions(interfaces)
+    changes = _by_alias({name: interfaces[f"other_{name}"] for name in CONDITIONS})
     if not changes and other_inputs is None:
         raise ValueError(
             "--other-... is missing; allowed: one or more, as --other-viscosity-cSt 120"
@@ -252,35 +98,11 @@ def compare(
     )
 
 
-@app.command(
-    epilog=_example(
-        "thirdbody bearing --ball silicon-nitride --ball-radius-mm 5",
-        "--speed-m-per-s 2 --oil-density-kg-per-m3 850",
-        "--pressure-viscosity-per-GPa 20 --write bearing.yaml",
-    )
-)
-def bearing(
-    ball_radius_mm: Annotated[float | None, _option("radius R_x [mm]")] = None,
-    speed_m_per_s: Annotated[float | None, _option("entrainment speed (u_1 + u_2)/2 [m/s]")] = None,
-    oil_density_kg_per_m3: Annotated[float | None, _option("rho, with the speed [kg m-3]")] = None,
-    pressure_viscosity_per_GPa: Annotated[
-        float | None, _option("alpha [GPa-1]", "--pressure-viscosity-per-GPa")
-    ] = None,
-    apparent_area_mm2: Annotated[float | None, _option("A_n, nominal area of loads [mm2]")] = None,
-    ellipticity: Annotated[float | None, _option("kappa, 1 for a ball [1]")] = None,
-    ball: Annotated[str | None, _option(f"surface 1: {MATERIALS}", metavar="MATERIAL")] = None,
-    flat: Annotated[str | None, _option("surface 2", metavar="MATERIAL")] = None,
-    particle: Annotated[str | None, _option("at least as hard as both", metavar="MATERIAL")] = None,
-    inputs: Inputs = None,
-    write: Annotated[str | None, _option("file of inputs to write", metavar="FILE")] = None,
-    as_json: Json = False,
-) -> int:
+def bearing(inputs: str | None, write: str | None, as_json: bool, **changes: Any) -> int:
     """Inputs for another ball, speed, oil or material."""
     from thirdbody import bearings
 
-    given = locals()
-    changes = {name: given[name] for name in bearings.USUAL_BEARING}
-    changes |= {name: _material(given[name]) for name in bearings.BODIES}
+    changes |= {name: _material(changes[name]) for name in bearings.BODIES}
     parameters = bearings.bearing(_parameters(inputs), **changes)
     if write is not None:
         import yaml
@@ -294,28 +116,32 @@ def bearing(
     return ANSWERED
 
 
-def _conditions(arguments: Mapping[str, Any], without: str | None = None) -> dict[str, float]:
-    """The conditions among the arguments, all but one; ``ValueError`` names all that are missing.
-    The speed may be missing."""
-    if without is not None:
-        if without not in CONDITIONS:
-            raise ValueError(f"--along is {without!r}; allowed: {', '.join(CONDITIONS)}")
-        if arguments.get(without) is not None:
-            option = f"--{CONDITIONS[without].alias.replace('_', '-')}"
-            raise ValueError(f"{option} is given with --along {without}; allowed: --from and --to")
-    missing = [name for name in AXES if name != without and arguments.get(name) is None]
+# ---- what questions share
+
+
+def _conditions(
+    interface: Mapping[str, float | None], without: str | None = None
+) -> dict[str, float]:
+    """The conditions by alias, all but the one called ``without``; the speed may be missing.
+
+    ``ValueError`` names all options that are missing.
+    """
+    if without is not None and interface.get(without) is not None:
+        raise ValueError(
+            f"{_flag(without)} is given with --along {without}; allowed: --from and --to"
+        )
+    missing = [_flag(name) for name in AXES if name != without and interface[name] is None]
     if missing:
-        options = ", ".join(f"--{AXES[name].alias.replace('_', '-')}" for name in missing)
-        raise ValueError(f"missing: {options}")
-    return _by_alias(arguments)
+        raise ValueError(f"missing: {', '.join(missing)}")
+    return _by_alias(interface)
 
 
-def _by_alias(arguments: Mapping[str, Any]) -> dict[str, float]:
-    """The conditions that are given among the arguments, by their aliases."""
+def _by_alias(interface: Mapping[str, float | None]) -> dict[str, float]:
+    """The conditions that have a value, by alias."""
     return {
-        axis.alias: arguments[name]
+        axis.alias: value
         for name, axis in CONDITIONS.items()
-        if arguments.get(name) is not None
+        if (value := interface.get(name)) is not None
     }
 
 
@@ -348,16 +174,6 @@ def _show(table: Any, as_json: bool) -> int:
     return ANSWERED if table.attrs["found"] else NONE_FOUND
 
 
-def _check_files(csv: str | None, plot: str | None) -> None:
-    """Raise ``ValueError`` if a figure would replace the table."""
-    if csv is not None and plot is not None and Path(csv).resolve() == Path(plot).resolve():
-        raise ValueError(f"--csv and --plot are both {csv}; allowed: two files")
-
-
-def _write_csv(table: Any, path: str) -> None:
-    _write(table.to_csv(index=False, float_format="%.10g"), path)
-
-
 def _write(text: str, path: str) -> None:
     """Write a text to a file, or to standard output for ``-``."""
     if path == "-":
@@ -369,23 +185,165 @@ def _write(text: str, path: str) -> None:
         part.write_text(text, encoding="utf-8")
 
 
-def _save(figure: Any, path: str) -> None:
-    from thirdbody.plotting.drawing import save_figure
+# ---- options of the questions
 
-    save_figure(figure, path)
+NUMBER: dict[str, Any] = {"type": float, "metavar": "NUMBER"}
+FILE: dict[str, Any] = {"metavar": "FILE"}
+TEXTS = {
+    "load": "normal load",
+    "viscosity": "kinematic viscosity of the oil, 0 if dry",
+    "particle_diameter": "mean particle diameter x_a, 0 if none",
+    "roughness": "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2)",
+    "particle_density": "particles per area, 0 if none",
+    "speed": "entrainment speed; default: that of the inputs",
+}
+MATERIALS = (
+    "steel, silicon-nitride, alumina, or modulus [GPa], Poisson's ratio, hardness [GPa]: 205,0.29,5"
+)
+LAYER = "--particle-diameter-nm 500 --roughness-nm 300", "--particle-density-per-m2 1e11"
+
+
+def _flag(name: str) -> str:
+    """The option of a condition, with its unit."""
+    return f"--{CONDITIONS[name].alias.replace('_', '-')}"
+
+
+def _options(title: str) -> tuple[ArgumentParser, Callable]:
+    """Options that several questions share, and the method that adds one to them."""
+    shared = ArgumentParser(add_help=False)
+    return shared, shared.add_argument_group(title).add_argument
+
+
+def _add_ends(
+    question: ArgumentParser, first: float | None = None, last: float | None = None, **more: Any
+) -> None:
+    """Add the options of the ends of a range."""
+    text = "value, in the unit of its option"
+    text += "" if first is None else "; default: %(default)s"
+    question.add_argument(
+        "--from", dest="first", default=first, help=f"first {text}", **NUMBER, **more
+    )
+    question.add_argument("--to", dest="last", default=last, help=f"last {text}", **NUMBER, **more)
+
+
+def _parser() -> ArgumentParser:
+    """The parser of all questions."""
+    parser = ArgumentParser(
+        "thirdbody",
+        description="Contact of rough surfaces with hard particles and an oil film between them.",
+        epilog="Exit codes: 0 answered, 1 no such value, 2 bad input.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="store_true", help="print the version")
+    questions = parser.add_subparsers(title="questions", metavar="QUESTION")
+
+    def ask(
+        answer: Callable[..., int], *example: str, options: list[ArgumentParser]
+    ) -> ArgumentParser:
+        """Add the sub-command that a function answers."""
+        name = answer.__name__.replace("_", "-")
+        lines = " \\\n    ".join(example)
+        question = questions.add_parser(
+            name,
+            usage=f"thirdbody {name} [options]",
+            help=answer.__doc__,
+            description=answer.__doc__,
+            epilog=f"example:\n  thirdbody {name} {lines}",
+            formatter_class=RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+            parents=options,
+        )
+        question.set_defaults(answer=answer)
+        return question
+
+    interface = []
+    for name, text in TEXTS.items():
+        condition, add = _options("interface")
+        interface.append(condition)
+        add(_flag(name), dest=name, help=f"{text} [{CONDITIONS[name].alias_unit}]", **NUMBER)
+    other, add = _options("second interface, where it differs")
+    for name in TEXTS:
+        add(f"--other-{_flag(name)[2:]}", dest=f"other_{name}", **NUMBER)
+    add("--other-inputs", help="inputs from bearing --write", **FILE)
+    inputs, add = _options("inputs")
+    add("--inputs", help="inputs from bearing --write; default: calibrated", **FILE)
+    table, add = _options("answer")
+    add("--json", dest="as_json", action="store_true", help="print the answer as JSON")
+    along: dict[str, Any] = {"metavar": "CONDITION", "choices": CONDITIONS}
+    along |= {"help": f"condition that varies: {', '.join(CONDITIONS)}"}
+
+    _, *without_load = interface
+    options = [*interface, inputs, table]
+    ask(state, "--load-N 10 --viscosity-cSt 90", *LAYER, options=options)
+    question = ask(transitions, "--along viscosity --load-N 10", *LAYER, options=options)
+    question.add_argument("--along", default="load", **along)
+    _add_ends(question)
+    example = "--particle-diameter-nm 300 --roughness-nm 300", LAYER[1]
+    question = ask(
+        turning_point, "--viscosity-cSt 0", *example, options=[*without_load, inputs, table]
+    )
+    _add_ends(question, 0.04, 80.0)
+    question = ask(
+        curve,
+        "--along viscosity --from 10 --to 150 --load-N 10",
+        LAYER[0],
+        f"{LAYER[1]} --csv curve.csv --plot curve.svg",
+        options=[*interface, inputs],
+    )
+    question.add_argument("--along", required=True, **along)
+    _add_ends(question, required=True)
+    question.add_argument(
+        "--count", type=int, default=60, metavar="NUMBER", help="number of points; default: 60"
+    )
+    question.add_argument("--csv", help="table to write, - for standard output", **FILE)
+    question.add_argument("--plot", help="figure to write", **FILE)
+    ask(
+        compare,
+        "--load-N 10 --viscosity-cSt 90",
+        LAYER[0],
+        f"{LAYER[1]} --other-viscosity-cSt 120",
+        options=[*interface, other, inputs, table],
+    )
+    question = ask(
+        bearing,
+        "--ball silicon-nitride --ball-radius-mm 5",
+        "--speed-m-per-s 2 --oil-density-kg-per-m3 850",
+        "--pressure-viscosity-per-GPa 20 --write bearing.yaml",
+        options=[inputs, table],
+    )
+    for flag, text in {
+        "--ball-radius-mm": "radius R_x [mm]",
+        "--speed-m-per-s": "entrainment speed (u_1 + u_2)/2 [m/s]",
+        "--oil-density-kg-per-m3": "rho, with the speed [kg m-3]",
+        "--pressure-viscosity-per-GPa": "alpha [GPa-1]",
+        "--apparent-area-mm2": "A_n, nominal area of loads [mm2]",
+        "--ellipticity": "kappa, 1 for a ball [1]",
+    }.items():
+        question.add_argument(flag, help=text, **NUMBER)
+    question.add_argument("--ball", metavar="MATERIAL", help=f"surface 1: {MATERIALS}")
+    question.add_argument("--flat", metavar="MATERIAL", help="surface 2")
+    question.add_argument("--particle", metavar="MATERIAL", help="at least as hard as both")
+    question.add_argument("--write", help="file of inputs to write", **FILE)
+    return parser
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Answer the question of a command line, by default ``sys.argv``; returns the exit code."""
+    parser = _parser()
+    options = vars(parser.parse_args(arguments))
+    if options.pop("version"):
+        import thirdbody
+
+        print(f"thirdbody {thirdbody.__version__}")
+        return ANSWERED
+    if "answer" not in options:
+        parser.print_help(sys.stderr)
+        return BAD_INPUT
     with warnings.catch_warnings():
         warnings.simplefilter("default", UserWarning)
         warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
         try:
-            code = app(arguments, prog_name="thirdbody", standalone_mode=False)
-        except typer.TyperException as error:
-            error.show()  # type: ignore[attr-defined]  # all that typer raises have it
-            return BAD_INPUT
+            return options.pop("answer")(**options)
         except (ValueError, TypeError, OSError, ImportError) as error:
             print(f"error: {error}", file=sys.stderr)
             return BAD_INPUT
-    return code or ANSWERED

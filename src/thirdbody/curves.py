@@ -6,6 +6,8 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.core.film import has_film
+from thirdbody.core.particles import has_particles
 from thirdbody.netcdf import FILL_FLAG, Dataset
 from thirdbody.variables import AXES, CONDITION_AXES, STATUS
 
@@ -40,11 +42,11 @@ class Condition(NamedTuple):
 
     @property
     def is_dry(self) -> bool:
-        return self.viscosity == 0.0
+        return not has_film(np.asarray(self.viscosity))
 
     @property
     def is_two_body(self) -> bool:
-        return self.particle_diameter == 0.0 or self.particle_density == 0.0
+        return not has_particles(*np.array([self.particle_diameter, self.particle_density]))
 
 
 def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from itertools import product
 from math import prod
 from numbers import Integral
@@ -33,7 +33,7 @@ from thirdbody.files import atomic_write
 from thirdbody.inputs import or_calibrated
 from thirdbody.messages import format_path, format_value
 from thirdbody.netcdf import declare
-from thirdbody.progress import Progress
+from thirdbody.progress import progress_bar
 from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
 from thirdbody.version import current
 
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
+SOLIDS = "roughness", "particle_density", "particle_diameter"
 MEMBERS = "ensemble"  # attribute of grids of members: of each what differs from the best
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
@@ -69,7 +70,7 @@ def grid(
     variables : str or collection of str, optional
         Variables of ``Solution`` to compute; ``solution_status`` is always included.
     progress : bool, optional
-        Whether a long call reports its progress, as in ``solve``.
+        Whether a long call shows its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities, by any of their names in
         ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact; diameter or
@@ -179,14 +180,24 @@ def _solved_grid(
 ) -> xr.Dataset:
     """The dataset of five axes, for a ``request`` by name."""
     points = prod(axis.size for axis in axes.values())
-    with Progress(points, "points", progress) as bar:
-        if is_worthwhile(axes, rtol):
-            values = sweep(axes, parameters, rtol, names, bar.add)
-        else:
-            values = solve_points(crossed(axes), parameters, rtol, names, bar.add)
+    with progress_bar(points, progress) as bar:
+        values = _values(axes, parameters, rtol, names, bar.update)
     listed = {name: axis.tolist() for name, axis in request.items()}
     described = described_grid(axes, values, parameters, rtol, request=listed, load_key=load_key)
     return described.to_xarray().assign_attrs(software_version=current().text)
+
+
+def _values(
+    axes: Axes,
+    parameters: Parameters,
+    rtol: float,
+    names: Collection[str],
+    callback: Callable[[int], None],
+) -> dict[str, NDArray]:
+    """Variables over all ``axes``, interpolated where that is faster."""
+    if is_worthwhile(axes, rtol):
+        return sweep(axes, parameters, rtol, names, callback)
+    return solve_points(crossed(axes), parameters, rtol, names, callback)
 
 
 def stream(
@@ -201,8 +212,7 @@ def stream(
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
-    Writes the dataset that ``grid`` returns, with only one block in memory.  Every point is solved individually, also
-    at an ``rtol`` of 1e-3 or more.
+    Writes the dataset that ``grid`` returns, with only one block in memory.
 
     Parameters
     ----------
@@ -244,10 +254,7 @@ def stream(
     if "speed" in axes:
         raise ValueError("speed_m_per_s is no axis of a file; allowed: other viscosities instead")
     shape = tuple(axis.size for axis in axes.values())
-    lengths = [*shape]
-    while prod(lengths) > POINTS_PER_BLOCK:
-        longest = max(lengths)
-        lengths[lengths.index(longest)] = -(-longest // 2)
+    lengths = _block_lengths(axes)
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
     described = described_grid(axes, empty, inputs, rtol, load_key=read.keys["load"])
@@ -261,19 +268,30 @@ def stream(
             )
         with (
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
-            Progress(prod(shape), "points", progress) as bar,
+            progress_bar(prod(shape), progress) as bar,
         ):
             storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
             storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
             stored = declare(file, described, dict.fromkeys(names, storage))
+            file.software_version = current().text
             starts = [range(0, size, length) for size, length in zip(shape, lengths)]
             for corner in product(*starts):
                 block = tuple(slice(i, i + length) for i, length in zip(corner, lengths))
                 sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
-                values = solve_points(crossed(sides), inputs, rtol, names)
+                values = _values(sides, inputs, rtol, names, bar.update)
                 for name, variable in stored.items():
                     variable[block] = values[name]
-                bar.add(values[STATUS].size)
+
+
+def _block_lengths(axes: Axes) -> list[int]:
+    """Lengths of a block along the ``axes``: surfaces and particles are split before loads and
+    viscosities, at all of which ``sweep`` uses the same tables."""
+    lengths = {name: axis.size for name, axis in axes.items()}
+    while prod(lengths.values()) > POINTS_PER_BLOCK:
+        solids = [name for name in SOLIDS if lengths[name] > 1]
+        longest = max(solids or lengths, key=lengths.__getitem__)
+        lengths[longest] = -(-lengths[longest] // 2)
+    return [*lengths.values()]
 
 
 def _names(variables: str | Collection[str] | None) -> list[str]:

@@ -22,7 +22,7 @@ from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
 from thirdbody.notes import area_note
-from thirdbody.progress import Progress
+from thirdbody.progress import progress_bar
 from thirdbody.variables import ERROR_BOUND, FLAGS, QUANTITIES, with_table
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def solve(
     variables : str or collection of str, optional
         Names of the variables to keep, by default all those of ``Solution``.
     progress : bool
-        Whether a long call reports its progress on standard error.
+        Whether a long call shows its progress on a terminal, on standard error.
 
     Returns
     -------
@@ -132,11 +132,11 @@ def solve(
     sets = ensemble.members if members else (ensemble.best,)
     points = np.broadcast(*arrays.values()).size * len(sets)
     solved = []
-    with Progress(points, "points", progress) as bar:
+    with progress_bar(points, progress) as bar:
         for inputs in sets:
             loaded = read.with_load(inputs, arrays)
             solved_at = ensemble.setup.without_speed(loaded, inputs)
-            solved.append(solve_points(solved_at, inputs, rtol, names, bar.add))
+            solved.append(solve_points(solved_at, inputs, rtol, names, bar.update))
     values: dict[str, Any] = {
         name: _stacked([each[name] for each in solved], members) for name in solved[0]
     }

@@ -34,7 +34,7 @@ from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
 from thirdbody.labels import indexed
-from thirdbody.progress import Progress
+from thirdbody.progress import progress_bar
 from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
 
 LOADS = (0.04, 80.0)  # first and last [N] of Table 2
@@ -260,8 +260,8 @@ def turning_point(
         curves = inputs.setup.without_speed(queries.columns, best)
         points = {"load": loads[:, None]} | curves
         names = ["separation", "particle_contact_area_ratio"]
-        with Progress(count * queries.size, "points", progress) as bar:
-            solved = solve_points(points, best, rtol, names, bar.add)
+        with progress_bar(count * queries.size, progress) as bar:
+            solved = solve_points(points, best, rtol, names, bar.update)
         maxima = turning_points(solved["separation"], **curves, parameters=best, rtol=rtol)
         ratio = solved["particle_contact_area_ratio"]
         rise = np.fmax.reduce(ratio - np.fmin.accumulate(ratio))
@@ -413,8 +413,8 @@ def _crossings(
         scale = inputs.setup.without_speed(one, inputs.best)["viscosity"].item()
     others = inputs.setup.without_speed(others, inputs.best)
     solved = "viscosity" if axis == "speed" else axis
-    with Progress(samples.size * queries.size, "points", progress) as bar:
-        places = crossings(limits, solved, scale * samples, others, inputs.best, rtol, bar.add)
+    with progress_bar(samples.size * queries.size, progress) as bar:
+        places = crossings(limits, solved, scale * samples, others, inputs.best, rtol, bar.update)
     return places._replace(value=places.value / scale, error=places.error / scale)
 
 

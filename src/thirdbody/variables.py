@@ -36,10 +36,8 @@ class Variable:
         How to take its values.
     title : str
         What it is in headings of figures and on the page.
-    sign : str
-        Symbol as printed on the page and in legends.
-    axis : str
-        Label of its axis in figures, with mathematics of matplotlib.
+    axis_words : str
+        What stands before the symbol at its axis in figures.
     shown_unit : str
         Unit in which figures and the page show it.
     scale : float
@@ -57,8 +55,7 @@ class Variable:
     equation: str = "none"
     comment: str = ""
     title: str = ""
-    sign: str = ""
-    axis: str = ""
+    axis_words: str = ""
     shown_unit: str = ""
     scale: float = 1.0
     is_logarithmic: bool = False
@@ -127,8 +124,6 @@ AXES = _by_name(
         symbol="F_t*",
         label="dimensionless mean normal load",
         title="Dimensionless normal load",
-        sign="Fₜ*",
-        axis="$F_t^*$",
         is_logarithmic=True,
         alias="load_N",
         alias_unit="N",
@@ -142,8 +137,7 @@ AXES = _by_name(
         unit="m2 s-1",
         label="kinematic viscosity of the lubricant, 0 when dry",
         title="Viscosity",
-        sign="ν",
-        axis="Viscosity ν (cSt)",
+        axis_words="Viscosity",
         shown_unit="cSt",
         scale=1e-6,
         alias="viscosity_cSt",
@@ -158,8 +152,7 @@ AXES = _by_name(
         unit="m",
         label="mean diameter of the third particles, 0 without them",
         title="Particle diameter",
-        sign="xₐ",
-        axis="Particle diameter xₐ (nm)",
+        axis_words="Particle diameter",
         shown_unit="nm",
         scale=1e-9,
         alias="particle_diameter_nm",
@@ -174,8 +167,7 @@ AXES = _by_name(
         unit="m",
         label="equivalent root mean square surface roughness",
         title="Roughness",
-        sign="σ",
-        axis="Roughness σ (nm)",
+        axis_words="Roughness",
         shown_unit="nm",
         scale=1e-9,
         alias="roughness_nm",
@@ -190,8 +182,7 @@ AXES = _by_name(
         unit="m-2",
         label="number of particles per unit area",
         title="Particle density",
-        sign="ηₐ",
-        axis="Particle density ηₐ (m⁻²)",
+        axis_words="Particle density",
         shown_unit="m-2",
         alias="particle_density_per_m2",
         alias_unit="m-2",
@@ -207,8 +198,7 @@ SPEED = Axis(
     unit="m s-1",
     label="entrainment speed, the mean of the speeds of both surfaces",
     title="Speed",
-    sign="u",
-    axis="Entrainment speed u (m/s)",
+    axis_words="Entrainment speed",
     shown_unit="m/s",
     is_logarithmic=True,
     alias="speed_m_per_s",
@@ -228,7 +218,6 @@ QUANTITIES = _by_name(
         label="total real contact area over apparent area",
         equation="5",
         title="Real contact area",
-        axis="$A_t^*$",
         is_logarithmic=True,
     ),
     Variable(
@@ -237,7 +226,6 @@ QUANTITIES = _by_name(
         label="contact area of particles over total real contact area",
         equation="10",
         title="Contact area ratio of particles",
-        axis="$A_{sa,t}^*$",
         zones=names.CONTACT_MODE,
     ),
     Variable(
@@ -246,7 +234,6 @@ QUANTITIES = _by_name(
         label="contact area of summits over total real contact area",
         equation="10",
         title="Contact area ratio of surfaces",
-        axis="$A_{ss,t}^*$",
     ),
     Variable(
         name=names.SOLID_LOAD_FRACTION,
@@ -254,7 +241,6 @@ QUANTITIES = _by_name(
         label="fraction of the load carried by the solids",
         equation="9",
         title="Load percentage of solid",
-        axis="$L_s$ (%)",
         shown_unit="%",
         scale=0.01,
         zones=names.LUBRICATION_REGIME,
@@ -265,7 +251,6 @@ QUANTITIES = _by_name(
         label="fraction of the load carried by the fluid",
         equation="9",
         title="Load percentage of fluid",
-        axis="$L_f$ (%)",
         shown_unit="%",
         scale=0.01,
     ),
@@ -276,7 +261,6 @@ QUANTITIES = _by_name(
         label="mean separation of the two surfaces",
         equation="4",
         title="Separation",
-        axis="$d$ (nm)",
         shown_unit="nm",
         scale=1e-9,
     ),
@@ -286,8 +270,7 @@ QUANTITIES = _by_name(
         label="central film thickness over ball radius",
         equation="7",
         title="Film thickness",
-        axis="$H_c$ ($10^{-4}$)",
-        shown_unit="10⁻⁴",
+        shown_unit="1e-4",
         scale=1e-4,
     ),
 )
@@ -330,7 +313,7 @@ NORMAL_LOAD = Variable(
     label="normal load",
     equation="1",
     title="Normal load",
-    axis="Normal load $F_t$ (N)",
+    axis_words="Normal load",
     shown_unit="N",
     is_logarithmic=True,
 )
@@ -348,19 +331,16 @@ DERIVED = _by_name(
         name="total_contact_area_over_two_body",
         symbol="A_t* over dry two-body",
         title="Area over that of dry two-body contact",
-        axis="$A_t^*$ over dry two-body",
     ),
     Variable(
         name="diameter_ratio",
         symbol="x_a/sigma",
         title="Ratio of particle diameter to roughness",
-        axis=r"$x_a/\sigma$",
     ),
     Variable(
         name="turning_point_ratio",
-        symbol="A_sa,t*",
+        symbol="A_sa,t* at the turning point",
         title="Where turning points occur",
-        axis="$A_{sa,t}^*$ at the turning point",
         zones=names.CONTACT_MODE,
     ),
 )
@@ -384,7 +364,8 @@ def with_table(documented: Documented) -> Documented:
         symbol = f": {variable.symbol} [{variable.unit}]" if variable.name in QUANTITIES else ""
         variables += [f"{variable.name} : array", f"    The {variable.label}{symbol}."]
     for name, lines in (("{conditions}", conditions), ("{variables}", variables)):
-        documented.__doc__ = (documented.__doc__ or "").replace(name, "\n    ".join(lines))
+        docstring = inspect.cleandoc(documented.__doc__ or "")  # as Python 3.13 stores it
+        documented.__doc__ = docstring.replace(name, "\n".join(lines))
     if inspect.isfunction(documented):
         signature = inspect.signature(documented)
         *others, _ = signature.parameters.values()

@@ -49,37 +49,40 @@ def _of_repository() -> Version | None:
         return None
     try:
         commit, date = _git("log", "-1", "--no-show-signature", "--format=%H %cs").split()
-        is_changed = bool(_git("status", "--porcelain", "--untracked-files=no"))
-        return Version(_numbered(*_described(commit), commit, is_changed), date, commit)
+        edited = ".dirty" if _git("status", "--porcelain", "--untracked-files=no") else ""
+        return Version(_version_of(commit, edited), date, commit)
     except (OSError, subprocess.CalledProcessError, ValueError):  # no git, or no commit
         return None
 
 
-def _described(commit: str) -> tuple[str, int]:
-    """What ``git describe`` says of a commit, and the number of commits before it if there is no tag."""
+def _version_of(commit: str, edited: str) -> str:
+    """The version of a commit of the repository; one without a number if a shallow clone has no tag."""
     tags = ("--tags", "--match=v[0-9]*", "--exclude=*[!v0-9.]*")  # v0.1.0
     try:
-        return _git("describe", "--long", *tags, commit), 0
-    except subprocess.CalledProcessError:
-        return "", int(_git("rev-list", "--count", commit))
+        return _numbered(_git("describe", "--long", *tags, commit), 0, commit, edited)
+    except subprocess.CalledProcessError:  # no tag
+        if _git("rev-parse", "--is-shallow-repository") == "true":
+            return f"0+g{commit[:7]}{edited}"
+        return _numbered("", int(_git("rev-list", "--count", commit)), commit, edited)
 
 
 def _git(*arguments: str) -> str:
     # of this repository, even in a hook of another; nothing is written
     environment = {name: value for name, value in os.environ.items() if name not in ELSEWHERE}
     environment["GIT_OPTIONAL_LOCKS"] = "0"
-    command = ["git", *arguments]
+    # also where the folder is another user's: git refuses that, lest it run programs from there,
+    # but this module is itself a program from there
+    command = ["git", "-c", f"safe.directory={REPOSITORY.as_posix()}", *arguments]
     done = subprocess.run(
         command, cwd=REPOSITORY, env=environment, capture_output=True, encoding="utf-8", check=True
     )
     return done.stdout.rstrip("\n")
 
 
-def _numbered(described: str, distance: int, commit: str, is_changed: bool = False) -> str:
+def _numbered(described: str, distance: int, commit: str, edited: str = "") -> str:
     """The version of a tag, or the next minor version with the number of commits since the tag."""
     found = re.fullmatch(r"v(\d+)\.(\d+)([\d.]*?)(?:-(\d+)-g\w+)?", described)
     major, minor, rest, since = found.groups(default="0") if found else ("0", "0", "", distance)
-    if found and since == "0" and not is_changed:
+    if found and since == "0" and not edited:
         return f"{major}.{minor}{rest}"
-    edited = ".dirty" if is_changed else ""
     return f"{major}.{int(minor) + 1}.0.dev{since}+g{commit[:7]}{edited}"

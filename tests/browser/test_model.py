@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from chenhorng.home import config_directory
+from chenhorng.tables import TABLES, read_csv
 from thirdbody.core.parameters import BOUNDS, WORDS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
-from chenhorng.tables import TABLES, read_csv
-from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.points import solve
 from thirdbody.variables import CONDITION_AXES, QUANTITIES

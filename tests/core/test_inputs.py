@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 import yaml
 
-from thirdbody.core.parameters import Parameters
-from thirdbody.bearings import bearing
-from thirdbody.inputs import CALIBRATED_FILE, load_parameters
 from chenhorng.home import config_directory
+from thirdbody.bearings import bearing
+from thirdbody.core.parameters import Parameters
+from thirdbody.inputs import CALIBRATED_FILE, load_parameters
 from thirdbody.plain_yaml import read_yaml
 
 CALIBRATED = config_directory() / "calibrated"

@@ -13,12 +13,12 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from benchmarks.points import parameters_on_one_surface
+from chenhorng.configuration.settings import workflow_settings
+from chenhorng.home import config_directory
 from thirdbody.attributes import model_attribute
 from thirdbody.command import BAD_INPUT, main
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters, mccool_summits
 from thirdbody.messages import format_value
-from chenhorng.configuration.settings import workflow_settings
-from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]

@@ -10,7 +10,7 @@ import xarray as xr
 import thirdbody as tb
 from thirdbody.plotting.drawing import FORMATS, save_figure
 from thirdbody.plotting.plot import plot_curve
-from thirdbody.plotting.scales import SCALES
+from thirdbody.plotting.scales import SCALES, axis_label
 from thirdbody.variables import AXES as CONDITIONS
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -37,7 +37,7 @@ def grid(parameters):
 
 def panels(figure):
     """The variable of each panel, by its axis."""
-    names = {variable.axis: name for name, variable in SCALES.items()}
+    names = {axis_label(name): name for name in SCALES}
     return [names[panel.get_ylabel()] for panel in figure.axes]
 
 
@@ -173,9 +173,9 @@ def test_a_load_in_newtons_is_drawn_in_newtons(grid):
     found = tb.solve(load_N=loads, **rest, particle_density_per_m2=1e11)
     for figure in (tb.plot(found), tb.plot(found.to_dataset(), over="load_N")):
         for axes in figure.axes:
-            assert axes.get_xlabel() == SCALES["normal_load"].axis
+            assert axes.get_xlabel() == axis_label("normal_load")
             np.testing.assert_allclose(axes.lines[0].get_xdata(), loads)
-    assert tb.plot(found, over="load").axes[0].get_xlabel() == SCALES["load"].axis
+    assert tb.plot(found, over="load").axes[0].get_xlabel() == axis_label("load")
     with pytest.raises(ValueError, match="nothing to draw"):
         tb.plot(found.to_dataset().drop_vars("normal_load"), over="load_N")
 
@@ -192,9 +192,9 @@ def test_a_grid_of_loads_in_newtons_is_drawn_in_newtons(tmp_path):
         tb.solve(**rest).to_dataset(),
     ):
         axes = tb.plot(given).axes[0]
-        assert axes.get_xlabel() == SCALES["normal_load"].axis
+        assert axes.get_xlabel() == axis_label("normal_load")
         np.testing.assert_allclose(axes.lines[0].get_xdata()[[0, -1]], [1.0, 5.0])
-    assert tb.plot(data, over="load").axes[0].get_xlabel() == SCALES["load"].axis
+    assert tb.plot(data, over="load").axes[0].get_xlabel() == axis_label("load")
 
 
 @pytest.mark.parametrize(("along", "unit"), [("load_N", 1.0), ("viscosity_cSt", 1e-6)])
@@ -267,7 +267,7 @@ def test_a_stribeck_curve_is_drawn_over_the_speed():
     speeds = np.geomspace(0.1, 20.0, 12)
     solution = tb.solve(load_N=10, viscosity_cSt=90, speed_m_per_s=speeds, **layer)
     axes = tb.plot(solution, variables="solid_load_fraction").axes[0]
-    assert "u (m/s)" in axes.get_xlabel() and axes.get_xscale() == "log"
+    assert "$u$ (m/s)" in axes.get_xlabel() and axes.get_xscale() == "log"
     x, y = axes.lines[0].get_data()
     np.testing.assert_allclose(x, speeds)
     np.testing.assert_allclose(y, solution.solid_load_fraction)

@@ -1,14 +1,13 @@
-"""Long calls say how far they have come, on a terminal and in a log; short ones nothing."""
+"""Long calls show a bar on a terminal, and nothing elsewhere; short calls show nothing."""
 
 import io
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import thirdbody as tb
 from thirdbody import progress
-from thirdbody.progress import Progress
+from thirdbody.progress import progress_bar
 
 AXES = {
     "load": np.geomspace(1e-6, 1e-3, 30),
@@ -24,73 +23,43 @@ class Terminal(io.StringIO):
         return True
 
 
-@pytest.fixture
-def clock(monkeypatch):
-    """List of times, the last of which it is."""
-    times = [0.0]
-    monkeypatch.setattr(progress, "monotonic", lambda: times[-1])
-    return times
+def given_to(monkeypatch, stream, is_shown=True):
+    """What the standard error ``stream`` gets of a bar."""
+    monkeypatch.setattr("sys.stderr", stream)
+    with progress_bar(2000, is_shown) as bar:
+        for _ in range(4):
+            bar.update(500)
+    return stream and stream.getvalue()
 
 
-@pytest.fixture(params=[Terminal, io.StringIO], ids=["terminal", "log"])
-def stream(request, monkeypatch):
-    """The standard error stream, for which every call is long."""
-    stream = request.param()
-    # pytest takes the true one
-    monkeypatch.setattr(progress, "sys", SimpleNamespace(stderr=stream))
-    for name in ("FIRST_BAR", "NEXT_BAR", "LINE"):
-        monkeypatch.setattr(progress, name, 0.0)
-    return stream
+def test_a_terminal_shows_a_bar_that_counts_all_points(monkeypatch):
+    monkeypatch.setattr(progress, "FIRST", 0.0)
+    *_, last = given_to(monkeypatch, Terminal()).split("\r")
+    assert last.startswith("100%|") and last.endswith("points/s]\n")
+    assert "2.00k/2.00k" in last
 
 
-def test_what_is_over_soon_or_not_to_be_shown_says_nothing(clock, monkeypatch):
-    terminal = Terminal()
-    for stream, seconds, is_shown in [
-        (terminal, 1, True),
-        (terminal, 1000, False),
-        (None, 9, True),
-    ]:
-        monkeypatch.setattr("sys.stderr", stream)  # None without a console
-        with Progress(1, "points", is_shown) as shown:
-            clock.append(clock[-1] + seconds)
-            shown.add(1)
-    assert terminal.getvalue() == ""
+def test_a_short_call_a_log_and_a_call_without_progress_show_nothing(monkeypatch):
+    assert given_to(monkeypatch, Terminal()) == ""  # over before a bar is due
+    monkeypatch.setattr(progress, "FIRST", 0.0)
+    assert given_to(monkeypatch, io.StringIO()) == ""
+    assert given_to(monkeypatch, Terminal(), is_shown=False) == ""
+    assert given_to(monkeypatch, None) is None  # without a console
 
 
 @pytest.mark.parametrize("call", ["grid", "stream", "find", "transitions", "turning_point"])
-def test_long_calls_say_how_far_they_are_unless_told_not_to(stream, parameters, call, tmp_path):
-    given = {name: values for name, values in AXES.items() if name != "load"}
+def test_long_calls_show_it_unless_told_not_to(monkeypatch, parameters, call, tmp_path):
+    others = {name: values for name, values in AXES.items() if name != "load"}
     arguments = {
         "grid": ((), AXES),
         "stream": ((tmp_path / "grid.nc",), AXES),
-        "find": (("solid_load_fraction", 0.9, "load"), dict.fromkeys(given, 1e-7)),
-        "transitions": (("load",), dict.fromkeys(given, 1e-7)),
-        "turning_point": ((), dict.fromkeys(given, 1e-7)),
+        "find": (("solid_load_fraction", 0.9, "load"), dict.fromkeys(others, 1e-7)),
+        "transitions": (("load",), dict.fromkeys(others, 1e-7)),
+        "turning_point": ((), dict.fromkeys(others, 1e-7)),
     }
-    place, axes = arguments[call]
-    for shown in (False, True):
-        getattr(tb, call)(*place, **axes, parameters=parameters, progress=shown)
-        assert ("100% of" in stream.getvalue()) == shown
-
-
-def shown_by(stream, clock, monkeypatch, total, seconds):
-    """What a stream gets of a call that reports four times."""
-    monkeypatch.setattr("sys.stderr", stream)
-    with Progress(total, "points", True) as shown:
-        for clock[:] in ([each] for each in seconds):
-            shown.add(total // 4)
-    return stream.getvalue()
-
-
-def test_a_terminal_shows_one_bar_that_grows_and_a_log_gets_lines(clock, monkeypatch):
-    bar = shown_by(Terminal(), clock, monkeypatch, 2000, (1.0, 4.0, 4.1, 8.0))
-    first, second, last = bar.split("\r")[1:]
-    assert first.startswith(f"[{'#' * 15}{' ' * 15}]  50% of 2,000 points, 4 s, about 4 s left")
-    assert second.startswith(f"[{'#' * 30}] 100% of 2,000 points, 8 s\x1b")
-    assert last == f"{second}\n"
-    clock[:] = [0.0]
-    log = shown_by(io.StringIO(), clock, monkeypatch, 400, (20.0, 40.0, 50.0, 80.0))
-    assert log.splitlines() == [
-        " 50% of 400 points, 40 s, about 40 s left",
-        "100% of 400 points, 80 s",
-    ]
+    positional, conditions = arguments[call]
+    monkeypatch.setattr(progress, "FIRST", 0.0)
+    monkeypatch.setattr("sys.stderr", Terminal())
+    for is_shown in (False, True):
+        getattr(tb, call)(*positional, **conditions, parameters=parameters, progress=is_shown)
+        assert ("100%" in progress.sys.stderr.getvalue()) == is_shown

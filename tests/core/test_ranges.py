@@ -13,9 +13,9 @@ from methods import ENGINEERING
 
 import thirdbody as tb
 from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, shares_within
+from chenhorng.home import config_directory
 from thirdbody.core.parameters import WORDS
 from thirdbody.ensembles import BELONGS_TO, CALIBRATED, ENDS, Ensemble
-from chenhorng.home import config_directory
 from thirdbody.plain_yaml import read_yaml
 
 CALIBRATED_FILE = config_directory() / "calibrated" / "half_free.yaml"

@@ -8,6 +8,7 @@ import xarray as xr
 import thirdbody as tb
 from thirdbody import grids
 from thirdbody.core.solve import solve_points
+from thirdbody.core.sweep import sweep
 from thirdbody.netcdf import read_plain
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -35,6 +36,35 @@ def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, 
         np.testing.assert_allclose(streamed[name].values, expected.values, rtol=1e-12, err_msg=name)
         for attribute in expected.attrs:
             assert np.all(streamed[name].attrs[attribute] == expected.attrs[attribute])
+
+
+@pytest.mark.parametrize("points", [600, 3000, 10**6])
+def test_at_three_digits_it_is_interpolated_as_the_grid_is(
+    parameters, tmp_path, monkeypatch, points
+):
+    axes = AXES | {"load": np.geomspace(1e-6, 1e-3, 50)}
+    axes |= {"viscosity": np.append(0.0, np.geomspace(2e-6, 1.5e-4, 10))}
+    swept = []
+
+    def counted(sides, *more):
+        swept.append(np.prod([side.size for side in sides.values()]))
+        return sweep(sides, *more)
+
+    monkeypatch.setattr(grids, "POINTS_PER_BLOCK", points)
+    monkeypatch.setattr(grids, "sweep", counted)
+    tb.stream(tmp_path / "grid.nc", **axes, parameters=parameters, rtol=1e-3)
+    streamed = xr.load_dataset(tmp_path / "grid.nc")
+    assert sum(swept) == streamed["separation"].size and max(swept) <= points
+    grid = tb.grid(**axes, parameters=parameters, rtol=1e-3)
+    solution = tb.solve(**grids.crossed(axes), parameters=parameters)
+    np.testing.assert_array_equal(streamed["solution_status"], grid["solution_status"])
+    for name in ("lubrication_regime", "contact_mode"):  # may differ next to a limit
+        assert (streamed[name] != grid[name]).mean() < 1e-3
+    assert ((streamed["error_bound"] >= 0.0) & (streamed["error_bound"] <= 1e-3)).all()
+    assert streamed["error_bound"].attrs == grid["error_bound"].attrs
+    for name in ("separation", "solid_load_fraction", "particle_contact_area_ratio"):
+        for expected in (grid[name].values, solution.variables[name]):
+            np.testing.assert_allclose(streamed[name], expected, rtol=1e-3, err_msg=name)
 
 
 def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):

@@ -43,3 +43,16 @@ def test_type_checkers_know_each_condition_and_each_variable():
     shown = inspect.signature(tb.solve).parameters
     assert names < shown.keys()
     assert {shown[name].annotation for name in names} == {"ArrayLike | None"}
+
+
+@pytest.mark.parametrize(
+    ("condition", "is_dry", "is_two_body"),
+    [
+        (Condition(90e-6, 3e-7, 3e-7, 1e11), False, False),
+        (Condition(0.0, 3e-7, 3e-7, 1e11), True, False),
+        (Condition(90e-6, 0.0, 3e-7, 1e11), False, True),
+        (Condition(0.0, 3e-7, 3e-7, 0.0), True, True),
+    ],
+)
+def test_a_condition_is_dry_or_two_body(condition, is_dry, is_two_body):
+    assert (condition.is_dry, condition.is_two_body) == (is_dry, is_two_body)

@@ -5,9 +5,8 @@ from pathlib import Path
 
 import matplotlib.style
 import pytest
-from small_release import make_release
+from small_release import make_release, this_release
 
-from chenhorng.archive.citation import Release
 from thirdbody.plotting.drawing import STYLE
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,4 +32,4 @@ def built(tmp_path_factory):
 @pytest.fixture(scope="session")
 def release():
     """The name, version and date of this release."""
-    return Release.of(ROOT / "pyproject.toml", ROOT / "CITATION.cff")
+    return this_release(ROOT)

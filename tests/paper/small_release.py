@@ -8,11 +8,11 @@ import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.netcdf import write_dataset
 from chenhorng.archive.citation import Release, software_versions
 from chenhorng.archive.staging import pack, stage
 from chenhorng.scenes import scene_dataset
 from chenhorng.tables import DRAWN_POINTS, TABLES, write_csv
+from thirdbody.netcdf import write_dataset
 
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {
@@ -68,16 +68,23 @@ def make_products(folder):
     return products
 
 
+def this_release(root="."):
+    """This release; without git, a date and a commit stand in for those that nobody knows."""
+    release = Release.of(Path(root, "pyproject.toml"), Path(root, "CITATION.cff"))
+    citation = {"date-released": "2024-01-01", "commit": 40 * "0"} | release.citation
+    return dataclasses.replace(release, date=citation["date-released"], citation=citation)
+
+
 def make_release(folder):
     """The folder of a release and its archive file below ``folder``; the path of the former."""
-    release = Release.of("pyproject.toml", "CITATION.cff")
+    release = this_release()
     products = make_products(folder / "results")
     parameters = dataclasses.asdict(tb.load_parameters().best)
     settings = {"config": CONFIG, "parameters": parameters}
     software = software_versions("pyproject.toml")
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
-    stage(place, products, [*SOURCES, *programs], settings, software, release, {})
+    stage(place, products, [*SOURCES, *programs], settings, software, release)
     pack(place, folder / f"{release.full_name}.zip", release.date)
     return place
 

@@ -9,10 +9,10 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
-from thirdbody.curves import Condition
-from thirdbody.netcdf import FILL_FLAG, read_plain, write_dataset
 from chenhorng.bands import BAND_RTOL, band
 from chenhorng.scenes import scene_dataset
+from thirdbody.curves import Condition
+from thirdbody.netcdf import FILL_FLAG, read_plain, write_dataset
 from thirdbody.points import solve
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 

@@ -9,7 +9,6 @@ import pytest
 import yaml
 from numpy.testing import assert_allclose
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.calibration.calibration import (
     Interpretation,
     Objective,
@@ -45,6 +44,7 @@ from chenhorng.claims.judge import Judge
 from chenhorng.claims.kinds import Value, Window
 from chenhorng.configuration.inputs import uncalibrated_values
 from chenhorng.tables import TABLES
+from thirdbody.core.parameters import Parameters
 from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"

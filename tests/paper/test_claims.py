@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import yaml
 
-from thirdbody.core.turning_points import PROMINENCE, TurningPoints
 from chenhorng.claims import claims
 from chenhorng.claims.claim import CONDITION_KEYS, MISSING_SCORE
 from chenhorng.claims.evidence import FULL_EFFORT, curve_of
 from chenhorng.claims.kinds import KINDS
+from thirdbody.core.turning_points import PROMINENCE, TurningPoints
 from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"

@@ -12,10 +12,10 @@ from numpy.testing import assert_allclose
 from small_release import KEYS
 
 import thirdbody as tb
+from chenhorng.scenes import scene_dataset, scene_groups
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.grids import crossed
 from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, read_plain, write_dataset
-from chenhorng.scenes import scene_dataset, scene_groups
 from thirdbody.variables import FLAGS, NUMBERS
 
 ROOT = Path(__file__).parents[2]

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from chenhorng.claims.claims import load_claims
-from chenhorng.page import page as building
-from chenhorng.page.page import figure_content, page_text, plain_text
 from chenhorng.home import config_directory
+from chenhorng.page import build as building
+from chenhorng.page.build import figure_content, page_text, plain_text
 
 HERE = Path(building.__file__).parent
 SOME, OTHER = {"viscosity": 9e-5, "roughness": 3e-7}, {"viscosity": 0.0, "roughness": 3e-7}
@@ -49,6 +49,6 @@ def test_the_charting_library_is_the_one_that_is_named():
     library = (HERE / "vendor" / "d3.min.js").read_bytes()
     assert hashlib.sha256(library).hexdigest() in notice
     version = re.search(rb"d3js\.org v([\d.]+)", library)[1].decode()
-    makefile = (HERE.parents[3] / "Makefile").read_text(encoding="utf-8")
+    makefile = (HERE.parents[2] / "Makefile").read_text(encoding="utf-8")
     assert f"version {version}" in notice and f"D3 := {version}\n" in makefile
-    assert f"D3 {version}" in (HERE / "page" / "index.html").read_text(encoding="utf-8")
+    assert f"D3 {version}" in (HERE / "web" / "index.html").read_text(encoding="utf-8")

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
+from chenhorng.extraction import tpca_rows, transition_rows
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.curves import Condition
-from chenhorng.extraction import tpca_rows, transition_rows
 from thirdbody.variables import CONDITION_AXES
 
 AXES = {

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from thirdbody.files import digest, unreadable
 from chenhorng.job_log import job, logged, require_as_made
+from thirdbody.files import digest, unreadable
 
 
 def test_what_is_printed_goes_to_the_log_in_utf_8(tmp_path, capsys, monkeypatch):

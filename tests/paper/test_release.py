@@ -1,5 +1,6 @@
 """A release: valid in each of its formats, and the same bytes wherever it is made."""
 
+import dataclasses
 import filecmp
 import json
 import os
@@ -7,13 +8,13 @@ import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from html import unescape
 from importlib.resources import files
 from pathlib import Path
 from types import SimpleNamespace
 
 import bagit
-import frictionless
 import jsonschema
 import netCDF4
 import pytest
@@ -24,9 +25,10 @@ from rocrate_validator.services import ValidationSettings, validate
 from rocrate_validator.utils.http import HttpRequester
 from small_release import SCENES
 
+from chenhorng.archive.crate import METADATA, OF_BAG, WORKFLOW
 from chenhorng.archive.descriptions import describe_content, schema_of
-from chenhorng.archive.files import files_in, render, source_files
-from chenhorng.tables import TABLES, write_csv
+from chenhorng.archive.files import files_in, render, render_json, source_files
+from chenhorng.tables import DRAWN_POINTS, TABLES, table_schema, write_csv
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "tests" / "schemas"
@@ -50,16 +52,17 @@ def test_bag_is_valid(built):
     bagit.Bag(str(built)).validate()
 
 
-def test_data_package_is_valid_and_holds_every_product(built):
-    report = frictionless.validate(str(built / "data" / "datapackage.json"))
-    assert report.valid, report.flatten(["title", "message"])
-    package = read_json(built / "data" / "datapackage.json")
-    described = {resource["path"] for resource in package["resources"]}
-    assert described == {
-        name for kind in KINDS for name in files_in(built / "data" / kind, built / "data")
+def test_each_table_has_its_schema_once(built):
+    schemas = read_json(built / "data" / "table-schemas.json")
+    assert schemas == {
+        "figures/fig03.csv": table_schema(DRAWN_POINTS),
+        "tables/tpca_windows.csv": table_schema(TABLES["tpca_windows"]),
     }
-    tables = [one for one in package["resources"] if one["type"] == "table"]
-    assert {one["path"] for one in tables} == {"tables/tpca_windows.csv", "figures/fig03.csv"}
+    field = {"name": "diameter_over_roughness", "type": "number"}
+    (found,) = (
+        f for f in schemas["tables/tpca_windows.csv"]["fields"] if f["name"] == field["name"]
+    )
+    assert field.items() <= found.items() and found["description"].endswith(" [1]")
 
 
 def test_a_table_that_nothing_describes_is_refused(tmp_path):
@@ -93,22 +96,41 @@ def terms():
 
 
 @pytest.mark.filterwarnings("ignore:ConjunctiveGraph:DeprecationWarning")
-def test_crate_is_valid(built, terms, monkeypatch):
+@pytest.mark.parametrize("profile", ["ro-crate-1.1", "workflow-ro-crate-1.0"])
+def test_crate_is_valid(built, terms, monkeypatch, profile):
     answer = SimpleNamespace(status_code=200, headers={"Content-Type": "application/ld+json"})
     answer.json = lambda: terms
     monkeypatch.setattr(HttpRequester, "get", lambda *_, **__: answer, raising=False)
     found = validate(
         ValidationSettings(
-            rocrate_uri=str(built / "data"),
-            profile_identifier="ro-crate-1.1",
+            rocrate_uri=str(built),
+            profile_identifier=profile,
             requirement_severity=Severity.REQUIRED,
         )
     )
     assert found.passed(), [issue.message for issue in found.get_issues()]
 
 
+def test_crate_describes_each_file_and_a_workflow_that_others_can_import(built):
+    graph = {entity["@id"]: entity for entity in read_json(built / METADATA)["@graph"]}
+    described = {name for name, entity in graph.items() if "File" in entity["@type"]}
+    assert described == set(files_in(built, built)) - {METADATA, *OF_BAG}
+    profiles = {profile["@id"] for profile in graph[METADATA]["conformsTo"]}
+    assert profiles == {
+        "https://w3id.org/ro/crate/1.1",
+        "https://w3id.org/workflowhub/workflow-ro-crate/1.0",
+    }
+    assert graph["README.md"]["encodingFormat"] == "text/markdown"
+    assert graph["./"]["mainEntity"] == {"@id": WORKFLOW}
+    workflow = graph[WORKFLOW]
+    assert {"File", "SoftwareSourceCode", "ComputationalWorkflow"} == set(workflow["@type"])
+    assert graph[workflow["programmingLanguage"]["@id"]]["name"] == "Snakemake"
+    with zipfile.ZipFile(built.with_name(f"{built.name}.zip")) as packed:
+        assert {METADATA, WORKFLOW} <= set(packed.namelist())
+
+
 def test_every_reference_in_the_crate_leads_somewhere(built):
-    graph = read_json(built / "data" / "ro-crate-metadata.json")["@graph"]
+    graph = read_json(built / METADATA)["@graph"]
     known = {entity["@id"] for entity in graph}
     assert len(known) == len(graph)
     references = re.findall(r'\{"@id": "([^"]+)"\}', json.dumps(graph))
@@ -123,22 +145,33 @@ def test_citation_is_valid(built, place):
     jsonschema.Draft7Validator(schema).validate(content)
 
 
-def test_zenodo_and_codecheck_describe_the_same_release(built, release):
-    zenodo = read_json(built / "data" / "zenodo.json")["metadata"]
-    required = {"upload_type", "title", "creators", "description", "publication_date"}
-    assert required | {"access_right", "license"} <= zenodo.keys()
-    assert zenodo["version"] == release.version
-    assert zenodo["publication_date"] == release.date
-    assert [one["name"] for one in zenodo["creators"]] == [
-        author["name"] for author in release.citation["authors"]
+def test_codemeta_says_what_the_citation_says(built, release):
+    described = read_json(built / "data" / "codemeta.json")
+    assert (described["@context"], described["@type"]) == (
+        "https://w3id.org/codemeta/3.0",
+        "SoftwareSourceCode",
+    )
+    assert (described["version"], described["datePublished"]) == (release.version, release.date)
+    assert described["author"] == [
+        {"@type": "Organization", "name": author["name"]} for author in release.citation["authors"]
     ]
+    assert described["codeRepository"] == release.citation["repository-code"]
+    assert described["referencePublication"]["@id"] == release.paper_url
     assert not (ROOT / ".zenodo.json").exists(), "Zenodo would ignore CITATION.cff"
-    codecheck = yaml.safe_load((ROOT / "codecheck.yml").read_text(encoding="utf-8"))
-    assert codecheck["source"] == release.citation["title"]
-    assert codecheck["paper"]["reference"] == release.paper_url
 
 
-def test_sources_are_what_git_tracks(tmp_path, monkeypatch):
+def test_persons_are_authors_by_their_names(release):
+    cited = release.citation | {"authors": [{"given-names": "Ada", "family-names": "Byron"}]}
+    by_a_person = dataclasses.replace(release, citation=cited)
+    assert by_a_person.authors == ["Ada Byron"]
+    described = render_json("codemeta.json", release=by_a_person)
+    assert described["author"] == [{"@type": "Person", "name": "Ada Byron"}]
+    assert "Source-Organization: Ada Byron\n" in render(
+        "bag-info.txt", release=by_a_person, oxum="1.1"
+    )
+
+
+def test_sources_are_what_git_tracks(tmp_path, monkeypatch, needs_git):
     monkeypatch.chdir(tmp_path)
     for name in ("tracked.py", "new.py", "results/made.csv", ".gitignore", "docs/own name é.md"):
         (tmp_path / name).parent.mkdir(exist_ok=True)

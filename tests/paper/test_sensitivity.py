@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.core.transitions import LIMITS
 from chenhorng.claims.evidence import FULL_EFFORT, solve_evidence
 from chenhorng.figures.sensitivity import LEAST, NUMBERS, plot
 from chenhorng.sensitivity import (
@@ -19,6 +18,7 @@ from chenhorng.sensitivity import (
     varied_inputs,
 )
 from chenhorng.tables import TABLES, read_csv, write_csv
+from thirdbody.core.transitions import LIMITS
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.points import solve
 

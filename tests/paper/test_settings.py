@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 import yaml
 
+from chenhorng.configuration.settings import read_settings, workflow_settings
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
 from thirdbody.inputs import load_parameters
-from chenhorng.configuration.settings import read_settings, workflow_settings
 from thirdbody.plain_yaml import read_yaml
 
 ROOT = Path(__file__).parents[2]

@@ -10,7 +10,7 @@ from chenhorng.claims import words
 from chenhorng.claims.claims import load_claims
 from chenhorng.figures import claims
 from chenhorng.places import part_of_paper
-from chenhorng.typeset import mathtext
+from thirdbody.symbols import mathtext
 
 pytestmark = pytest.mark.usefixtures("style")
 

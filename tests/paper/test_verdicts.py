@@ -21,8 +21,8 @@ from chenhorng.claims.judge import Judge, count_once
 from chenhorng.claims.kinds import Value
 from chenhorng.claims.verdicts import claims_html, claims_json, claims_markdown
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
-from chenhorng.tables import TABLES
 from chenhorng.home import config_directory
+from chenhorng.tables import TABLES
 from thirdbody.plain_yaml import read_yaml
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
@@ -33,7 +33,7 @@ BEYOND = Verdict("> 2", 0.0, 1.0, (2.0,), tested=False)
 WORDY = Verdict("boundary", 0.0, 0.0)
 
 
-def claim(name, loads=(), published=None, **fields):
+def claim(name, loads=(), published=3.0, **fields):
     fields |= {"conditions": {"viscosity_cSt": 0, "roughness_nm": 300, **dict(loads)}}
     fields |= {"tolerance": 0.1, "tolerance_kind": "absolute", "reason": "reason", "kind": "value"}
     fields |= {"place": "Figure 4A", "statement": "statement", "quote": "", "published": published}
@@ -195,7 +195,8 @@ def test_everything_is_judged_by_the_real_model(parameters, some):
     name = content["interpretation"]
     settings = SETTINGS | {"interpretations": {name: {"fixed": {}}}}
     judge = Judge(some, parameters.as_dict(), SETTINGS["newtons"])
-    found = verdicts.Report.of(judge, content, [content], settings)
+    default = {"inputs": inputs, "ensemble": []}
+    found = verdicts.Report.of(judge, content, [content], settings, **default)
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
     number = f"{found.verdicts[DRY].value:.4g}"
     assert number in found.verdicts[DRY].finding and "3.27e-06" in found.verdicts[DRY].finding
@@ -209,6 +210,18 @@ def test_everything_is_judged_by_the_real_model(parameters, some):
     assert (row["above_least"], row["standard_error"], row["equal"]) == (0.0, 0.0, True)
     deviation = found.verdicts[DRY].value / 3.27e-6 - 1.0
     assert row["mean_deviation"] == pytest.approx(abs(deviation))
+    # what the search said of its inputs is not said of others
+    changed = default | {"inputs": inputs | {"spread_ratio": 0.9 * inputs["spread_ratio"]}}
+    other = verdicts.Report.of(judge, content, [content], settings, **changed)
+    assert other.table["predicted"].tolist() == ["", ""]
+    told = json.loads(claims_json(other))
+    assert (told["predicted"], told["predicted_of"], told["identification"]) == (0, 0, {})
+    assert told["inputs"]["spread_ratio"] == changed["inputs"]["spread_ratio"]
+    assert json.loads(claims_json(found))["identification"]
+    pages = [claims_markdown(each) for each in (found, other)]
+    assert [page.count("hold when their figure was not used") for page in pages] == [1, 0]
+    assert [page.count("## The inputs that it took") for page in pages] == [1, 0]
+    assert "No cross-validation has been run for these inputs." in pages[1]
 
 
 def test_departures_are_taken_back_one_by_one(defaults, some):

@@ -20,13 +20,13 @@ import pytest
 import small_release
 
 import thirdbody as tb
-from thirdbody.files import digest
-from thirdbody.netcdf import write_dataset
-from chenhorng.archive.crate import crate
-from chenhorng.archive.descriptions import data_package
+from chenhorng.archive.crate import METADATA, crate
+from chenhorng.archive.descriptions import table_schemas
 from chenhorng.archive.files import files_in, write_json
 from chenhorng.archive.staging import pack, seal
 from chenhorng.scenes import scene_dataset
+from thirdbody.files import digest
+from thirdbody.netcdf import write_dataset
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"
@@ -52,9 +52,8 @@ def verify():
 def test_archive_file_has_fixed_members_and_is_whole(built, tmp_path, verify, capsys):
     with zipfile.ZipFile(built.with_name(f"{built.name}.zip")) as archive:
         members = archive.infolist()
-        archive.extractall(tmp_path)
-    expected = [f"{built.name}/{name}" for name in files_in(built, built)]
-    assert [one.filename for one in members] == expected
+        archive.extractall(tmp_path / built.name)
+    assert [one.filename for one in members] == files_in(built, built)
     assert len({(one.date_time, one.external_attr, one.create_system) for one in members}) == 1
     assert verify.main([str(tmp_path / built.name), "--points", "3"]) == 0
     assert capsys.readouterr().out.startswith(f"whole: {built.name}: ")
@@ -137,7 +136,7 @@ def test_an_extra_file_is_named_in_every_folder(copy, verify):
     assert set(found(verify, copy)) >= {path.relative_to(copy).as_posix() for path in extra}
 
 
-DESCRIPTIONS = "bagit.txt", "data/datapackage.json", "data/ro-crate-metadata.json"
+DESCRIPTIONS = "bagit.txt", "data/table-schemas.json", METADATA
 DESCRIPTIONS += "data/datasets/content-sha256.json", "manifest-sha256.txt"
 
 
@@ -161,9 +160,9 @@ def mend(folder, release):
     content_sha256 = run_path(str(VERIFICATION / "content_hash.py"))["content_sha256"]
     contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
     write_json(data / "datasets/content-sha256.json", contents)
-    write_json(data / "datapackage.json", data_package(data, KINDS, release))
+    write_json(data / "table-schemas.json", table_schemas(data, KINDS))
     titles = {kind: kind for kind in KINDS}
-    write_json(data / "ro-crate-metadata.json", crate(data, titles, release))
+    write_json(folder / METADATA, crate(folder, titles, release))
     seal(folder, release)
 
 
@@ -472,11 +471,11 @@ def packed_again(folder, add):
 
 
 MEMBERS = {
-    "leaves the bag": ("{bag}/../bagit.txt", "do not both hold"),
-    "beside the bag": ("bagit.txt", "do not both hold"),
+    "leaves the bag": ("../bagit.txt", "do not both hold"),
+    "leaves a folder": ("data/../bagit.txt", "do not both hold"),
     "in another bag": ("other/bagit.txt", "do not both hold"),
     "absolute": ("/bagit.txt", "do not both hold"),
-    "twice": ("{bag}/bagit.txt", "more than once"),
+    "twice": ("bagit.txt", "more than once"),
 }
 
 
@@ -490,16 +489,16 @@ def test_member_of_the_packed_archive_that_leaves_the_bag_or_stands_twice_is_fou
     packed = packed_again(copy, lambda archive: None)
     verify.check_packed(copy, found, faults)
     assert faults == {}
-    packed_again(copy, lambda archive: archive.writestr(name.format(bag=copy.name), content))
+    packed_again(copy, lambda archive: archive.writestr(name, content))
     verify.check_packed(copy, found, faults)
     assert fault in faults[str(packed)]
 
 
 def test_description_too_large_to_be_one_is_not_read(copy, verify, release):
-    with open(copy / "data/datapackage.json", "ab") as file:
+    with open(copy / METADATA, "ab") as file:
         file.truncate(verify.LARGEST_TEXT + 1)
     seal(copy, release)
-    assert "is larger than" in found(verify, copy)["data/datapackage.json"]
+    assert "is larger than" in found(verify, copy)[METADATA]
 
 
 def test_dataset_that_claims_more_points_than_memory_is_not_read(copy, verify, release):
@@ -576,16 +575,47 @@ def test_forged_archive_is_found(bare, copy, release, forge):
 
 
 def test_table_of_other_columns_is_found(copy, verify, release):
-    table = copy / "data/tables/tpca_windows.csv"
-    table.write_text("a,b\n1,2\n")
-
-    def describe(package):
-        (resource,) = (r for r in package["resources"] if r["path"] == "tables/tpca_windows.csv")
-        resource |= {"bytes": table.stat().st_size, "hash": f"sha256:{digest(table)}"}
-
-    edit_json("datapackage.json", describe)(copy)
+    (copy / "data/tables/tpca_windows.csv").write_text("a,b\n1,2\n")
     seal(copy, release)
     assert "other columns" in found(verify, copy)["data/tables/tpca_windows.csv"]
+
+
+def edit_crate(change):
+    """Change the list of entities of the crate."""
+
+    def forge(folder):
+        content = json.loads((folder / METADATA).read_text(encoding="utf-8"))
+        change(content["@graph"])
+        write_json(folder / METADATA, content)
+
+    return forge
+
+
+UNDESCRIBED = {
+    "table without a schema": (
+        edit_json("table-schemas.json", lambda schemas: schemas.pop("figures/fig03.csv")),
+        "data/figures/fig03.csv",
+    ),
+    "schema without a table": (
+        edit_json("table-schemas.json", lambda schemas: schemas.update({"tables/x.csv": {}})),
+        "data/tables/x.csv",
+    ),
+    "file that the crate leaves out": (
+        edit_crate(lambda graph: graph.remove(next(e for e in graph if e["@id"] == "README.md"))),
+        "README.md",
+    ),
+    "file that the crate alone has": (
+        edit_crate(lambda graph: graph.append({"@id": "data/x.csv", "@type": "File"})),
+        "data/x.csv",
+    ),
+}
+
+
+@pytest.mark.parametrize(("forge", "name"), UNDESCRIBED.values(), ids=UNDESCRIBED)
+def test_description_of_other_files_is_found(copy, verify, release, forge, name):
+    forge(copy)
+    seal(copy, release)
+    assert "is in only one of" in found(verify, copy)[name]
 
 
 @pytest.mark.parametrize("command", [["verification/verify.py"], ["-m", "verification.verify"]])

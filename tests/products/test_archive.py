@@ -7,7 +7,6 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
-import yaml
 
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
@@ -82,16 +81,6 @@ def test_attributes_hold_no_time_of_day_and_no_folder(stored, path):
     for text in texts:
         assert not re.search(r"\d\d:\d\d:\d\d|\dT\d\d", text), text
         assert str(path.parents[2]) not in text
-
-
-def test_codecheck_lists_the_products_that_a_checker_compares(results):
-    content = yaml.safe_load((ROOT / "codecheck.yml").read_bytes())
-    listed = [item["file"].removeprefix("results/") for item in content["manifest"]]
-    compared = ("datasets/*.nc", "tables/*.csv", "figures/*.png", "figures/*.csv", "claims/*.csv")
-    paths = [path for kind in compared for path in results.glob(kind)]
-    made = {path.relative_to(results).as_posix() for path in paths}
-    made -= {name for name in made if name.endswith("_wide.csv")}  # the same curves side by side
-    assert sorted(listed) == sorted(made | {"claims/claims.json", "explorer/index.html"})
 
 
 def test_cf_and_acdd_find_nothing_but_what_does_not_apply(findings_in, results):

@@ -20,11 +20,6 @@ def test_the_pages_say_what_the_results_say(capsys):
     assert status == 0, capsys.readouterr().out
 
 
-def test_the_picture_of_the_readme_is_the_figure_of_the_run():
-    drawn = (RESULTS / "figures" / "fig11.png").read_bytes()
-    assert (ROOT / "docs" / "figure11.png").read_bytes() == drawn, "copy results/figures/fig11.png"
-
-
 def test_the_default_is_the_interpretation_that_the_rule_ranks_first():
     content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
     ranked = [row["interpretation"] for row in content["interpretations"]]

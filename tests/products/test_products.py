@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from thirdbody.core.transitions import LIMITS
 from chenhorng.tables import TABLES, read_csv
+from thirdbody.core.transitions import LIMITS
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 

@@ -54,6 +54,8 @@ def test_inputs_are_fitted_with_the_ensemble_as_their_prior(page):
     errors = [1.61742e-7, 1.044212e-5, 0.00131194, 0.00323005]
     assert page["fitted"]["value"].tolist() == pytest.approx(values, rel=1e-5)
     assert page["fitted"]["error"].tolist() == pytest.approx(errors, rel=1e-3)
+    of_prior = [4.760199e-7, 1.112642e-5]
+    assert page["fitted"]["prior_error"].tolist()[:2] == pytest.approx(of_prior, rel=1e-5)
 
 
 def test_uncertain_inputs(page):

@@ -8,6 +8,8 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+from thirdbody.variables import AXES, VARIABLES
+
 DOCS = Path(__file__).parents[2] / "docs"
 LOADED = re.compile(r"""<(?:script|img|link|iframe)\b[^>]*\b(?:src|href)=["'](https?:[^"']*)""")
 
@@ -38,6 +40,23 @@ def test_one_point_by_hand_is_that_of_the_library(site):
     by_hand = pd.read_html(site / "model.html", match="by hand")[0]
     assert len(by_hand) == 5
     assert by_hand["by hand"].to_numpy() == pytest.approx(by_hand["library"].to_numpy(), rel=1e-7)
+
+
+def test_tables_of_results_are_computed(site):
+    """Printed numbers with their deviations, statements that fail, and what each departure is worth."""
+    page = site / "results.html"
+    (numbers,) = pd.read_html(page, match="fig11a-turning-point-load-dry")
+    row = numbers.set_index("id").loc["fig11a-turning-point-load-dry"]
+    assert row["printed"] == 3.27e-6
+    assert float(row["deviation"].rstrip("%")) == pytest.approx(
+        100.0 * (row["computed"] / row["printed"] - 1.0), abs=0.1
+    )
+    (departures,) = pd.read_html(page, match="h_e at first yield")
+    counts = departures.set_index("departure")["holds"]
+    assert counts["as it is"] > counts["h_e at first yield"]
+    assert (pd.read_html(page, match="found")[0]["found"].str.len() > 10).all()
+    (names,) = pd.read_html(site / "model.html", match="name in files and code")
+    assert len(names) == len(AXES) + 1 + len(VARIABLES)
 
 
 def test_the_reference_has_all_keys_and_inputs(site):

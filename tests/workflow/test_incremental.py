@@ -81,9 +81,7 @@ def test_another_definition_of_a_turning_point_extracts_solves_nothing_and_is_na
 
 
 def test_another_style_of_one_figure_draws_that_figure(workspace):
-    jobs = jobs_in(
-        dry_run_after(workspace, "src/chenhorng/figures/sensitivity.py", commented)
-    )
+    jobs = jobs_in(dry_run_after(workspace, "src/chenhorng/figures/sensitivity.py", commented))
     assert jobs == {"render_sensitivity": 1} | PUBLISHED
 
 

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from workspace import MINIMAL, ROOT, Workspace
 
-from thirdbody.files import digest
 from chenhorng.archive.citation import Release
 from chenhorng.archive.files import files_in
+from thirdbody.files import digest
 
 FILES = ROOT / "pyproject.toml", ROOT / "CITATION.cff"
 PAPER = Release.of(*FILES)
@@ -23,7 +23,7 @@ NAME = PAPER.full_name
 
 
 @pytest.fixture(scope="module")
-def released(finished, tmp_path_factory):
+def released(finished, tmp_path_factory, needs_git):
     """The folder of a release, among the results that it was made of."""
     workspace = finished.copied_to(tmp_path_factory.mktemp("released") / "a folder")
     run = workspace.snakemake("release")
@@ -43,7 +43,7 @@ def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
     workspace = Workspace(released.parents[2])
     dry_run = workspace.snakemake("release", "--dry-run", *MINIMAL)
     assert f"{CHANGED.full_name}.zip" in dry_run.stdout + dry_run.stderr
-    crate = json.loads((released / "data" / "ro-crate-metadata.json").read_text(encoding="utf-8"))
+    crate = json.loads((released / "ro-crate-metadata.json").read_text(encoding="utf-8"))
     (root,) = (each for each in crate["@graph"] if each["@id"] == "./")
     assert root["version"] == PAPER.version
 
@@ -64,7 +64,7 @@ def test_every_product_is_in_the_release(released):
     products = {line.split("  ", 1)[1] for line in sums}
     archived = set(files_in(released / "data", released / "data"))
     left_out = {name.partition("/")[0] for name in products - archived}
-    assert left_out == {"captions.md", "extracted", "index.html", "schematics"}
+    assert left_out == {"captions.md", "extracted", "index.html"}
 
 
 def test_no_damaged_product_is_released(released, tmp_path):

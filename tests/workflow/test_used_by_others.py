@@ -99,7 +99,7 @@ def installed(sources, tmp_path_factory):
 
 
 @pytest.fixture
-def published(sources, tmp_path, monkeypatch):
+def published(sources, tmp_path, monkeypatch, needs_git):
     """A git repository of the sources with the tag v1, which git takes for one on GitHub."""
     copy = sources.copied_to(tmp_path / "published")
     person = ("-c", "user.name=tests", "-c", "user.email=tests@localhost")

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 from html import unescape
 
-from chenhorng.typeset import html
+from thirdbody.symbols import html
 
 CURVE_FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 FIGURES = ["fig01", "fig02", *CURVE_FIGURES]

@@ -50,7 +50,7 @@ class Workspace:
             return skipped(directory, names) | {name for name in names if name in made}
 
         shutil.copytree(ROOT, root, ignore=left_out)
-        if (ROOT / ".git").exists():  # products say the version, which git knows
+        if (ROOT / ".git").exists() and shutil.which("git"):  # which knows the version
             borrowed = [
                 "git",
                 "clone",

@@ -1,4 +1,4 @@
-# `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, their figure, and targets.
+# `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, and their figure.
 
 ACCURACY = settings["accuracy"]
 # all that may run: `sources_of` follows the imports of the library alone, not those of the benchmarks
@@ -80,22 +80,6 @@ ACCURACY_TABLES = {
 }
 
 
-rule compare_targets:
-    input:
-        **ACCURACY_TABLES,
-    output:
-        targets="<results>/accuracy/targets.csv",
-    log:
-        "<logs>/compare_targets.log",
-    params:
-        *MEASURED,
-        file_text(HOME / "workflow/scripts/compare_targets.py"),
-    message:
-        "Compare with the targets"
-    script:
-        "../scripts/compare_targets.py"
-
-
 rule draw_work_precision:
     input:
         errors=ACCURACY_TABLES["errors"],
@@ -118,6 +102,5 @@ rule accuracy:
     input:
         *ACCURACY_TABLES.values(),
         "<results>/accuracy/work_precision.png",
-        "<results>/accuracy/targets.csv",
     message:
         "All measurements are there"

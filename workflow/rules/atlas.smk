@@ -1,38 +1,29 @@
-# The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves some of the roughnesses
-# for all inputs.  An interruption loses only the running chunks.
-
-ATLAS = settings["atlas"]
-
-
-scattergather:
-    atlas=ATLAS["chunks"],
+# The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves the conditions at a
+# roughness.  An interruption loses only the running chunks.
 
 
 rule solve_chunk:
     output:
-        chunk="<results>/atlas/chunks/{scatteritem}.nc",
+        chunk="<results>/atlas/chunks/{roughness_nm}nm.nc",
     log:
-        "<logs>/solve_chunk/{scatteritem}.log",
+        "<logs>/solve_chunk/{roughness_nm}nm.log",
     benchmark:
-        "<logs>/solve_chunk/{scatteritem}.tsv"
+        "<logs>/solve_chunk/{roughness_nm}nm.tsv"
     resources:
         runtime=30,
     params:
         *sources_of("solve_chunk.py"),
         *SOFTWARE,
-        axes=ATLAS["axes"],
-        variables=ATLAS["variables"],
-        rtol=ATLAS["rtol"],
+        asked=lambda wildcards: settings["atlas"] | {"roughness_nm": float(wildcards.roughness_nm)},
         parameters=settings["parameters"],
-        ensemble=settings["ensemble"],
     message:
-        "Solve chunk {wildcards.scatteritem} of the atlas"
+        "Solve the atlas at a roughness of {wildcards.roughness_nm} nm"
     script:
         "../scripts/solve_chunk.py"
 
 
 rule atlas:
     input:
-        gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
+        [f"<results>/atlas/chunks/{each:.12g}nm.nc" for each in settings["atlas"]["roughness_nm"]],
     message:
         "The atlas is there"

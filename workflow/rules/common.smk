@@ -9,13 +9,17 @@ from pathlib import Path
 
 # ---- where files are
 
-PACKAGES = Path(thirdbody.__file__).resolve().parents[1]  # src/, or where both packages are installed
+PACKAGES = (
+    Path(thirdbody.__file__).resolve().parents[1]
+)  # src/, or where both packages are installed
 HOME = config_directory().parent  # the repository, or the installed package
 
 
 def project_file(name):
     """The path of a file of the project, relative if the current folder is its repository."""
-    path = PACKAGES / str(name).removeprefix("src/") if str(name).startswith("src/") else HOME / name
+    path = (
+        PACKAGES / str(name).removeprefix("src/") if str(name).startswith("src/") else HOME / name
+    )
     return str(path.relative_to(HOME) if Path.cwd() == HOME else path)
 
 
@@ -51,7 +55,9 @@ if (
 # ---- what a job depends on, as parameters of its rule: Snakemake names the text that has changed
 
 SOFTWARE = settings["software"]
-IMPORTS = grimp.build_graph("thirdbody", "chenhorng", exclude_type_checking_imports=True, cache_dir=None)
+IMPORTS = grimp.build_graph(
+    "thirdbody", "chenhorng", exclude_type_checking_imports=True, cache_dir=None
+)
 
 
 def sources_of(script):

@@ -8,7 +8,7 @@ rule build_explorer:
         departures="<results>/extracted/departures/verdicts.json",
         page=[
             project_file(path)
-            for folder in ("page", "vendor")
+            for folder in ("web", "vendor")
             for path in sorted(PACKAGES.glob(f"chenhorng/page/{folder}/*.*"))
         ],
     output:
@@ -22,15 +22,13 @@ rule build_explorer:
         "<logs>/build_explorer.log",
     params:
         *sources_of("build_explorer.py"),
-        *CALIBRATED_TEXTS,
         settings_text(INPUTS),
         settings_text(PAPER_TABLES),
         entries=INPUTS,
         tables=PAPER_TABLES,
         parameters=settings["parameters"],
-        calibration=settings["calibration"],
+        unknowns=settings["calibration"]["unknowns"],
         ensemble=settings["ensemble"],
-        calibrated=CALIBRATED,
     message:
         "Build the explorer"
     script:

@@ -5,8 +5,8 @@ from itertools import product
 from pathlib import Path
 
 from chenhorng.job_log import job
+from chenhorng.page.build import page_content, page_text
 from chenhorng.page.oils import OILS, TEMPERATURES, VISCOSITIES
-from chenhorng.page.page import page_content, page_text
 from thirdbody.bearings import MATERIALS, USUAL_BEARING, bearing
 from thirdbody.conditions import OIL_DENSITY
 from thirdbody.core.parameters import Parameters
@@ -41,20 +41,8 @@ def rig_content(parameters):
 
 with job(snakemake) as output:
     parameters = snakemake.params.parameters
-    settings = snakemake.params.calibration
-    unknowns = settings["unknowns"]
+    unknowns = snakemake.params.unknowns
     entries = read_yaml(snakemake.params.entries)
-    titles = {name: each["title"] for name, each in settings["interpretations"].items()}
-    interpretations = [
-        {
-            "name": name,
-            "title": titles[name],
-            "inputs": each["inputs"],
-            "ensemble": each["ensemble"],
-        }
-        for each in map(read_yaml, snakemake.params.calibrated)
-        if (name := each["interpretation"]) in titles
-    ]
     inputs = {
         name: entry | unknowns.get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()
@@ -72,7 +60,6 @@ with job(snakemake) as output:
         judged,
         departures,
         inputs,
-        interpretations,
         snakemake.params.ensemble,
         {row["symbol"]: row["printed"] for row in read_yaml(snakemake.params.tables)["table2"]},
         rig_content(Parameters(**parameters)),

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.claims.evidence import FULL_EFFORT
 from chenhorng.job_log import job
 from chenhorng.sensitivity import Subject, elasticities, sensitivity_rows, varied_inputs
 from chenhorng.tables import TABLES, write_csv
+from thirdbody.core.parameters import Parameters
 
 with job(snakemake) as output:
     subject = Subject.of(snakemake.params.settings)

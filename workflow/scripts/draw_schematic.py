@@ -1,9 +1,9 @@
-"""Solve the interfaces of one schematic, and draw random sections through them, to scale."""
+"""Solve the interfaces of one schematic, and draw sections through them, to scale."""
 
 import matplotlib.style
 
 from chenhorng.figures.captions import caption
-from chenhorng.figures.files import save
+from chenhorng.figures.products import save
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import sections, state_of
 from chenhorng.job_log import job

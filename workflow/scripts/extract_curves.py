@@ -1,10 +1,10 @@
 """Turning points and transitions of the curves of one dataset."""
 
-from thirdbody.core.parameters import Parameters
-from thirdbody.netcdf import read_plain
 from chenhorng.extraction import tpca_rows, transition_rows
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
+from thirdbody.core.parameters import Parameters
+from thirdbody.netcdf import read_plain
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene

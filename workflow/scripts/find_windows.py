@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from thirdbody.core.parameters import Parameters
-from thirdbody.core.windows import WindowSearch, turning_point_windows
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.variables import AXES
 
 with job(snakemake) as output:

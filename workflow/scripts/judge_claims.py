@@ -13,12 +13,16 @@ with job(snakemake) as output:
     claims = load_claims(snakemake.params.claims)
     judge = Judge(claims, snakemake.params.base, settings["newtons"])
     contents = [read_yaml(path) for path in calibrated]
-    default = read_yaml(snakemake.params.default) | {
-        "inputs": snakemake.params.parameters,
-        "ensemble": snakemake.params.ensemble,
-    }
+    default = read_yaml(snakemake.params.default)
     compared = [each for each in contents if each["interpretation"] in settings["interpretations"]]
-    report = Report.of(judge, default, compared, settings)
+    report = Report.of(
+        judge,
+        default,
+        compared,
+        settings,
+        inputs=snakemake.params.parameters,
+        ensemble=snakemake.params.ensemble,
+    )
     write_csv(output.table, report.table.to_dict("records"), TABLES["claims"])
     output.text.write_text(claims_markdown(report), encoding="utf-8")
     output.page.write_text(claims_html(report), encoding="utf-8")

@@ -9,9 +9,9 @@ from datetime import UTC, datetime
 from importlib.metadata import distributions
 from pathlib import Path
 
-from thirdbody.files import digest
 from chenhorng.archive.staging import pack
 from chenhorng.job_log import job
+from thirdbody.files import digest
 from thirdbody.version import current
 
 

@@ -1,9 +1,9 @@
 """The tables of the paper with derived entries recomputed."""
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.claims.paper_tables import paper_table
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
+from thirdbody.core.parameters import Parameters
 from thirdbody.plain_yaml import read_yaml
 
 with job(snakemake) as output:

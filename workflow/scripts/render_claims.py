@@ -4,7 +4,7 @@ import matplotlib.style
 
 from chenhorng.figures.captions import caption
 from chenhorng.figures.claims import plot
-from chenhorng.figures.files import save
+from chenhorng.figures.products import save
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, read_csv
 

@@ -4,12 +4,12 @@ import json
 
 import matplotlib.style
 
-from thirdbody.netcdf import read_plain
 from chenhorng.figures.captions import caption
-from chenhorng.figures.curves import plot
-from chenhorng.figures.files import save, write_wide
+from chenhorng.figures.curve_figures import plot
+from chenhorng.figures.products import save, write_wide
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, read_csv
+from thirdbody.netcdf import read_plain
 from thirdbody.plotting.marks import read_turning_points
 
 with job(snakemake) as output:

@@ -3,7 +3,7 @@
 import matplotlib.style
 
 from chenhorng.figures.captions import caption
-from chenhorng.figures.files import save
+from chenhorng.figures.products import save
 from chenhorng.figures.sensitivity import plot
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, read_csv

@@ -1,9 +1,9 @@
 """Solve the points of a dataset for each member of the ensemble, for the band around its curves."""
 
-from thirdbody.core.parameters import Parameters
-from thirdbody.netcdf import read_plain, write_dataset
 from chenhorng.bands import band
 from chenhorng.job_log import job
+from thirdbody.core.parameters import Parameters
+from thirdbody.netcdf import read_plain, write_dataset
 
 with job(snakemake) as output:
     dataset = snakemake.input.dataset

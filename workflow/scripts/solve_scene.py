@@ -1,9 +1,9 @@
 """Solve one scene: the dataset of a figure."""
 
-from thirdbody.core.parameters import Parameters
-from thirdbody.netcdf import write_dataset
 from chenhorng.job_log import job
 from chenhorng.scenes import scene_dataset
+from thirdbody.core.parameters import Parameters
+from thirdbody.netcdf import write_dataset
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene

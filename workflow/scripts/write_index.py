@@ -11,7 +11,8 @@ from markupsafe import Markup
 
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 from chenhorng.job_log import job
-from chenhorng.typeset import html, markdown_text
+from chenhorng.markdown import markdown_text
+from thirdbody.symbols import html
 from thirdbody.version import current
 
 FRONT = "fig11"  # the figure on the first screen

@@ -1,9 +1,9 @@
 """Combine the parts of a table, and write it as CSV and, to be read, as HTML and LaTeX."""
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.job_log import job
-from chenhorng.sheets import page, readable
+from chenhorng.sheets import sheet_of
 from chenhorng.tables import TABLES, read_csv, write_csv
+from thirdbody.core.parameters import Parameters
 
 with job(snakemake) as output:
     table = snakemake.wildcards.table
@@ -12,7 +12,7 @@ with job(snakemake) as output:
     rows = [row for part in snakemake.input.parts for row in read_csv(part, columns)]
     numbers = read_csv(printed, TABLES["printed"]) if printed else ()
     unit = Parameters(**snakemake.params.parameters).newtons_per_load
-    sheet = readable(table, rows, numbers, unit)
+    sheet = sheet_of(table, rows, numbers, unit)
     write_csv(output.csv, rows, columns)
-    output.html.write_text(page(sheet), encoding="utf-8")
+    output.html.write_text(sheet.html(), encoding="utf-8")
     output.tex.write_text(sheet.latex(table), encoding="utf-8")

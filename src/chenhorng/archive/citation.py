@@ -24,8 +24,9 @@ class Release:
 
     @classmethod
     def of(cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True) -> Self:
-        """The release described by ``pyproject.toml`` and ``CITATION.cff``, with the version, date and hash
-        of the commit; unless the configuration ``is_paper``, its version and title say so."""
+        """The release described by ``pyproject.toml`` and ``CITATION.cff``, with the version, date
+        and hash of the commit; unless the configuration ``is_paper``, its version and title say
+        so."""
         name = _read_project(pyproject)["name"]
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         number, date, commit = current()
@@ -40,6 +41,14 @@ class Release:
     def full_name(self) -> str:
         """Name of the folder and of the archive file."""
         return f"{self.name}-{self.version}"
+
+    @property
+    def authors(self) -> list[str]:
+        """Names of the authors, persons and others."""
+        return [
+            author.get("name") or f"{author['given-names']} {author['family-names']}"
+            for author in self.citation["authors"]
+        ]
 
     @property
     def paper_url(self) -> str:

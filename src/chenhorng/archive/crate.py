@@ -1,5 +1,7 @@
-"""ro-crate-metadata.json: description of each file of an archive, by RO-Crate 1.1
-(https://w3id.org/ro/crate/1.1)."""
+"""``ro-crate-metadata.json``: describes the files of an archive, as a Workflow RO-Crate 1.0.
+
+https://w3id.org/workflowhub/workflow-ro-crate/1.0, a profile of RO-Crate 1.1.
+"""
 
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -10,6 +12,9 @@ from chenhorng.archive.citation import Release
 from chenhorng.archive.files import files_in, media_type, render_json
 
 METADATA = "ro-crate-metadata.json"
+WORKFLOW = "data/source/Snakefile"
+# the files of the bag itself, which describe the others
+OF_BAG = ("bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha256.txt")
 # folders of products, named as in results/, and their titles
 KINDS = {
     "datasets": "solved points, one file a figure",
@@ -20,27 +25,33 @@ KINDS = {
     "explorer": "a page for any browser: figures, statements and the model itself",
 }
 FOLDERS = {
-    "configuration": "configuration of the run and the inputs of the model that follow from it",
-    "source": "source code of the library, the workflow and the tests",
+    "data/configuration": "configuration of the run, and the inputs of the model that follow",
+    "data/source": "source code of the library, the workflow and the tests",
+    "verification": "programs that check the archive without the library",
 }
 
 
-def crate(data: Path, kinds: dict[str, str], release: Release) -> dict[str, Any]:
-    """Content of ``ro-crate-metadata.json`` for the folder ``data`` of an archive; ``kinds`` has the
-    titles of its folders of products."""
-    known = render_json("crate.json", release=release)
+def crate(folder: Path, kinds: dict[str, str], release: Release) -> dict[str, Any]:
+    """Content of ``ro-crate-metadata.json`` for the ``folder`` of an archive; ``kinds`` has the
+    titles of the folders of products in ``data/``."""
+    known = render_json("crate.json", release=release, workflow=WORKFLOW)
     described = ROCrate(version="1.1")
     for entity in known["entities"]:
         described.add_jsonld(entity)
-    files = {
-        path: described.add_file(dest_path=path, properties=_file_properties(path, release))
-        for path in files_in(data, data)
-        if path != METADATA
-    }
-    for folder, title in (FOLDERS | kinds).items():
-        properties = {"name": folder, "description": title}
-        entity = described.add_dataset(dest_path=f"{folder}/", properties=properties)
-        entity["hasPart"] = [part for path, part in files.items() if path.startswith(f"{folder}/")]
+    files = {}
+    for path in files_in(folder, folder):
+        properties = _file_properties(path, release) | known["files"].get(path, {})
+        if path == WORKFLOW:
+            files[path] = described.add_workflow(
+                dest_path=path, properties=properties, main=True, lang="snakemake"
+            )
+        elif path not in (METADATA, *OF_BAG):
+            files[path] = described.add_file(dest_path=path, properties=properties)
+    products = {f"data/{kind}": title for kind, title in kinds.items()}
+    for path, title in (FOLDERS | products).items():
+        properties = {"name": PurePosixPath(path).name, "description": title}
+        entity = described.add_dataset(dest_path=f"{path}/", properties=properties)
+        entity["hasPart"] = [part for name, part in files.items() if name.startswith(f"{path}/")]
     for name, value in known["root"].items():
         described.root_dataset[name] = value
     return described.metadata.generate()
@@ -52,6 +63,7 @@ def _file_properties(path: str, release: Release) -> dict[str, Any]:
         "name": PurePosixPath(path).name,
         "encodingFormat": media_type(path),
     }
-    if path.startswith("source/") and not path.startswith("source/config/"):
+    is_code = path.startswith(("data/source/", "verification/"))
+    if is_code and not path.startswith("data/source/config/"):
         properties["license"] = {"@id": f"https://spdx.org/licenses/{release.citation['license']}"}
     return properties

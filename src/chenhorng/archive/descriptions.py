@@ -1,8 +1,4 @@
-"""Descriptions of the content of an archive: ``datapackage.json``, and values for ``README.md``.
-
-The package ``frictionless`` is not used for writing: it installs 38 more packages and infers column
-types, which are known here.  Tests validate the data package with it.
-"""
+"""Descriptions of the content of an archive: schemas of its tables, values for ``README.md``."""
 
 import csv
 import re
@@ -12,38 +8,21 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.core.regimes import WITHOUT_VALUES
-from thirdbody.files import digest
-from thirdbody.netcdf import PlainDataset, read_plain
-from chenhorng.archive.citation import Release
-from chenhorng.archive.files import files_in, media_type, render_json
+from chenhorng.archive.files import files_in
 from chenhorng.tables import DRAWN_POINTS, TABLES, table_schema
+from thirdbody.core.regimes import WITHOUT_VALUES
+from thirdbody.netcdf import PlainDataset, read_plain
 from thirdbody.variables import STATUS, STATUS_MEANINGS
 
 WIDE = re.compile(r"[A-Z]: \w+ \[.+\]")  # columns of the wide table of a figure
 
 
-def data_package(data: Path, kinds: Iterable[str], release: Release) -> dict[str, Any]:
-    """Content of ``datapackage.json`` (https://datapackage.org/standard/data-package): the products
-    in the folders ``kinds`` of ``data`` with sizes, sums and columns; raises as ``schema_of``."""
-    names = [name for kind in sorted(kinds) for name in files_in(data / kind, data)]
-    resources = [_resource(data, name) for name in names]
-    return render_json("datapackage.json", release=release, resources=resources)
-
-
-def _resource(data: Path, path: str) -> dict:
-    file = data / path
-    described = {
-        "name": path.lower().replace("/", "-").replace(".", "-").replace("_", "-"),
-        "path": path,
-        "mediatype": media_type(path),
-        "bytes": file.stat().st_size,
-        "hash": f"sha256:{digest(file)}",
-    }
-    if file.suffix != ".csv":
-        return described | {"type": "file"}
-    table = {"type": "table", "format": "csv", "encoding": "utf-8", "schema": schema_of(file)}
-    return described | table
+def table_schemas(data: Path, kinds: Iterable[str]) -> dict[str, Any]:
+    """Content of ``table-schemas.json``: the Table Schema of each CSV file in the folders ``kinds``
+    of ``data``, by its path (https://datapackage.org/standard/table-schema); raises as
+    ``schema_of``."""
+    paths = [path for kind in sorted(kinds) for path in sorted((data / kind).rglob("*.csv"))]
+    return {path.relative_to(data).as_posix(): schema_of(path) for path in paths}
 
 
 def schema_of(file: Path) -> dict[str, Any]:

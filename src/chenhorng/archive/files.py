@@ -10,10 +10,11 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from chenhorng.typeset import markdown_text
+from chenhorng.markdown import markdown_text
 
 DATA_LICENCE = "CC-BY-4.0"
 KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
+KNOWN_TYPES.add_type("text/markdown", ".md")  # before Python 3.13 not among them
 
 
 def media_type(name: str) -> str:

@@ -17,11 +17,11 @@ from typing import Any
 
 import yaml
 
-from thirdbody.files import digest
 from chenhorng.archive.citation import Release
 from chenhorng.archive.crate import KINDS, METADATA, crate
-from chenhorng.archive.descriptions import data_package, describe_content
+from chenhorng.archive.descriptions import describe_content, table_schemas
 from chenhorng.archive.files import files_in, render, render_json, write_json
+from thirdbody.files import digest
 from thirdbody.version import current
 
 LICENCES = ("LICENSE", "LICENSE-DATA")
@@ -49,7 +49,8 @@ def stage(
     """
     if not release.date:
         raise ValueError(
-            f"the version is {release.version}; allowed: a repository, or a copy made by git archive or a release"
+            f"the version is {release.version}; allowed: a repository, or a copy made by "
+            "git archive or a release"
         )
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
@@ -70,13 +71,13 @@ def stage(
         write_json(data / "configuration" / f"{name}.json", content)
     cited = yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
     (data / "CITATION.cff").write_text(cited, encoding="utf-8")
-    write_json(data / "zenodo.json", render_json("zenodo.json", release=release))
+    write_json(data / "codemeta.json", render_json("codemeta.json", release=release))
     kinds = {kind: title for kind, title in KINDS.items() if (data / kind).is_dir()}
-    write_json(data / "datapackage.json", data_package(data, kinds, release))
-    write_json(data / METADATA, crate(data, kinds, release))
+    write_json(data / "table-schemas.json", table_schemas(data, kinds))
     content = describe_content(data, kinds)
     readme = render("README.md", release=release, software=software, **content)
     (folder / "README.md").write_text(readme, encoding="utf-8")
+    write_json(folder / METADATA, crate(folder, kinds, release))
     seal(folder, release)
 
 
@@ -105,8 +106,10 @@ def _write_manifest(folder: Path, kind: str, names: list[str]) -> None:
 
 
 def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
-    """Write a sealed folder as a zip file, with the date ``day`` (ISO 8601); the same files give the
-    same bytes, which are not compressed, because compression depends on the version.
+    """Write a sealed folder as a zip file, with the date ``day`` (ISO 8601); the same files give
+    the same bytes, which are not compressed, because compression depends on the version.
+
+    The files lie at the root of the zip file, where programs look for ``ro-crate-metadata.json``.
 
     Raises ``ValueError``, and writes nothing, if the folder does not match its checksums.
     """
@@ -118,7 +121,7 @@ def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
     moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
         for name in files_in(folder, folder):
-            member = zipfile.ZipInfo(f"{folder.name}/{name}", moment)
+            member = zipfile.ZipInfo(name, moment)
             member.create_system = UNIX
             member.external_attr = FILE_MODE
             packed.writestr(member, (folder / name).read_bytes())

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.core.regimes import BOUNDARY_LIMIT
 from chenhorng.sampling import TINY, first_fall, logarithm
+from thirdbody.core.regimes import BOUNDARY_LIMIT
 
 if TYPE_CHECKING:
     from chenhorng.claims.claim import Claim

@@ -1,22 +1,21 @@
 """One statement of the paper, called a *claim*, and its verdict: what all kinds of claims have in common.
 
 A claim has conditions, the statement of the paper on them, and a tolerance.  It is checked on curves solved
-by ``chenhorng.claims.evidence``, and holds if it is off by at most one tolerance.  The head of
-``config/claims.yaml`` explains the kinds of claims and their fields.
+by ``chenhorng.claims.evidence``, and holds if it is off by at most one tolerance.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from pydantic import ConfigDict
-from pydantic.dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from pydantic import ConfigDict
+from pydantic.dataclasses import dataclass
 
-from thirdbody.curves import Condition
 from chenhorng.places import figures_named
 from chenhorng.sampling import TINY, NotReached, SolvedCurve, loads_within, logarithm, sample
+from thirdbody.curves import Condition
 from thirdbody.variables import CONDITION_AXES
 
 if TYPE_CHECKING:
@@ -73,9 +72,66 @@ class Verdict(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, config=ConfigDict(extra="forbid"))
 class Claim:
-    """What every entry of ``config/claims.yaml`` has; the subclasses, one for each kind, add the rest.
-    ``tolerance`` is in the unit of the quantity if ``tolerance_kind`` is "absolute", a fraction of it [1]
-    if "relative", and a factor on both sides [1] if "factor"."""
+    """What every entry of ``config/claims.yaml`` has; the subclasses in ``kinds`` add the rest.
+
+    Attributes
+    ----------
+    id, place, statement, quote : str
+        A name; where the paper says it, with figure and panel; our words; and the words of the
+        paper.
+    kind : str
+        A key of ``chenhorng.claims.kinds.KINDS``.
+    conditions : mapping
+        Conditions in engineering units, such as ``viscosity_cSt``; lists give the curves, element
+        by element.  Particles are 1e11 per m2 if the paper names no density.  ``load`` is a single
+        F_t*; a quantity, such as ``solid_load_fraction``, names the load at which it falls to a
+        level.  ``load_min``, ``load_max``, ``load_max_N`` and ``QUANTITY_min``, ``QUANTITY_max``
+        bound the loads, which otherwise are those of Table 2, 0.04 to 80 N.  A level not reached
+        within the loads is extrapolated with the last slope, and reported as > the last load.  If
+        the verdict depends on this, or if no load is within the bounds, the statement is not
+        tested.
+    tolerance, tolerance_kind, reason : float, str, str
+        In the file ``tolerance: {absolute: ..., reason: ...}``: in the unit of the quantity if
+        "absolute", a fraction of it [1] if "relative", and a factor on both sides [1] if "factor";
+        and the reason for it.
+    must_be_reached : bool
+        Whether it fails, instead of being not tested, if no load meets its conditions, because the
+        paper draws them.
+    figures : sequence of int
+        Of a conclusion or the abstract: the figures that it repeats.  A statement is left out of a
+        search together with all others of its figures (cross-validation, see
+        ``config/calibration.yaml``).
+    contradicts : sequence of str
+        Statements in which the paper says the opposite; of each such pair at least one has
+        ``aside``.
+    limit : str
+        What no inputs can meet: how near algebra on the numbers of the paper lets the model come.
+    aside : str
+        Why the other one of a pair is used: it is left out of all counts and of the calibration,
+        and is listed.
+    cluster : str
+        Common name of repeated statements: they count once, as held if all tested ones hold, and
+        share a weight in the objective of the calibration.
+    quantity : str
+        A variable of the datasets; ``solid_load``, L_s F_t*; ``total_contact_area_slope``, d ln
+        A_t*/d ln F_t*; ``turning_point_load``, F_TPCA*, and ``turning_point_ratio``,
+        ``_solid_load_fraction``, ``_solid_load`` at that load; ``bend_load``, at which the slope
+        has fallen 0.1 below that of the reference, and ``bend_load_over_mixed_load``, the same over
+        the load at which L_s falls to 0.9; ``total_contact_area_reversal_load``, above which A_t*
+        rises from curve to curve in the order listed; ``departure_sharpness``, the greatest change
+        of the slope of ln(H_c/H_c of the reference) over ln F_t* within a tenth of a decade, over
+        the greatest slope: 1 at a kink.
+    reference : mapping
+        Conditions that differ on the reference curve; a value or trend is then the relative change
+        from it.
+    extreme : str
+        ``minimum`` or ``maximum`` over the load.
+    against : str
+        Abscissa of the comparison.
+
+    A turning point is visible if the maximum of A_sa,t* has a prominence of 0.02, a line
+    width on an axis from 0 to 1.
+    """
 
     id: str
     place: str

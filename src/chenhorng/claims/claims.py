@@ -6,7 +6,6 @@ from itertools import product
 from pathlib import Path
 
 import numpy as np
-
 from pydantic import ValidationError
 
 from chenhorng.claims.claim import Claim

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from chenhorng.claims.between_curves import area_slope
+from chenhorng.sampling import SolvedCurve
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import has_values
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.turning_points import TurningPoints, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.curves import Condition
-from chenhorng.claims.between_curves import area_slope
-from chenhorng.sampling import SolvedCurve
 from thirdbody.variables import QUANTITIES
 
 WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm

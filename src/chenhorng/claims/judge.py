@@ -4,11 +4,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.claims.claim import Claim, Verdict
 from chenhorng.claims.claims import referenced_conditions
 from chenhorng.claims.evidence import FULL_EFFORT, Effort, solve_evidence
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+from thirdbody.core.parameters import Parameters
 
 Verdicts = dict[str, Verdict]  # by the id of the statement
 

@@ -1,12 +1,12 @@
 """The ten kinds of claims: the fields that each has beside those of all, and its check."""
 
 from collections.abc import Mapping, Sequence
-from pydantic import Field
-from pydantic.dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
+from pydantic.dataclasses import dataclass
 
 from chenhorng.claims.between_curves import (
     BETWEEN_CURVES,
@@ -187,8 +187,8 @@ class Window(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Ordering(Claim):
-    """Neighbouring curves, or each curve and its reference, are nowhere in the opposite order, and somewhere
-    apart."""
+    """Neighbouring curves, in the order listed, or each curve and its reference, are nowhere against
+    the ``direction`` by more than the tolerance, and somewhere apart by it."""
 
     quantity: str = Field()
     direction: str = Field()
@@ -215,7 +215,8 @@ class Ordering(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Coincidence(Claim):
-    """Curves overlap with their references, plotted ``against`` the load or another quantity."""
+    """Curves and their references nowhere differ by more than the tolerance, ``against`` the load or
+    another quantity."""
 
     quantity: str = Field()
     reference: Mapping[str, float] = Field()
@@ -258,7 +259,12 @@ class CourseClaim(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Trend(CourseClaim, NumberClaim):
-    """Each curve has this course along the load, or the numbers have it from curve to curve."""
+    """Each curve has this course ``along`` the load, or the numbers have it along the curves.
+
+    A rise or fall must exceed the tolerance, a reversal must not; an interior extreme must exceed
+    it; ``constant`` may vary by it; ``increasing_at_each_step`` must rise by it from each curve to
+    the next.
+    """
 
     direction: str = Field()
     along: str = Field()
@@ -295,7 +301,8 @@ class Absence(CourseClaim):
 @dataclass(frozen=True, kw_only=True)
 class StateSequence(Claim):
     """Exactly these regimes, modes or both occur in order on each curve, or with ``any_curve`` on one; with
-    ``open_end`` the last may lie beyond the loads."""
+    ``open_end`` the last may lie beyond the loads.  Excursions from them are within the tolerance;
+    a step may name a regime and a mode, and alternatives with "or"."""
 
     published: Sequence[str] = Field()
     any_curve: bool = False

@@ -29,9 +29,9 @@ from chenhorng.claims.judge import (
 )
 from chenhorng.places import part_of_paper
 from chenhorng.tables import TABLES
-from chenhorng.typeset import html
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import range_over_members
+from thirdbody.symbols import html
 
 COUNTED = {
     "holds": "hold",
@@ -46,8 +46,10 @@ NO_RANGE = (np.nan, np.nan)
 class Report:
     """All statements, evaluated for all sets of inputs.
 
-    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file
-    whose inputs ``verdicts`` are for.  ``predicted`` has the statements whose figure was left out, and ``comparison`` is the table from ``rank_interpretations``.
+    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file,
+    with the ``inputs`` of the run, which ``verdicts`` are for.  ``predicted`` has the statements whose figure
+    was left out of the search for these inputs; it is empty for inputs that no search found.
+    ``comparison`` is the table from ``rank_interpretations``.
     """
 
     claims: Sequence[Claim]
@@ -66,24 +68,33 @@ class Report:
         default: Mapping[str, Any],
         contents: Sequence[Mapping[str, Any]],
         settings: Mapping[str, Any],
+        *,
+        inputs: Mapping[str, Any],
+        ensemble: Sequence[Mapping[str, Any]],
     ) -> Self:
-        """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
-        interpretations."""
-        inputs = judge.base | default["inputs"]
-        verdicts = judge(inputs)
+        """Evaluate all statements for all sets of inputs: ``default`` and ``contents`` are the calibrated files
+        of the default and of all interpretations, ``inputs`` and ``ensemble`` those of the run.  What a search
+        said of its inputs is left out if the run has others."""
+        every = {**judge.base, **inputs}
+
+        def is_of_the_run(content):
+            return judge.base | content["inputs"] == every
+
+        said: dict[str, Any] = {} if is_of_the_run(default) else {"identification": {}}
+        verdicts = judge(every)
         candidates = [
-            Candidate.of(judge, each, verdicts if judge.base | each["inputs"] == inputs else None)
+            Candidate.of(judge, each, verdicts if is_of_the_run(each) else None)
             for each in contents
         ]
-        predicted = {each.name: each.predicted for each in candidates}
+        predicted = {
+            each.name: each.predicted for each in candidates if is_of_the_run(each.content)
+        }
         return cls(
             claims=judge.claims,
             settings=settings,
-            default=default,
+            default={**default, **said, "inputs": inputs},
             verdicts=verdicts,
-            members=tuple(
-                judge({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]
-            ),
+            members=tuple(judge({**every, **member}, QUICK_EFFORT) for member in ensemble),
             interpretations={each.name: each.verdicts for each in candidates},
             predicted=predicted.get(default["interpretation"], {}),
             comparison=rank_interpretations(judge, candidates, settings),

@@ -6,18 +6,21 @@ The classes are closed, so that a misspelt key is an error, and numbers are numb
 import math
 import re
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, get_args
+from itertools import pairwise
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-Figure = Literal[*(f"fig{number:02d}" for number in range(3, 14))]
+from thirdbody.variables import VARIABLES
+
+FIGURES = {f"fig{number:02d}" for number in range(3, 14)}
 FOLDERS = (
     "accuracy|atlas|bands|calibration|claims|datasets|explorer|extracted|figures|release|tables"
 )
 
 
-def zero_or_from(least):
+def zero_or_from(least: float) -> AfterValidator:
     """A number that is 0 or not below ``least``."""
 
     def check(value):
@@ -28,10 +31,16 @@ def zero_or_from(least):
     return AfterValidator(check)
 
 
-def _increasing(ends):
-    if not ends[0] < ends[-1]:
-        raise ValueError("allowed: two numbers that increase")
-    return ends
+def _increasing(values):
+    if any(after <= before for before, after in pairwise(values)):
+        raise ValueError("allowed: numbers that increase")
+    return values
+
+
+def _variable(name):
+    if name not in VARIABLES:
+        raise ValueError(f"allowed: {', '.join(VARIABLES)}")
+    return name
 
 
 def _distinct(values):
@@ -40,26 +49,45 @@ def _distinct(values):
     return values
 
 
-def number(least: float, most: float, words: str, **limits: float) -> Any:
-    """A number between two ends, and what it is."""
-    return Annotated[float, Field(le=most, description=words, **({"ge": least} | limits))]
+def number(least: float, most: float, words: str, or_zero: bool = False, **limits: Any) -> Any:
+    """The field of a number between two ends, and what it is."""
+    if or_zero:
+        allowed: dict[str, Any] = {"allowed": f"0, or number from {least:g} to {most:g}"}
+        return Field(ge=0, le=most, description=words, json_schema_extra=allowed)
+    return Field(le=most, description=words, **({"ge": least} | limits))
 
 
-Load = number(1e-7, 1e4, "normal load F_t [N]")
-Viscosity = Annotated[number(0, 1e5, "kinematic viscosity nu [cSt], 0 when dry"), zero_or_from(0.3)]
+Load = Annotated[float, number(1e-7, 1e4, "normal load F_t [N]")]
+Viscosity = Annotated[
+    float,
+    number(0.3, 1e5, "kinematic viscosity nu [cSt], 0 when dry", or_zero=True),
+    zero_or_from(0.3),
+]
 Diameter = Annotated[
-    number(0, 1e5, "mean particle diameter x_a [nm], 0 without particles"), zero_or_from(1)
+    float,
+    number(1, 1e5, "mean particle diameter x_a [nm], 0 without particles", or_zero=True),
+    zero_or_from(1),
 ]
-Ratio = number(0, 1000, "mean particle diameter over roughness, x_a/sigma [1]")
-Roughness = number(1, 1e4, "equivalent root mean square roughness sigma [nm]")
+Ratio = Annotated[float, number(0, 1000, "mean particle diameter over roughness, x_a/sigma [1]")]
+Roughness = Annotated[float, number(1, 1e4, "equivalent root mean square roughness sigma [nm]")]
 Density = Annotated[
-    number(0, 1e15, "particles per unit area eta_a [m-2], 0 without particles"), zero_or_from(1e6)
+    float,
+    number(1e6, 1e15, "particles per unit area eta_a [m-2], 0 without particles", or_zero=True),
+    zero_or_from(1e6),
 ]
-Rtol = number(1e-11, 1e-2, "requested relative error [1]")
+Rtol = Annotated[float, number(1e-11, 1e-2, "requested relative error [1]")]
+NamedLoad = Annotated[float, number(0, 1, "F_t* named in the text [1]", gt=0)]
 Positive = Field(gt=0)
-File = Annotated[str, Field(pattern=r"^config/[A-Za-z0-9_/-]+\.yaml$")]
-Pair = AfterValidator(_increasing)
+File = Annotated[
+    str,
+    Field(
+        pattern=r"^config/[A-Za-z0-9_/-]+\.yaml$",
+        json_schema_extra={"allowed": "the path of a YAML file in config/"},
+    ),
+]
+Increasing = AfterValidator(_increasing)
 Values = Field(min_length=1, max_length=1000), AfterValidator(_distinct)
+Axis = Field(min_length=1, max_length=1000), Increasing
 
 
 class Closed(BaseModel):
@@ -71,7 +99,7 @@ class Closed(BaseModel):
 class LoadAxis(Closed):
     """F_t* from the first to the last load in newtons, evenly spaced in its logarithm."""
 
-    load_N: Annotated[list[Load], Field(min_length=2, max_length=2), Pair]
+    load_N: Annotated[list[Load], Field(min_length=2, max_length=2), Increasing]
     count: Annotated[int, Field(ge=5, le=100_000, description="number of loads")]
 
 
@@ -125,13 +153,25 @@ class Panel(Layer):
 class Scene(Closed):
     """A dataset and a figure."""
 
-    title: Annotated[str, Field(pattern=r"^[^\x00-\x1f]{1,200}$")]
-    named_loads: Annotated[
-        list[number(0, 1, "F_t* named in the text [1]", gt=0)], Field(max_length=1000)
-    ] = []
+    title: Annotated[
+        str,
+        Field(
+            pattern=r"^[^\x00-\x1f]{1,200}$",
+            description="title of the dataset and of the figure",
+            json_schema_extra={"allowed": "text in one line, up to 200 letters"},
+        ),
+    ]
+    named_loads: Annotated[list[NamedLoad], Field(max_length=1000)] = []
     load_axis: LoadAxis | None = None
     rtol: Rtol | None = None
-    curves: Annotated[list[Curves], Field(min_length=1, max_length=100)]
+    curves: Annotated[
+        list[Curves],
+        Field(
+            min_length=1,
+            max_length=100,
+            description="groups of curves; every combination of a group's values is computed",
+        ),
+    ]
 
 
 class Windows(Closed):
@@ -140,7 +180,7 @@ class Windows(Closed):
     roughness_nm: Annotated[list[Roughness], *Values]
     particle_density_per_m2: Annotated[Density, Positive]
     particle_diameter_per_roughness: Annotated[
-        list[Annotated[Ratio, Positive]], Field(min_length=2, max_length=2), Pair
+        list[Annotated[Ratio, Positive]], Field(min_length=2, max_length=2), Increasing
     ]
     count: Annotated[
         int, Field(ge=10, le=100_000, description="sampled x_a/sigma before the ends are refined")
@@ -154,6 +194,20 @@ class Schematics(Closed):
     fig02: Annotated[list[Panel], Field(min_length=3, max_length=3)]
 
 
+class Atlas(Closed):
+    """The conditions that ``snakemake atlas`` solves: every combination, a file for each roughness."""
+
+    load_N: Annotated[list[Load], *Axis]
+    viscosity_cSt: Annotated[list[Viscosity], *Axis]
+    particle_diameter_nm: Annotated[list[Diameter], *Axis]
+    roughness_nm: Annotated[list[Roughness], *Axis]
+    particle_density_per_m2: Annotated[list[Density], *Axis]
+    rtol: Rtol
+    variables: Annotated[
+        list[Annotated[str, AfterValidator(_variable)]], Field(description="kept at each point")
+    ]
+
+
 def _plain(name, taken):
     """A plain word that is not ``taken`` as the name of a product."""
     if not re.fullmatch(r"[a-z][a-z0-9_]{0,40}", name) or re.fullmatch(taken, name):
@@ -164,9 +218,9 @@ def _plain(name, taken):
 
 
 def _named(scenes):
-    for name in {*scenes} - {*get_args(Figure)}:
+    for name in {*scenes} - FIGURES:
         _plain(name, r"fig.*|claims|sensitivity|.*_(wide|tpca_loads|transitions)")
-    if missing := {*get_args(Figure)} - {*scenes}:
+    if missing := FIGURES - {*scenes}:
         raise ValueError(f"{', '.join(sorted(missing))} missing; allowed: all figures of the paper")
     return scenes
 
@@ -178,7 +232,10 @@ class Configuration(Closed):
         Annotated[
             str,
             AfterValidator(lambda name: _plain(name, FOLDERS)),
-            Field(description="its files go to results/NAME"),
+            Field(
+                description="name of the run; its files go to results/NAME",
+                json_schema_extra={"allowed": "a word of small letters, digits and _"},
+            ),
         ]
         | None
     ) = None
@@ -186,16 +243,24 @@ class Configuration(Closed):
         File, Field(description="calibrated file with the inputs and their ensemble")
     ]
     inputs: Annotated[
-        dict[str, Any] | File, Field(description="inputs that override them, or a file of them")
+        dict[str, Any] | File,
+        Field(
+            description="inputs that override them, or a file of them",
+            json_schema_extra={"allowed": "inputs with their values, or the path of a YAML file"},
+        ),
     ]
     rtol: Rtol
     bands: Annotated[bool, Field(description="whether figures show the range of the ensemble")]
     windows: Windows
     load_axis: LoadAxis
-    scenes: Annotated[dict[str, Scene], AfterValidator(_named)]
+    scenes: Annotated[
+        dict[str, Scene],
+        AfterValidator(_named),
+        Field(description="a dataset and a figure each; fig03 to fig13 are those of the paper"),
+    ]
     schematics: Schematics
     accuracy: Annotated[File, Field(description="settings of the accuracy run")]
-    atlas: Annotated[File, Field(description="settings of the atlas")]
+    atlas: Atlas
 
 
 def check(content: Any, name: str) -> None:

@@ -9,6 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from chenhorng.configuration.inputs import choose_inputs, uncalibrated_values
+from chenhorng.configuration.model import check
+from chenhorng.scenes import RELATIVE_DIAMETER, scene_groups
 from thirdbody.core.parameters import Parameters
 from thirdbody.curves import (
     MOST_PANELS,
@@ -17,9 +20,6 @@ from thirdbody.curves import (
     variables_over_load,
 )
 from thirdbody.messages import format_value
-from chenhorng.configuration.inputs import choose_inputs, uncalibrated_values
-from chenhorng.configuration.model import check
-from chenhorng.scenes import RELATIVE_DIAMETER, scene_groups
 from thirdbody.plain_yaml import read_yaml
 
 MOST_POINTS = 3_000_000  # of a scene: while they are solved they fill the memory of a job
@@ -94,7 +94,6 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
         "sensitivity": read_yaml(folder / "sensitivity.yaml"),
         "uncalibrated": uncalibrated_values(folder),
         "accuracy": read_yaml(located(config["accuracy"])),
-        "atlas": read_yaml(located(config["atlas"])),
         "software": [f"{name} {version(name)}" for name in SOFTWARE],
     }
 
@@ -142,7 +141,12 @@ def _check_surfaces(config: Mapping, chosen: Mapping) -> None:
     """Raise ``ValueError`` for inputs that are not of hard particles, or that have no surface of one of
     the roughnesses that are solved."""
     groups = [group for scene in config["scenes"].values() for group in scene["curves"]]
-    solved = [*groups, config["windows"], *chain.from_iterable(config["schematics"].values())]
+    solved = [
+        *groups,
+        config["windows"],
+        config["atlas"],
+        *chain.from_iterable(config["schematics"].values()),
+    ]
     roughness = np.unique(np.hstack([group["roughness_nm"] for group in solved]))
     for member in [{}, *(chosen["ensemble"] if config["bands"] else [])]:
         parameters = Parameters(**chosen["parameters"] | member)

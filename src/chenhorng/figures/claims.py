@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib.axes import Axes
 
+from chenhorng.figures.captions import FIGURES
 from chenhorng.places import part_of_paper
-from chenhorng.typeset import mathtext
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing
 from thirdbody.plotting.panels import CURVE, Panel, Series
+from thirdbody.symbols import mathtext
 
 BAR_INCHES, LINE_INCHES = 0.21, 0.13  # heights of a bar and of a line of text
 AROUND = 1.3  # height of titles, axis and key [inches]
@@ -35,7 +36,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     figure = Drawing(figsize=(TWO_COLUMNS, sum(heights) + AROUND), layout="constrained")
     bars, texts = figure.subplots(2, height_ratios=heights)
     figure.panels = [Panel("", "statements", "part", _draw_bars(bars, rows, parts), letter="A")]
-    texts.set_title("What does not hold, or is not tested", loc="left")
+    texts.set_title(FIGURES["claims"]["others"], loc="left")
     texts.set(xlim=(0.0, 1.0), ylim=(lines, 0.0))
     texts.set_axis_off()
     below = 0.0
@@ -61,9 +62,11 @@ def _draw_bars(axes: Axes, rows: Sequence[Mapping], parts: Sequence[str]) -> lis
         axes.bar_label(bars, texts, label_type="center", color=ink, fontsize=SIZE)
         series.append(Series(CURVE, verdict, counts, place.astype(float)))
         left += counts
-    axes.set_title(f"The {len(rows)} statements of the paper", loc="left")
+    axes.set_title(FIGURES["claims"]["panel"].format(len(rows)), loc="left")
     axes.set_yticks(place, parts)
-    axes.set(xlim=(0.0, left.max()), ylim=(len(parts) - 0.5, -0.5), xlabel="Number of statements")
+    axes.set(
+        xlim=(0.0, left.max()), ylim=(len(parts) - 0.5, -0.5), xlabel=FIGURES["claims"]["scale"]
+    )
     axes.tick_params(axis="y", length=0)
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(loc="center right")

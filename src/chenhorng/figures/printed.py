@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.curves import condition_key, row_key
 from chenhorng.claims.between_curves import area_slope, bend_load, crossings
+from thirdbody.curves import condition_key, row_key
 from thirdbody.plotting import marks
 from thirdbody.plotting.marks import AREA, RATIO, RELATIVE_AREA, is_on
 from thirdbody.plotting.panels import UPRIGHT, Curve, Series
@@ -66,13 +66,12 @@ LOOKS: dict[str, dict[str, Any]] = {
 }
 # a bar with a stroke across each end, and a strip of a number that lacks an ordinate
 BAR = {"linewidth": 1.4, "markersize": 5.0, "markeredgewidth": 1.2, "zorder": 3.0}
-STRIP = {"facecolor": "#FBEFD0", "edgecolor": "#B8923A", "linewidth": 0.6, "zorder": 0.6}
+STRIP = {"facecolor": ("#F3D591", 0.4), "edgecolor": "#B8923A", "linewidth": 0.6, "zorder": 0.6}
 STRIP |= {"label": "tolerance of a printed line"}
 SQUARE = {"label": STRIP["label"], "linestyle": "none", "marker": "s", "markersize": 8.0}
 LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": "#B8923A"}
 ALL_LOOKS = LOOKS | marks.LOOKS
 
-NEARLY = 0.1  # of loads, as their ratio, at which computed marks have one name
 SOLID = "solid_load_fraction"
 # panels over the load for numbers that are not variables: loads, and values at a turning point
 LOADS = {
@@ -196,10 +195,6 @@ def _computed(row, y, of_group, curves) -> Iterator[Series]:
             places.append((curve, bend_load(load, *slopes)))
     else:
         return
-    names: dict[float, list[str]] = {}  # of those that nearly coincide
-    for curve, at in places if len(places) > 1 else ():
-        first = next((one for one in names if abs(at / one - 1.0) < NEARLY), at)
-        names.setdefault(first, []).append(curve.look["label"])
     for curve, at in places:
         if load[0] <= at <= load[-1]:
             yield Series(
@@ -209,7 +204,6 @@ def _computed(row, y, of_group, curves) -> Iterator[Series]:
                 y=np.array([curve.at(y, at)]),
                 curve=curve.condition,
                 look=LOOKS[COMPUTED],
-                text=", ".join(names.get(at, [])),
             )
 
 

@@ -6,19 +6,24 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from thirdbody.core.regimes import CONTACT_MODES
+from chenhorng.figures.captions import SENTENCES
 from chenhorng.figures.sections import PARTICLES, STRETCH, Section, condition_of
+from thirdbody.core.film import has_film
+from thirdbody.core.regimes import CONTACT_MODES
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
-from thirdbody.plotting.scales import label, shared_notes, typeset
+from thirdbody.plotting.scales import label, shared_notes
+from thirdbody.symbols import mathtext
 
-INTERFACE, MODES = 3.75, 2.9  # heights of the figures [inches]
+INTERFACE, MODES = 3.4, 2.75  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
 MICROMETRE = 1e-6
 SCALE = 0.5e-6  # height of the scale bar [m]
+# where names have their middles, in lengths of a section, so that they fit
+INTERFACE_NAMES, MODES_NAMES = (0.2, 0.66), (0.36, 0.48)
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
-PARTICLE = "particles under load"
+PARTICLE = "particle under load"
 # titles of the modes in the order of the panels of figure 2
 MODE_TITLES = {
     "surface_surface": "s-s mode",
@@ -33,23 +38,18 @@ LOOKS: dict[str, dict[str, Any]] = {
     PARTICLE: {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8},
     "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.3},
     SUMMITS: {"color": "C1", "linewidth": 3.2, "zorder": 2.4},
-    "elastic zone": {"facecolor": "C1", "alpha": 0.13, "linewidth": 0.0, "zorder": 2.2},
 }
 FROM_END_TO_END = {"shrinkA": 0, "shrinkB": 0}
 LEADER = FROM_END_TO_END | {"arrowstyle": "-", "color": "0.2", "linewidth": 0.7}
-SEPARATION = FROM_END_TO_END | {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8}
+HEIGHT = FROM_END_TO_END | {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8}
 LOAD = FROM_END_TO_END | {
     "arrowstyle": "-|>",
     "color": "black",
     "linewidth": 2.0,
     "mutation_scale": 14,
 }
-BEHIND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}  # a symbol
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "zorder": 2.4}
-READING = (
-    "orange: carries load, as its diameter exceeds $d - y - h_e$, wherever it rests (Eqs. 4, 5)\n"
-    f"tint: elastic zone $h_e$; heights stretched {STRETCH:g} times, particles drawn round"
-)
+READING = SENTENCES["schematics"].format(STRETCH)
 
 
 def plot_interface(sections: Sequence[Section]) -> Drawing:
@@ -63,7 +63,7 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
     (axes,) = figure.axes
     _draw_section(axes, figure.panels[0], section, INTERFACE_SHAPE)
     _draw_arrows(axes, section)
-    _name_parts(axes, section)
+    _name_parts(axes, section, INTERFACE_NAMES)
     figure.supxlabel(READING, fontsize="medium")
     return figure
 
@@ -84,9 +84,8 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
     figure = empty_panels(panels, (TWO_COLUMNS, MODES), columns=3)
     for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
         _draw_section(axes, panel, section, MODES_SHAPE)
-        _name_parts(axes, section)
-    _draw_height(figure.axes[0], 0.06, *_elastic_zone(figure.axes[0], sections[0]), "$h_e$")
-    figure.supxlabel(typeset(", ".join(common)) + f"\n{READING}", fontsize="medium")
+        _name_parts(axes, section, MODES_NAMES)
+    figure.supxlabel(mathtext(", ".join(common)) + f"\n{READING}", fontsize="medium")
     return figure
 
 
@@ -111,7 +110,7 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     position, length = section["position"], section["position"][-1]
     middle, reach = 0.5 * section["separation"], 0.5 * shape * length / STRETCH
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         axes.fill_between(position, section["lower"], section["upper"], **LOOKS[LUBRICANT])
     for series in panel.series:
         if series.name in edges:
@@ -122,46 +121,54 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
             axes.fill(series.x, series.y, zorder=2.5, **series.look)
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
     axes.set_aspect(STRETCH)
-    axes.axhspan(*_elastic_zone(axes, section), **LOOKS["elastic zone"])
-    corner, end = middle - 0.94 * reach, 0.9 * length
+    corner, end = middle - 0.92 * reach, 0.78 * length
     start = end - STRETCH * SCALE
     bar = [start, end, end], [corner, corner, corner + SCALE]
     axes.plot(*bar, color="black", linewidth=1.5, zorder=4)
     across, up = f"{STRETCH * SCALE / MICROMETRE:g} µm", f"{SCALE / MICROMETRE:g} µm"
     axes.text(start, corner, f"{across} ", ha="right", va="center", zorder=4)
-    axes.text(end, corner + 0.38 * SCALE, f"{up} ", ha="right", va="center", zorder=4, bbox=BEHIND)
+    axes.text(end, corner + 0.5 * SCALE, f" {up}", ha="left", va="center", zorder=4)
     facts = [
         f"$F_t$ = {section['normal_load']:.3g} N",
         f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
         f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
     ]
-    if section["viscosity"] > 0.0:
+    if has_film(section["viscosity"]):
         facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
     axes.set_xlabel(", ".join(facts), fontsize="medium")
 
 
-def _name_parts(axes, section):
-    """Names on the drawing, with lines to the lubricant, a contact of summits and the largest of the particles under load."""
+def _name_parts(axes, section, ends):
+    """Names on the drawing, with lines to a contact of summits and to the largest of the particles under
+    load; the middles of these names are between the ``ends``."""
     position, length = section["position"], section["position"][-1]
     for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
         look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
         axes.text(0.02, height, name, **look)
     bottom, top = axes.get_ylim()
+    above, below = section["upper"].max(), section["lower"].min()
+    highest, lowest = np.interp([0.84, 0.16], [0.0, 1.0], [bottom, top])  # beside names of surfaces
     middle = 0.5 * (section["upper"] + section["lower"])
     touching = np.flatnonzero(section["surfaces_touch"])
     if touching.size:
-        place = touching[np.argmax(middle[touching])]
-        beside = 0.3 * length, 0.7 * top
+        first = np.split(touching, np.flatnonzero(np.diff(touching) > 1) + 1)[0]
+        place = first[first.size // 2]
+        beside = (
+            np.clip(position[place] / length, *ends) * length,
+            min(0.5 * (above + top), highest),
+        )
         _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
     x, y, size, carries = (section[name] for name in PARTICLES)
     if carries.any():
         largest = np.argmax(np.where(carries, size, 0.0))
-        _point_at(axes, PARTICLE, (x[largest], y[largest]), (0.6 * length, 0.4 * bottom))
-    if section["viscosity"] > 0.0:
-        inside = (0.7 * length < position) & (position < 0.9 * length)
-        widest = np.argmax(np.where(inside, section["upper"] - section["lower"], 0.0))
-        beside = position[widest] + 0.05 * length, 0.92 * top
-        _point_at(axes, LUBRICANT, (position[widest], middle[widest]), beside)
+        beside = (
+            np.clip(x[largest] / length, *ends) * length,
+            max(0.85 * below + 0.15 * bottom, lowest),
+        )
+        _point_at(axes, PARTICLE, (x[largest], y[largest]), beside)
+    if has_film(section["viscosity"]):
+        widest = np.argmax(section["upper"] - section["lower"])
+        axes.text(position[widest], middle[widest], LUBRICANT, ha="center", va="center", zorder=4)
 
 
 def _point_at(axes, text, place, beside):
@@ -171,29 +178,25 @@ def _point_at(axes, text, place, beside):
 
 
 def _draw_arrows(axes, section):
-    """The separation of the mean planes, the elastic zone below the upper one, and the load on both surfaces."""
+    """The mean planes, beside the section their separation and the depth of the elastic zone below the
+    upper plane, and the load on both surfaces."""
     length, d = section["position"][-1], section["separation"]
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
+    _draw_height(axes, 1.02, 0.0, d, "$d$")
+    _draw_height(axes, 1.06, d - section["elastic_depth"], d, "$h_e$")
     bottom, top = axes.get_ylim()
-    _draw_height(axes, 0.02, 0.0, d, "$d$")
-    _draw_height(axes, 0.06, *_elastic_zone(axes, section), "$h_e$")
-    for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
+    for end, start in ((0.6 * top + 0.4 * d, 0.98 * top), (0.6 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
-        axes.text(0.53 * length, start, "$F_t$", va="top" if start > 0.0 else "bottom")
-
-
-def _elastic_zone(axes, section) -> tuple[float, float]:
-    """Lower and upper end of the elastic zone, as far as it is seen."""
-    d = section["separation"]
-    return max(d - section["elastic_depth"], axes.get_ylim()[0]), d
+        axes.text(0.52 * length, 0.5 * (start + end), "$F_t$", va="center")
 
 
 def _draw_height(axes, place, low, high, symbol):
     """An arrow from ``low`` to ``high`` with its symbol, at a ``place`` in widths of the panel."""
-    x = place * axes.get_xlim()[1]
-    axes.annotate("", (x, low), (x, high), arrowprops=SEPARATION, zorder=5)
-    axes.text(x, 0.35 * low + 0.65 * high, f" {symbol}", va="center", zorder=4, bbox=BEHIND)
+    across = axes.get_yaxis_transform()
+    ends = {"xycoords": across, "textcoords": across, "annotation_clip": False}
+    axes.annotate("", (place, low), (place, high), arrowprops=HEIGHT, **ends)
+    axes.text(place, 0.5 * (low + high), f" {symbol}", va="center", transform=across)
 
 
 SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {

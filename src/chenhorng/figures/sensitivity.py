@@ -1,6 +1,5 @@
 """Sensitivity to each unprinted input: a heat map of elasticities."""
 
-import re
 import textwrap
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -9,11 +8,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
+from chenhorng.figures.captions import FIGURES
 from chenhorng.sheets import result_name
-from chenhorng.typeset import mathtext
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
-from thirdbody.plotting.scales import typeset
+from thirdbody.symbols import mathtext
 
 ROW = 0.19  # height of a row [inches]
 BESIDE = 2.1  # inches for the names of the results, the title and the note
@@ -23,7 +22,6 @@ END = 3.0  # of the colours, beyond which values lie
 LEAST = 0.05  # elasticity whose number is printed
 DARK = 0.45  # lightness of a cell below which its text is white
 LIGHTNESS = (0.299, 0.587, 0.114)  # weights of red, green, blue: ITU-R BT.601
-LETTER = re.compile(r"(?<![\w${])([A-Za-z])(?![\w}])")  # that is a symbol of its own
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])  # of a cell
 NUMBERS = "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"
 
@@ -45,9 +43,8 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
         name = f"{results[cell[1]]}; {row['input']}; {row['elasticity']:.10g}"
         series.append(Series(CURVE, name, *(CORNERS + cell[::-1]).T))
     decisive = len({*np.argmax(np.abs(values), axis=0).tolist()})
-    title = (
-        f"{NUMBERS[decisive].capitalize()} inputs decide: each result responds most to one of them"
-    )
+    words = FIGURES["sensitivity"]
+    title = words["panel"].format(NUMBERS[decisive].capitalize())
     figure = empty_panels(
         [Panel(title, "result", "elasticity", series)],
         (TWO_COLUMNS, ROW * len(inputs) + BESIDE),
@@ -57,29 +54,29 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
     mesh = _draw_cells(axes, values)
     bar = figure.colorbar(mesh, ax=axes, extend="both", pad=0.01, aspect=30)
     bar.outline.set_visible(False)
-    bar.set_label("Elasticity, d ln(result)/d ln(input)", fontsize=SIZE)
+    bar.set_label(words["scale"], fontsize=SIZE)
     names = [_input_name(name, symbols.get(name, "")) for name in inputs]
     axes.set_yticks(np.arange(len(inputs)) + 0.5, names)
     style: dict[str, Any] = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
-    axes.set_xticks(np.arange(len(results)) + 0.5, map(typeset, results), **style)
+    axes.set_xticks(np.arange(len(results)) + 0.5, map(mathtext, results), **style)
     negligible = [_input_name(name, "") for name in weights if name not in inputs]
     notes = {
-        f"Below {LEAST:g} in size: empty cells, and all of": negligible,
-        "Without a value at the default:": missing,
+        words["faint"].format(LEAST): negligible,
+        words["missing"]: missing,
     }
     texts = [f"{what} {'; '.join(each)}." for what, each in notes.items() if each]
     lines = [
         textwrap.fill(text.replace(" = ", "\xa0=\xa0").replace(" nm", "\xa0nm"), LETTERS)
         for text in texts
     ]
-    figure.supxlabel(typeset("\n".join(lines)), fontsize=SIZE, x=0.02, ha="left")
+    figure.supxlabel(mathtext("\n".join(lines)), fontsize=SIZE, x=0.02, ha="left")
     return figure
 
 
 def _input_name(name, symbol) -> str:
     """An input in words, with its symbol if it has one."""
     words = name.replace("_", " ")
-    return " ".join(filter(None, (words, LETTER.sub(r"$\1$", mathtext(symbol)))))
+    return " ".join(filter(None, (words, mathtext(symbol, is_symbol=True))))
 
 
 def _weights(rows) -> dict[str, float]:

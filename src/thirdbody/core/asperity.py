@@ -86,7 +86,7 @@ class SummitPopulation:
     Examples
     --------
     >>> import thirdbody
-    >>> parameters = thirdbody.load_parameters()
+    >>> parameters = thirdbody.load_parameters().best
     >>> summits = SummitPopulation.of(parameters.surface(300e-9), parameters)
     >>> log_load, slope = summits.log_load([0.0, 3.0, 100.0])
     >>> bool((slope < 0.0).all()), bool(log_load[2] < -5000.0)

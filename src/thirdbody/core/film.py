@@ -100,7 +100,7 @@ class Film:
         Examples
         --------
         >>> import numpy as np, thirdbody
-        >>> film = Film.of(np.array([120e-6]), 300e-9, thirdbody.load_parameters())
+        >>> film = Film.of(np.array([120e-6]), 300e-9, thirdbody.load_parameters().best)
         >>> thickness, slope = film.thickness(np.log(1e-6))
         >>> f"{thickness[0]:.3e}"
         '1.783e-04'

@@ -64,7 +64,7 @@ class ParticleLayer:
         --------
         >>> import numpy as np, thirdbody
         >>> diameter, density = np.array([500e-9]), np.array([1e11])
-        >>> inputs = thirdbody.load_parameters()
+        >>> inputs = thirdbody.load_parameters().best
         >>> layer = ParticleLayer.of(diameter, 300e-9, density, inputs)
         >>> area, coverage = layer.contact(np.array([500e-9, 900e-9]))
         >>> bool(area.value[0] > area.value[1])

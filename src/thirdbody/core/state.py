@@ -56,7 +56,7 @@ def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     variables[ERROR_BOUND] = error
     particles = points.contact.particles
-    covered = particles is not None and particles.covers_all
+    covered = np.asarray(particles is not None and particles.covers_all)
     unsolved = np.isnan(variables[SEPARATION])
     statuses = {
         "not_converged": ~(error <= rtol),

@@ -4,7 +4,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import LogLocator, NullFormatter, NullLocator
 
-from thirdbody.plotting.scales import SCALES, ZONES, power_text, typeset
+from thirdbody.plotting.scales import SCALES, ZONES, axis_label
+from thirdbody.symbols import power_text
 
 ABOVE_NEWTONS = 19.0  # points between the axes and their title
 NEARLY = 0.99  # of the first load, so that its tick is named
@@ -24,7 +25,7 @@ def set_scales(
         (axes.yaxis, y, limits.intervaly),
     ):
         variable = SCALES[name]
-        axis.set_label_text(typeset(variable.axis))
+        axis.set_label_text(axis_label(name))
         spread = 3.0 if variable.is_logarithmic else 10.0
         logarithmic = (variable.is_logarithmic or axis is axes.xaxis) and 0.0 < spread * low < high
         if logarithmic:

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from thirdbody.curves import MOST_PANELS
 from thirdbody.files import atomic_write
 from thirdbody.plotting.panels import Panel
-from thirdbody.plotting.scales import typeset
+from thirdbody.symbols import mathtext
 
 STYLE = Path(__file__).with_name("paper.mplstyle")
 # without dates, so that files are reproducible
@@ -61,7 +61,7 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
     for place, panel in enumerate(figure.panels, 1):
         axes = figure.add_subplot(rows, columns, place)
         letter = rf"$\bf{{({panel.letter})}}$  " if len(panels) > 1 else ""
-        axes.set_title(letter + typeset(panel.title), loc="left", y=1.0)
+        axes.set_title(letter + mathtext(panel.title), loc="left", y=1.0)
     return figure
 
 

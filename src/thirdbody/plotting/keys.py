@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.legend_handler import HandlerLine2D
 from matplotlib.lines import Line2D
 
-from thirdbody.plotting.scales import typeset
+from thirdbody.symbols import mathtext
 
 ROWS_BESIDE = 12  # of a key in the free cell beside the last panel
 HEIGHT, LINE = 0.55, 0.16  # of a key below the panels without lines, and of its lines [inches]
@@ -48,7 +48,7 @@ def is_beside(groups: Groups) -> bool:
 
 def handle(look: Mapping[str, Any]) -> Line2D:
     """The line of an entry."""
-    return Line2D([], [], **{**look, "label": typeset(look["label"])})
+    return Line2D([], [], **{**look, "label": mathtext(look["label"])})
 
 
 def add_key(
@@ -64,6 +64,6 @@ def add_key(
     if beside:
         cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
         place = {"loc": "center right", "bbox_to_anchor": cell}
-    text = typeset("\n".join(filter(None, (title, ", ".join(common)))))
+    text = mathtext("\n".join(filter(None, (title, ", ".join(common)))))
     ends = {each: HandlerLine2D(numpoints=2) for each in lines if each.get_marker() == "|"}
     figure.legend(handles=lines, title=text or None, alignment="left", handler_map=ends, **place)

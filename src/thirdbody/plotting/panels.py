@@ -44,7 +44,7 @@ class Series:
 
     The kind is ``CURVE``, "band", "turning points", "printed", ...  Points are joined by a line, are the
     outline of an area, or each is an upright line across the panel.  A number may have a ``tolerance``: x and
-    y of both its ends.  The ``text`` stands beside its first point.
+    y of both its ends.
     """
 
     kind: str
@@ -56,7 +56,6 @@ class Series:
     drawn_as: str = LINE
     tolerance: tuple[NDArray, NDArray] | None = None
     tolerance_look: Mapping[str, Any] = field(default_factory=dict)
-    text: str = ""
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,8 +21,8 @@ from thirdbody.attributes import GIVEN_AS
 from thirdbody.conditions import axis_of, checked_variables, numbers_in, unit_of
 from thirdbody.curves import LUBRICATED
 from thirdbody.netcdf import OF_THE_FILE, read_plain
-from thirdbody.plotting.curves import curve_figure, draw_panels
 from thirdbody.plotting.drawing import STYLE
+from thirdbody.plotting.load_curves import curve_figure, draw_panels
 from thirdbody.plotting.marks import range_series, read_turning_points
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note

@@ -1,47 +1,27 @@
 """Text of numbers and conditions in figures, and the variables of their axes; nothing is drawn here."""
 
-import re
 from collections.abc import Sequence
 
 from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.curves import Condition
+from thirdbody.symbols import mathtext, power_text, unicode
 from thirdbody.variables import CONDITION_AXES, CONDITIONS, DERIVED, NORMAL_LOAD, QUANTITIES
 
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-LETTERS = str.maketrans("ₐₛₜ", "ast")
-SYMBOL = re.compile(r"([A-Za-zσην])([ₐₛₜ]+(?:,[ₐₛₜ]+)?)(\*?)")
-ALONE = re.compile(r"(?<![\w$])([σην])(?![\w$])")
 ABSENT = {"viscosity": "dry", "particle_diameter": "two-body", "particle_density": "two-body"}
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 
 
-def power_text(value: float) -> str:
-    """``value`` as a power of ten, with at most four digits: 5×10¹⁰, 10¹¹."""
-    mantissa, exponent = f"{value:.3e}".split("e")
-    power = "10" + str(int(exponent)).translate(SUPERSCRIPTS)
-    return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
-
-
-def typeset(text: str) -> str:
-    """A text with symbols for matplotlib, as on the axes of variables: ηₐ as $η_a$."""
-    text = SYMBOL.sub(
-        lambda found: f"${found[1]}_{{{found[2].translate(LETTERS)}}}{'^*' if found[3] else ''}$",
-        text,
-    )
-    return ALONE.sub(r"$\1$", text)
-
-
 def unit_text(parameter: str) -> str:
     """Engineering unit of one of the four conditions."""
-    return CONDITIONS[parameter].alias_unit.translate(SUPERSCRIPTS)
+    return unicode(CONDITIONS[parameter].alias_unit)
 
 
 def parameter_title(parameter: str) -> str:
     """Title of a legend of curves that differ in a condition or the ``diameter_ratio``."""
     if parameter == "diameter_ratio":
-        return "Diameter over roughness xₐ/σ"
+        return f"Diameter over roughness {unicode(DERIVED[parameter].symbol)}"
     name = parameter.replace("_", " ").capitalize()
-    return f"{name} {CONDITIONS[parameter].sign} ({unit_text(parameter)})"
+    return f"{name} {unicode(CONDITIONS[parameter].symbol)} ({unit_text(parameter)})"
 
 
 def value_text(parameter: str, value: float) -> str:
@@ -58,7 +38,7 @@ def note(parameter: str, value: float) -> str:
     if value == 0.0 and parameter in ABSENT:
         return ABSENT[parameter]
     unit = "" if parameter == "load" else f" {unit_text(parameter)}"
-    return f"{CONDITIONS[parameter].sign} = {value_text(parameter, value)}{unit}"
+    return f"{unicode(CONDITIONS[parameter].symbol)} = {value_text(parameter, value)}{unit}"
 
 
 def shared_notes(conditions: Sequence[Condition]) -> list[str]:
@@ -89,9 +69,20 @@ SCALES = CONDITIONS | QUANTITIES | {NORMAL_LOAD.name: NORMAL_LOAD} | DERIVED
 
 def panel_title(x: str, y: str) -> str:
     """Title of a panel of ``y`` over ``x``."""
-    symbol = SCALES[x].axis.partition(" ")[0]
-    over = "" if x in ("load", "normal_load", "diameter_ratio") else f" over {symbol}"
+    over = (
+        ""
+        if x in ("load", "normal_load", "diameter_ratio")
+        else f" over {unicode(SCALES[x].symbol)}"
+    )
     return SCALES[y].title + over
+
+
+def axis_label(name: str) -> str:
+    """Label of an axis: words, symbol and unit, with mathematics of matplotlib."""
+    variable = SCALES[name]
+    unit = variable.shown_unit and f"({unicode(variable.shown_unit)})"
+    symbol = mathtext(variable.symbol, is_symbol=True)
+    return " ".join(filter(None, (variable.axis_words, symbol, unit)))
 
 
 def quantity(name: str) -> str:
@@ -110,5 +101,4 @@ def axis_text(name: str, value: float) -> str:
     number = power_text(rounded) if is_power else f"{rounded:g}"
     if name == "film_thickness":
         return f"{number}×{power_text(variable.scale)}"
-    unit = re.search(r"\(([^$]+)\)$", variable.axis)
-    return f"{number} {unit[1]}" if unit else number
+    return f"{number} {unicode(variable.shown_unit)}".rstrip()

@@ -105,7 +105,7 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_interpretation_and_s
     for name in (*MADE_BY_RUNS, "config/calibrated"):
         shutil.rmtree(there.root / name)
     shutil.copytree(sources.root / "config/calibrated", there.root / "config/calibrated")
-    chunks = [f"results/atlas/chunks/{number}-of-3.nc" for number in (1, 2, 3)]
+    chunks = [f"results/atlas/chunks/{roughness}nm.nc" for roughness in (100, 300, 500)]
     before = cluster.jobs("all")
     adopted = f"results/calibration/{INTERPRETATIONS[0]}.yaml"
     complete(submit(there, *chunks, adopted, *MINIMAL))

@@ -28,7 +28,7 @@ def test_source_in_the_archive_makes_the_same_archive_elsewhere_though_killed_tw
 ):
     first, jobs, chance = release_in(released), jobs_begun(finished), random.Random(5)
     with zipfile.ZipFile(first.with_name(f"{first.name}.zip")) as archive:
-        archive.extractall(tmp_path)
+        archive.extractall(tmp_path / first.name)
     subprocess.run([sys.executable, tmp_path / first.name / "verification/verify.py"], check=True)
     unpacked = tmp_path / first.name / "data"
     elsewhere = Workspace(shutil.copytree(unpacked / "source", tmp_path / "elsewhere"))

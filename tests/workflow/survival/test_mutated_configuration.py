@@ -10,9 +10,9 @@ import yaml
 from harm import LONG
 from workspace import ROOT
 
-from thirdbody.core.parameters import Parameters
 from chenhorng.configuration.settings import read_settings
 from chenhorng.scenes import scene_groups
+from thirdbody.core.parameters import Parameters
 
 FILES = {  # and how many mutations of each
     "config/config.yaml": 110,

@@ -23,7 +23,6 @@ from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import (
     NAME_SIZE,
-    TO_END,
     hide_bars,
     hide_repeats,
     keep_apart,
@@ -33,14 +32,13 @@ from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, UPRIGHT, Curve, Panel, Series
-from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes, typeset
+from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes
 from thirdbody.plotting.styles import DRY, DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
+from thirdbody.symbols import mathtext
 
-LANE = 0.05  # height of strips that overlap, in heights of a panel
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
-BESIDE = (26.0, -22.0)  # from a mark to its text [points]
 # of the name of an upright line
 NAME_LOOK = {"fontsize": NAME_SIZE, "rotation": 90}
 UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its first value
@@ -246,7 +244,7 @@ def draw_panels(
             _draw_panel(each, panel, newtons_per_load)
         if groups:
             lines = [handle(each) for group in groups for each in group]
-            axes[-1].legend(handles=lines, title=typeset(title) or None)
+            axes[-1].legend(handles=lines, title=mathtext(title) or None)
         return axes[0].figure.figure
     rows = math.ceil(len(panels) / 2)
     beside = len(panels) % 2 == 1 and is_beside(groups)
@@ -275,9 +273,6 @@ def _draw_panel(axes, panel, newtons_per_load):
         if series.drawn_as == LINE:
             y = np.maximum(series.y, unseen)
             (lines[series],) = axes.plot(series.x, y, **series.look)
-            if series.text:
-                look = {"fontsize": NAME_SIZE, "textcoords": "offset points", "arrowprops": TO_END}
-                axes.annotate(series.text, (series.x[0], y[0]), BESIDE, **look)
             if series.tolerance and series.x.size > 1:
                 axes.fill_between(series.x, *series.tolerance[1], **series.tolerance_look)
             elif series.tolerance:
@@ -307,11 +302,9 @@ def _draw_panel(axes, panel, newtons_per_load):
 
 
 def _draw_uprights(axes, panel):
-    """Upright lines, each number once, with the name of their curve; strips of tolerances that overlap are
-    low, at the top, one below the other.  Strips of unlike lines have their outlines."""
+    """Draw upright lines, each number once, with the name of their curve and a strip for the tolerance."""
     names = {one.curve: _name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Series] = []
-    lanes: list[list] = []
     for series in panel.series:
         if series.drawn_as != UPRIGHT or any(_is_same(series, one) for one in drawn):
             continue
@@ -319,11 +312,8 @@ def _draw_uprights(axes, panel):
         for x in series.x:
             axes.axvline(x, **series.look)
         if series.tolerance:
-            taken = [any(_overlap(series, one) for one in lane) for lane in (*lanes, [])]
-            lanes += [[]] if all(taken[:-1]) else []
-            lanes[taken.index(False)].append(series)
+            axes.axvspan(*series.tolerance[0], **series.tolerance_look)
     is_low = panel.x == "load"  # the name, where fewer curves are
-    looks = {(str(one.look["color"]), str(one.look["linestyle"])) for one in drawn if one.tolerance}
     for series in drawn:
         if series.curve in names and series.tolerance:
             y = 0.02 if is_low else 0.98
@@ -332,13 +322,6 @@ def _draw_uprights(axes, panel):
             look |= {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points"}
             x, gap = (series.tolerance[0][1], 2.0) if is_low else (series.x[0], -2.0)
             axes.annotate(names[series.curve], (x, y), (gap, 0.0), **look)
-    for place, lane in enumerate(lanes):
-        top = 1.0 - place * LANE
-        heights = (top - LANE, top) if len(lanes) > 1 else (0.0, 1.0)
-        for series in lane:
-            own = {"edgecolor": series.look["color"], "linestyle": series.look["linestyle"]}
-            look = series.tolerance_look | (own if len(looks) > 1 else {})
-            axes.axvspan(*series.tolerance[0], *heights, **look)
 
 
 def _is_same(series, other) -> bool:
@@ -347,18 +330,12 @@ def _is_same(series, other) -> bool:
     return is_like and bool(np.isclose(series.x[0], other.x[0], rtol=SAME, atol=0.0))
 
 
-def _overlap(series, other) -> bool:
-    """Whether two strips overlap."""
-    (low, high), (first, last) = (each.tolerance[0] for each in (series, other))
-    return bool(low < last and first < high)
-
-
 def _name(series) -> str:
     """The level of a curve, written at its end."""
     text = series.look.get("label", "").lstrip("_")
     text = {TWO_BODY: "none", DRY_TWO_BODY_TEXT: "two-body"}.get(text, text)
     is_level = text[:1].isdigit() or text in ("dry", "none", "two-body")
-    return typeset(text) if is_level else ""
+    return mathtext(text) if is_level else ""
 
 
 def _is_hairline(series) -> bool:

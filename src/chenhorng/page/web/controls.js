@@ -2,11 +2,11 @@
 
 import { axes, content, defaultInputs } from "./content.js";
 import { BODIES, GRADES, MATERIALS, materialInputs, oilViscosity, speedOf } from "./rig.js";
-import { NUMBERS, change, currentInputs, currentPoint, isDefault, ofRun, otherInterpretations, state, toDefault } from "./state.js";
-import { areHard, conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, setInterpretation, toUnit } from "./state.js";
+import { NUMBERS, change, currentInputs, currentPoint, isDefault, state, toDefault } from "./state.js";
+import { areHard, conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
 import { VARIABLES, capital, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
-import { numberIn, plain, readable, significant, typeset } from "./text.js";
+import { numberIn, readable, significant, typeset } from "./text.js";
 
 const STEPS = 1000; // of a slider
 const BACK = '<button type="button" class="back" title="back to the default">↺</button>';
@@ -28,7 +28,7 @@ export function makeControls(form) {
   const controls = (kind, control) => (names.get(kind) ?? []).map(control);
   group(form, "Conditions", axes.map(conditionControl));
   group(form, "Ball, flat, particles and oil", rigControls());
-  group(form, "Interpretation of the paper", [presetControl(), ...controls("word", wordControl)]);
+  group(form, "Interpretation of the paper", controls("word", wordControl));
   group(form, "Inputs that the paper does not print", controls("unknown", numberControl));
   group(form, "Printed inputs of the equations", controls("printed", numberControl), false);
   updates.push(showRefused);
@@ -257,18 +257,5 @@ function wordControl(name) {
     options: allowed.map((word) => [word, spaced(word)]),
     value: () => currentInputs()[name],
     choose: (word) => setInputs({ [name]: word && inputNamed(name, word) }),
-  });
-}
-
-// All inputs of a calibrated interpretation at once, with its ensemble.
-function presetControl() {
-  return choiceControl({
-    id: "interpretation",
-    label: "Calibrated inputs",
-    hint: "All unprinted inputs as calibrated under one interpretation",
-    options: [["", plain(ofRun?.title ?? "those of this run")], ...otherInterpretations.map(({ name, title }) => [name, plain(title)])],
-    value: () => state.interpretation,
-    changed: () => !isDefault("interpretation"),
-    choose: (name) => setInterpretation(name ?? ""),
   });
 }

@@ -132,7 +132,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const { x, y, letter, locus, least } = panel;
   const ofPaper = curves.filter(({ mine }) => !mine);
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
-  const changed = !isCalibrated() || state.interpretation !== "" || ofPaper.some(isMoved);
+  const changed = !isCalibrated() || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
   // at an end of a load percentage the paper names a regime: its bar alone tells all
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
@@ -183,7 +183,7 @@ function titleOf(x, y) {
 }
 
 // The spec of a chart of curves, whose axes also show some places [x, y].
-export function curvesSpec({ x, y, least, lines, ghosts = [], ...given }, engine, marked = []) {
+function curvesSpec({ x, y, least, lines, ghosts = [], ...given }, engine, marked = []) {
   const points = [...lines.flatMap((line) => line.points), ...ghosts.flat()];
   return specOf({
     x: axisFor(x, state.x_scale, [...points.map((point) => point.x), ...marked.map((at) => at[0])]),
@@ -210,7 +210,7 @@ function marksOf(marks, statement, curves) {
 }
 
 // The turning points of curves, and their maxima that do not count.
-export const starsOf = (x, y, curves, engine) => pointsAt(({ turningPoint }) => turningPoint, x, y, curves, engine);
+const starsOf = (x, y, curves, engine) => pointsAt(({ turningPoint }) => turningPoint, x, y, curves, engine);
 const slightOf = (...given) => pointsAt(({ turningPoint, peak }) => !turningPoint && peak.prominence > SLIGHT && peak, ...given);
 const pointsAt = (find, x, y, curves, engine) =>
   curves.filter(find).map((curve) => ({ ...engine.pointOf(x, y, find(curve), curve.condition), faded: curve.faded }));

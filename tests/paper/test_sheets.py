@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from chenhorng.sheets import Sheet, page, readable, result_name, rounded
+from chenhorng.sheets import Sheet, result_name, rounded, sheet_of
 
 NEWTONS = 1e5  # per load
 CURVE = {"viscosity_m2_per_s": 9e-5, "particle_diameter_m": 3e-7, "roughness_m": 3e-7}
@@ -55,7 +55,7 @@ def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
         printed(OTHER, "turning_point_load", 3.27e-6, 3.11e-6, 3.43e-6),
         printed(CURVE, "turning_point_solid_load_fraction", 0.211, 0.181, 0.241),
     ]
-    sheet = readable("tpca_loads", rows, numbers, NEWTONS)
+    sheet = sheet_of("tpca_loads", rows, numbers, NEWTONS)
     dry, lubricated = cells(sheet)
     assert lubricated[:5] == ["6, 11", "90", "300", "300", "1e11"]
     assert dry[5:] == ["3.18", "3.27 ± 0.16", "0.318", "0.200", "21.1", "", "1150"]
@@ -68,7 +68,7 @@ def test_a_windows_ends_stand_in_one_row_beside_the_papers():
     rows = [common | {"end": end, "diameter_over_roughness": value} for end, value in ends]
     surface = dict.fromkeys(CURVE) | {"roughness_m": 3e-7}
     numbers = [printed(surface, "window_low", 0.83, 0.73, 0.93)]
-    sheet = readable("tpca_windows", rows, numbers, NEWTONS)
+    sheet = sheet_of("tpca_windows", rows, numbers, NEWTONS)
     assert cells(sheet) == [["300", "0.881", "0.83 ± 0.1", "1.30", "264 to 391"]]
 
 
@@ -79,7 +79,7 @@ def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
     rows = [common | {"direction": direction, "load": load} for direction, load in loads]
     at = {"at_quantity": "solid_load_fraction", "at_level": 0.9}
     numbers = [printed(CURVE, "load", 1e-4, 7e-5, 1.3e-4, **at)]
-    sheet = readable("transitions", rows, numbers, NEWTONS)
+    sheet = sheet_of("transitions", rows, numbers, NEWTONS)
     (row,) = sheet.rows
     assert row["Lₛ = 90 % (paper)"] == "10 ± 3"
     assert (row["Aₛₐ,ₜ* ↑ 0.05 [N]"], row["Aₛₐ,ₜ* ↓ 0.05 [N]"]) == ("0.200", "9.00")
@@ -90,7 +90,7 @@ def test_sensitivities_are_inputs_by_results():
     given = [("mean_ratio", -3.4567, 1e-6), ("truncation", 0.001, 1e-6), ("", None, None)]
     names = ("input", "elasticity", "error")
     rows = [common | dict(zip(names, cell, strict=True)) for cell in given]
-    sheet = readable("sensitivity", rows, (), NEWTONS)
+    sheet = sheet_of("sensitivity", rows, (), NEWTONS)
     assert [*sheet.rows[0]] == ["input", "turning point: load, dry"]
     assert cells(sheet) == [["mean ratio", "-3.46"], ["truncation", "0"]]
 
@@ -103,7 +103,7 @@ def test_deviations_have_their_median_and_mean_and_say_what_is_missing():
         common | {"place": place, "computed": computed, "deviation": deviation}
         for place, (computed, deviation) in zip(places, numbers, strict=True)
     ]
-    sheet = readable("deviations", rows, (), NEWTONS)
+    sheet = sheet_of("deviations", rows, (), NEWTONS)
     assert cells(sheet) == [
         ["Figure 11A", "A statement.", "3.27e-6", "3.679e-6", "+12.5 %"],
         ["Figure 9", "A statement.", "3.27e-6", "none", "-100.0 %"],
@@ -119,7 +119,7 @@ def test_departures_are_rows_of_counts_and_deviations():
     other = row | {"departure": "all take part", "inputs": "participation = 1.0", "holds": 89.0}
     random = row | {"departure": "at random", "holds": 65.0}
     random |= dict.fromkeys(("headline", "median_deviation", "mean_deviation"))
-    sheet = readable("departures", [row, other, random], (), NEWTONS)
+    sheet = sheet_of("departures", [row, other, random], (), NEWTONS)
     assert cells(sheet) == [
         ["as it is", "", "100 of 115", "16 of 18", "2.9 %", "6.0 %"],
         ["all take part", "participation = 1.0", "89 of 115", "16 of 18", "2.9 %", "6.0 %"],
@@ -128,7 +128,7 @@ def test_departures_are_rows_of_counts_and_deviations():
 
 
 def test_a_page_is_the_text_and_needs_no_other_file():
-    shown = page(Sheet(title="One", note="Note.", rows=[{"a": "<b> & c"}, {"a": "x_a"}]))
+    shown = Sheet(title="One", note="Note.", rows=[{"a": "<b> & c"}, {"a": "x_a"}]).html()
     assert shown.count("<table") == 1 and "Note." in shown
     assert "<td>&lt;b&gt; &amp; c</td>" in shown and "<td><i>x</i><sub>a</sub></td>" in shown
     assert "src=" not in shown and re.findall('href="(.*?)"', shown) == ["../index.html"]
@@ -139,7 +139,13 @@ def test_the_points_of_a_column_of_numbers_stand_below_each_other():
     sheet = Sheet(title="", note="", rows=[{"n": text, "t": f"{text} nm"} for text in texts])
     assert sheet.decimals == {"n": 2}
     assert [sheet.padding("n", text) for text in texts] == [".00", "", "0", "", "", "0", "", ""]
-    assert page(sheet).count('<td class="number"') == len(texts)
+    assert sheet.html().count('<td class="number"') == len(texts)
+
+
+def test_a_symbol_is_one_in_its_column_alone():
+    sheet = Sheet(title="", note="", rows=[{"symbol": "W", "unit": "N"}])
+    assert "<td><i>W</i></td><td>N</td>" in re.sub(r"\n *", "", sheet.html())
+    assert r"$W$ & N \\" in sheet.latex("table2")
 
 
 ROW = {"σ [nm]": "300", "high end": "1.3 ± 0.2", "xₐ [nm]": "264 to 391", "50 % & more_of": ""}
@@ -151,7 +157,7 @@ WINDOWS = Sheet(
 def test_a_table_for_latex_has_numbers_units_caption_and_label():
     text = WINDOWS.latex("windows")
     assert (
-        r"\caption{Windows. In $F_{t}^*$ $A_{n}$, \num{1e11} m$^{-2}$.}\label{tab:windows}" in text
+        r"\caption{Windows. In $F_{t}^*$ $A_{n}$, $10^{11}$ m$^{-2}$.}\label{tab:windows}" in text
     )
     assert (
         r"{$\sigma$ [\unit{\nm}]} & {high end} & {$x_{a}$ [\unit{\nm}]} & {50 \% \& more\_of}"
@@ -194,11 +200,11 @@ def test_results_are_named_with_what_tells_them_apart(output, quantity, name):
 def test_there_are_no_columns_of_what_nothing_is_to_be_said(table):
     """Of the paper beside curves of one's own, and of statuses where all have converged."""
     row = CURVE | POINT | {"figure": "mine", "quantity": "", "level": 0.0, "direction": "rising"}
-    sheet = readable(table, [row], (), NEWTONS)
+    sheet = sheet_of(table, [row], (), NEWTONS)
     assert next(iter(sheet.rows[0])) == "ν [cSt]"
     assert not any("paper" in name or name == "status" for name in sheet.rows[0])
     assert cells(sheet)[0][:4] == ["90", "300", "300", "1e11"]
     other = row | OTHER | {"solution_status": "area_exceeded"}
-    sheet = readable(table, [row, other], (), NEWTONS)
+    sheet = sheet_of(table, [row, other], (), NEWTONS)
     assert [*sheet.rows[0]][-1] == "status"
     assert {line[0]: line[-1] for line in cells(sheet)} == {"dry": "area exceeded", "90": ""}

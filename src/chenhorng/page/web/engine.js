@@ -4,10 +4,11 @@ import { axes, defaultInputs } from "./content.js";
 import { modelOf, remembered } from "./model.js";
 import { PROMINENCE, curveOf, highestMaximum } from "./curves.js";
 import { scaleFor } from "./names.js";
-import { OVER_TWO_BODY, currentInputs, memberInputs } from "./state.js";
+import { currentInputs, memberInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
 const ENGINES = 70; // sets of inputs: those of the ensemble, and the last that were chosen
+const OVER_TWO_BODY = "total_contact_area_over_two_body";
 const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
 
 export const engineOf = remembered((inputs) => {
@@ -33,12 +34,9 @@ export const engineOf = remembered((inputs) => {
   };
   // the points of a line over the load
   const points = remembered(({ x, y, condition }) => curve(condition).states.map((found) => pointOf(x, y, found, condition)));
-  // those over a condition x
-  const pointsAlong = (x, y, point, places) =>
-    places.map((place) => pointOf(x, y, state({ ...point, [x]: place }), { ...point, [x]: place }));
   // the state at all five conditions, the load in newtons
   const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
-  return { inputs, model, newtonsPerLoad, loads, contact, curve, points, pointsAlong, pointOf, state };
+  return { inputs, model, newtonsPerLoad, loads, contact, curve, points, pointOf, state };
 }, ENGINES);
 
 export const defaultEngine = () => engineOf(defaultInputs);

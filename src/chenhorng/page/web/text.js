@@ -1,28 +1,28 @@
-// Numbers and symbols as text.
+// Numbers and symbols as text. How a symbol is found in a text is told by the library, in `content`.
 
-const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-export const powerOfTen = (exponent) =>
-  `10${String(exponent).replace("-", "⁻").replace(/\d/g, (digit) => SUPERSCRIPTS[digit])}`;
+import { content } from "./content.js";
+
+const { symbol, in_text, power, word, below, greek, superscripts } = content.symbols;
+const all = (...sources) => new RegExp(sources.join("|"), "gu");
+export const powerOfTen = (exponent) => `10${String(exponent).replace(/./g, (sign) => superscripts["-0123456789".indexOf(sign)])}`;
+const scientific = (factor, exponent) => (factor === "1" ? "" : `${factor}×`) + powerOfTen(Number(exponent));
 
 // text inside of markup
 export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
 // Texts with symbols such as A_sa,t* and powers such as 3e-6 as markup: a letter, its index, and a power.
-const SYMBOL = /(?<!\w)(\p{L})_(\w+(?:,t)?)|[νσ]|(?<![\w'’])d(?!\w)/gu;
-const POWER = /(?<=\d)e([-+]?\d+)/g;
-const LETTERS = { eta: "η", sigma: "σ", omega: "ω", kappa: "κ", phi: "φ", nu: "ν", ₐ: "_a", ₜ: "_t" };
-const LETTER = /(?<![a-z])(?:eta|sigma|omega|kappa|phi|nu)(?![a-z])|[ₐₜ]/g;
-export const lettered = (text) => text.replace(LETTER, (word) => LETTERS[word]);
+export const lettered = (text) =>
+  text.replace(all(word), (name) => greek[name]).replace(all(below), (index) => `_${index.normalize("NFKC")}`);
 const typesetter = (letterIn, indexIn) => (text) =>
   lettered(escaped(text))
-    .replace(SYMBOL, (found, letter = found, index) => letterIn(letter) + (index ? indexIn(index) : ""))
-    .replace(POWER, (_, exponent) => `×${powerOfTen(Number(exponent))}`);
+    .replace(all(symbol, in_text), (_, letter, index, single) => letterIn(letter ?? single) + (index ? indexIn(index) : ""))
+    .replace(all(power), (_, factor, sign, digits) => scientific(factor, sign + digits));
 export const typeset = typesetter((letter) => `<i>${letter}</i>`, (index) => `<sub>${index}</sub>`);
 export const typesetInDrawing = typesetter(
   (letter) => `<tspan font-style="italic">${letter}</tspan>`,
   (index) => `<tspan dy="0.3em" font-size="0.8em">${index}</tspan><tspan dy="-0.24em">\u200b</tspan>`,
 );
-export const plain = (text) => text.replace(SYMBOL, (found, letter = found, index = "") => letter + index);
+export const plain = (text) => text.replace(all(symbol), "$1$2");
 
 // The number that a person types, with a decimal point or comma; NaN where it is none, or where a comma
 // may stand before thousands: 1,000.
@@ -43,6 +43,5 @@ export function readable(value, digits = 4, trim = "~") {
   const size = Math.abs(value);
   if (size === 0 || (size >= 1e-4 && size < 10 ** Math.max(digits, 4))) return d3.format(`.${digits}${trim}r`)(value);
   const [mantissa, exponent] = d3.format(`.${digits - 1}${trim}e`)(value).split("e");
-  const power = powerOfTen(Number(exponent));
-  return mantissa === "1" ? power : `${mantissa}×${power}`;
+  return scientific(mantissa, exponent);
 }

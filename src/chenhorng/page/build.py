@@ -1,5 +1,5 @@
 """The page: content collected from products of the workflow, put into one HTML file with the
-template, style and scripts of the folder ``page/`` and with D3.  It computes the curves itself."""
+template, style and scripts of the folder ``web/`` and with D3.  It computes the curves itself."""
 
 import json
 import re
@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from thirdbody import symbols
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
@@ -17,24 +18,22 @@ FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
 NODES = 48  # of the integrals computed in the page
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-RAISED = re.compile(r"(?<=[a-z])-\d")
 # what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
 MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\\text\s*\{([^}]*)\}": r"\1",
-    r"\\(sigma|nu|eta)(?![a-z])": lambda found: {"sigma": "σ", "nu": "ν", "eta": "η"}[found[1]],
+    r"\\(sigma|nu|eta)(?![a-z])": lambda found: symbols.GREEK[found[1]],
     r"\s*\\times\s*": "×",
     r"\\cdot": "·",
     r"\\rightarrow": "→",
     r"\\star|\\\*": "*",
     r"\\([ %])": r"\1",
     r"\^\{?\*\}?": "*",
-    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda found: found[1].translate(SUPERSCRIPTS),
+    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda found: symbols.unicode(f"^{found[1]}"),
     r"_\{(\w+(?:,t)?)\}": r"_\1",
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
 STATED = (  # what the page shows of a statement in claims.json
-    *("id", "part", "place", "statement", "verdict", "verdicts_of", "finding"),
+    *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
 )
 
@@ -44,7 +43,6 @@ def page_content(
     judged: Mapping[str, Any],
     departures: Sequence[Mapping[str, Any]],
     inputs: Mapping[str, Any],
-    interpretations: Sequence[Mapping[str, Any]],
     ensemble: Sequence[Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
     rig: Mapping[str, Any],
@@ -55,9 +53,8 @@ def page_content(
     ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
     departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
     with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
-    ``interpretations`` have ``name``, ``title``, ``inputs`` and ``ensemble`` of each calibrated one, ``ensemble``
-    the inputs of each member that differ from the default, ``ranges`` the first and last value of each
-    condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
+    ``ensemble`` has the inputs of each member that differ from the default, ``ranges`` the first and last value of
+    each condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
     oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
     ``usual_density`` of an oil; and the least and most of each number that a reader gives.
     """
@@ -78,6 +75,10 @@ def page_content(
             each.name: _variable(each)
             for each in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
         },
+        "symbols": {
+            name.lower(): getattr(symbols, name)
+            for name in ("SYMBOL", "IN_TEXT", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS")
+        },
         "statuses": dict(STATUS_MEANINGS),
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
@@ -85,7 +86,6 @@ def page_content(
             name: {**entry, **(BOUNDS[name]._asdict() if name in BOUNDS else {})}
             for name, entry in inputs.items()
         },
-        "interpretations": list(interpretations),
         "ensemble": list(ensemble),
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
@@ -96,7 +96,7 @@ def page_content(
 
 def _variable(variable):
     """What the page calls a variable, and how it shows its values: in a unit, as a multiple of that in SI."""
-    unit = RAISED.sub(lambda found: found[0].translate(SUPERSCRIPTS), variable.shown_unit)
+    unit = symbols.unicode(variable.shown_unit)
     factor = {} if variable.scale == 1.0 else {"factor": float(f"{1.0 / variable.scale:.12g}")}
     names = {"symbol": variable.symbol, "words": variable.title, "unit": unit}
     return names | factor | {"log": variable.is_logarithmic}
@@ -146,13 +146,13 @@ def page_text(content: Mapping[str, Any]) -> str:
     """The page as self-contained HTML, from the ``content`` of ``page_content``."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
-        "style.css": _read("page/style.css"),
+        "style.css": _read("web/style.css"),
         "d3.LICENSE": _read("vendor/d3.LICENSE"),
         "d3.min.js": _read("vendor/d3.min.js"),
         "content.json": data.replace("<", "\\u003c"),
         "main.js": _one_script(FIRST),
     }
-    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("page/index.html"))
+    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("web/index.html"))
 
 
 def _one_script(first: str) -> str:
@@ -162,7 +162,7 @@ def _one_script(first: str) -> str:
     def join(name):
         if name in joined:
             return
-        text = _read(f"page/{name}")
+        text = _read(f"web/{name}")
         for _, imported in IMPORT.findall(text):
             join(imported)
         body = IMPORT.sub(r'const \1 = modules["\2"];', EXPORT.sub("", text))

@@ -5,7 +5,6 @@ import { CHOICES, change, changedInputs, currentInputs, currentPoint } from "./s
 import { fromFragment, onChange, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
-import { axesView } from "./axes.js";
 import { MAP_KEY, mapTitle, mapView } from "./map.js";
 import { chartIn, sampleOf } from "./chart.js";
 import { showPoint, unusual } from "./point.js";
@@ -69,7 +68,6 @@ function showKey(entries) {
 // Each gives the heading, notes and key of a view, and the specs of its charts, or draws it.
 const VIEWS = {
   figures: figureView,
-  axes: axesView,
   map() {
     if (!charts.length) $("charts").replaceChildren("Solving all points of the map …");
     mapView($("charts"), (spec) => {
@@ -98,11 +96,11 @@ function draw() {
   const ranged = specs?.flatMap((spec) => spec.ranged ?? []) ?? [];
   if (ranged.length) inSlices($("charts"), rangeSteps(ranged, draw), () => state.view === "figures", PAUSE);
   showKey(key);
-  const hasNewtons = state.view !== "axes" || specs[0].newtonsPerLoad;
   $("heading").innerHTML = typeset(heading);
   $("definition").textContent = definition();
   $("notes").innerHTML = typeset([...unusual(), ...notes].join("; "));
-  $("caption").innerHTML = typeset(hasNewtons ? `${caption} ${newtonsText()}` : caption);
+  $("caption").innerHTML = typeset(`${caption} ${newtonsText()}`);
+  $("damaged").textContent = state.damage;
 }
 
 let asked = 0;
@@ -150,6 +148,10 @@ function showChoices() {
   $("save-svg").disabled = !$("charts").querySelector("svg");
 }
 
+document.querySelector(".skip").addEventListener("click", (event) => {
+  event.preventDefault(); // the fragment of the address is the state
+  $("view").focus();
+});
 $("reset").addEventListener("click", () => fromFragment("")); // also where the address does not change
 addEventListener("hashchange", () => fromFragment(location.hash));
 addEventListener("resize", () => requestAnimationFrame(draw));

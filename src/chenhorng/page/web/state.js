@@ -4,25 +4,15 @@ import { axes, content, defaultInputs } from "./content.js";
 import { GRADES, MATERIALS, materialInputs, oilViscosity, rigInputs } from "./rig.js";
 import { numberIn, significant } from "./text.js";
 
-export const OVER_TWO_BODY = "total_contact_area_over_two_body";
-
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
 const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
-
-// Calibrated interpretations, that of the run apart
-const isOther = ({ inputs }) => Object.entries(inputs).some(([name, value]) => defaultInputs[name] !== value);
-export const ofRun = content.interpretations.find((each) => !isOther(each));
-export const otherInterpretations = content.interpretations.filter(isOther);
 
 // What can be chosen, and its default
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
 export const CHOICES = {
-  view: ["figures", "axes", "map"],
+  view: ["figures", "map"],
   figure: figures,
-  x: [...names, ...content.quantities],
-  y: [...content.quantities, OVER_TWO_BODY],
-  by: names,
   map_x: names,
   map_y: names,
   x_scale: ["auto", "log", "linear"],
@@ -33,7 +23,6 @@ export const CHOICES = {
   flat: MATERIALS,
   particle: MATERIALS,
   oil_grade: ["", ...GRADES],
-  interpretation: ["", ...otherInterpretations.map(({ name }) => name)],
 };
 // Numbers that can be chosen, with bounds and default; the speed is by default that of the inputs
 export const NUMBERS = {
@@ -44,44 +33,38 @@ export const NUMBERS = {
 const DEFAULTS = {
   ...Object.fromEntries(Object.entries(CHOICES).map(([name, [first]]) => [name, first])),
   ...Object.fromEntries(Object.entries(NUMBERS).map(([name, { usual }]) => [name, usual])),
-  ...{ y: "particle_contact_area_ratio", by: "particle_diameter", map_y: "particle_diameter" },
+  map_y: "particle_diameter",
   figure: figures.find((name) => name === "fig11") ?? figures[0],
 };
-const fresh = () => ({ ...DEFAULTS, conditions: {}, inputs: {} });
+// and what is wrong with the link that was opened
+const fresh = () => ({ ...DEFAULTS, conditions: {}, inputs: {}, damage: "" });
 export const state = fresh();
 const listeners = [];
 export const onChange = (listener) => listeners.push(listener);
 
 // Change what is shown: `what` has fields of the state.
 export function change(what) {
-  Object.assign(state, what);
+  Object.assign(state, { damage: "" }, what);
   listeners.forEach((listener) => listener());
 }
 export const isDefault = (name) => state[name] === DEFAULTS[name];
 export const toDefault = (...names) => change(Object.fromEntries(names.map((name) => [name, DEFAULTS[name]])));
 
-// The calibrated interpretation that is chosen; undefined for that of the run.
-export const chosenInterpretation = () => interpretationNamed(state.interpretation);
-const interpretationNamed = (wanted) => otherInterpretations.find(({ name }) => name === wanted);
-const calibratedInputs = (name) => ({ ...defaultInputs, ...interpretationNamed(name)?.inputs });
-
 // Values that are chosen and differ from the calibrated inputs.
-function chosen(values, calibrated = calibratedInputs(state.interpretation)) {
+function chosen(values) {
   const entries = Object.entries(values);
-  return Object.fromEntries(entries.filter(([name, value]) => value !== undefined && value !== calibrated[name]));
+  return Object.fromEntries(entries.filter(([name, value]) => value !== undefined && value !== defaultInputs[name]));
 }
 export function setCondition(name, value) {
   const oil = name === "viscosity" ? { oil_grade: DEFAULTS.oil_grade } : {};
   change({ conditions: chosen({ ...state.conditions, [name]: value }), ...oil });
 }
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
-export const setInterpretation = (name) => change({ interpretation: name, inputs: chosen(state.inputs, calibratedInputs(name)) });
 
 // All that the reader has changed, which is known: each member of the ensemble has it.
 export const changedInputs = () => chosen({ ...rigInputs(state, state.inputs), ...state.inputs });
-export const currentInputs = () => ({ ...calibratedInputs(state.interpretation), ...changedInputs() });
-const members = () => chosenInterpretation()?.ensemble ?? content.ensemble;
-export const memberInputs = () => members().map((member) => ({ ...calibratedInputs(state.interpretation), ...member, ...changedInputs() }));
+export const currentInputs = () => ({ ...defaultInputs, ...changedInputs() });
+export const memberInputs = () => content.ensemble.map((member) => ({ ...defaultInputs, ...member, ...changedInputs() }));
 
 // The conditions that are chosen; the viscosity may be that of an oil.
 export function chosenConditions() {
@@ -118,23 +101,44 @@ export function toFragment() {
   return given.toString().replaceAll("+", "%20"); // a plus would be read as one
 }
 
-// Show what a fragment says; what is not allowed in it is left out.
+// Show what a fragment says. If it says anything that is not known or not allowed, show the default and say so.
 export function fromFragment(text) {
-  const found = fresh();
-  const plusKept = text.replace(/^#/, "").replaceAll("+", "%2B"); // that of 1e+12 is not a space
-  for (const [name, word] of new URLSearchParams(plusKept)) {
-    const axis = axes.find(({ key }) => key === name);
-    if (Object.hasOwn(CHOICES, name) && CHOICES[name].includes(word)) found[name] = word;
-    if (Object.hasOwn(NUMBERS, name)) found[name] = numberNamed(name, numberIn(word)) ?? DEFAULTS[name];
-    if (axis) found.conditions[axis.name] = conditionFrom(axis.name, numberIn(word));
-    if (Object.hasOwn(content.inputs, name)) found.inputs[name] = inputNamed(name, word);
+  try {
+    change(stateIn(text.replace(/^#/, "")));
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    change({ ...fresh(), damage: `This link is damaged, or of another version: ${error.message}. Shown: the default.` });
   }
-  if (!materialInputs(found)) found.particle = DEFAULTS.particle;
-  if (found.oil_grade && !oilViscosity(found.oil_grade, found.temperature_C)) found.temperature_C = DEFAULTS.temperature_C;
-  const calibrated = calibratedInputs(found.interpretation);
-  const inputs = chosen(found.inputs, calibrated);
-  const whole = { ...calibrated, ...rigInputs(found, inputs), ...inputs };
-  change({ ...found, conditions: chosen(found.conditions), inputs: areHard(whole) ? inputs : {} });
+}
+
+function stateIn(text) {
+  const wanted = fresh();
+  const plusKept = text.replaceAll("+", "%2B"); // that of 1e+12 is not a space
+  const entries = [...new URLSearchParams(plusKept)];
+  for (const [place, [name, word]] of entries.entries()) {
+    const axis = axes.find(({ key }) => key === name);
+    const isRepeated = entries.findIndex(([other]) => other === name) < place;
+    const value = isRepeated ? undefined : readAs(name, axis, word);
+    if (value === undefined) throw new RangeError(`${name}=${word}`);
+    if (axis) wanted.conditions[axis.name] = value;
+    else if (Object.hasOwn(content.inputs, name)) wanted.inputs[name] = value;
+    else wanted[name] = value;
+  }
+  wanted.conditions = chosen(wanted.conditions);
+  wanted.inputs = chosen(wanted.inputs);
+  if (!materialInputs(wanted)) throw new RangeError(`particle=${wanted.particle}, which is softer than a surface`);
+  if (!areHard({ ...defaultInputs, ...rigInputs(wanted, wanted.inputs), ...wanted.inputs })) throw new RangeError("particles that are too soft");
+  const { oil_grade: grade, temperature_C: temperature } = wanted;
+  if (grade && !oilViscosity(grade, temperature)) throw new RangeError(`oil_grade=${grade} at temperature_C=${temperature}`);
+  return wanted;
+}
+
+// The value of a name in a fragment; undefined if the name is unknown or the word is not allowed.
+function readAs(name, axis, word) {
+  if (axis) return conditionFrom(axis.name, numberIn(word));
+  if (Object.hasOwn(NUMBERS, name)) return numberNamed(name, numberIn(word));
+  if (Object.hasOwn(CHOICES, name)) return CHOICES[name].find((choice) => choice === word);
+  return Object.hasOwn(content.inputs, name) ? inputNamed(name, word) : undefined;
 }
 
 // A condition in SI, the load in newtons, from a value in its unit; undefined if it is not allowed.

@@ -1,8 +1,8 @@
-// The statements of the paper with their verdicts. The workflow has judged them: for the calibrated inputs, for
-// those of each calibrated interpretation, and with each departure from the print taken back.
+// The statements of the paper with their verdicts. The workflow has judged them: for the calibrated inputs, and
+// with each departure from the print taken back.
 
 import { content } from "./content.js";
-import { change, chosenInterpretation, isCalibrated, state } from "./state.js";
+import { change, isCalibrated, state } from "./state.js";
 import { capital } from "./names.js";
 import { readable, typeset } from "./text.js";
 
@@ -14,15 +14,9 @@ const figureOf = ({ part }) => content.figures.find((figure) => figure.part === 
 const FILTERS = {
   here: (statement) => figureOf(statement) === state.figure,
   all: () => true,
-  fails: (statement) => verdictOf(statement) === "fails",
+  fails: ({ verdict }) => verdict === "fails",
 };
 export const SHOWN = { here: "of the chosen figure", all: "all", fails: "that fail" };
-
-// The verdict for the calibrated interpretation that is chosen, otherwise for the default.
-function verdictOf(statement) {
-  const interpretation = chosenInterpretation();
-  return interpretation ? statement.verdicts_of[interpretation.name] : statement.verdict;
-}
 
 list.addEventListener("click", (event) => {
   const id = event.target.closest("button")?.dataset.statement;
@@ -34,11 +28,11 @@ list.addEventListener("click", (event) => {
 
 export function showStatements() {
   const { show, view, figure, statement } = state;
-  const key = JSON.stringify([show, view, figure, statement, isCalibrated(), chosenInterpretation()?.name]);
+  const key = JSON.stringify([show, view, figure, statement, isCalibrated()]);
   if (key === list.dataset.shown) return;
   list.dataset.shown = key;
   const shown = content.statements.filter(FILTERS[show]);
-  const numbers = d3.rollup(shown, ({ length }) => length, verdictOf);
+  const numbers = d3.rollup(shown, ({ length }) => length, ({ verdict }) => verdict);
   const counts = [...numbers].map(([verdict, count]) => `${count} ${verdict.replace(/s$/, "")}`); // 3 hold
   tally.innerHTML = isCalibrated()
     ? `Of ${shown.length} shown: ${d3.sort(counts, (text) => -parseInt(text)).join(", ")}.`
@@ -48,7 +42,7 @@ export function showStatements() {
 }
 
 function item(statement) {
-  const verdict = verdictOf(statement);
+  const { verdict } = statement;
   const chosen = state.statement === statement.id;
   const place = `${statement.place.replace(", section 3.3", "")} — ${verdict}`;
   return `<li><button type="button" data-statement="${statement.id}" aria-pressed="${chosen}" class="${verdict}">
@@ -64,17 +58,15 @@ function details(statement) {
   const lines = [
     `Found: ${finding}`,
     `Tolerance: ${allowed}, ${reason}`,
-    ...otherVerdicts(statement),
+    ...verdictsTakenBack(statement),
   ];
   const paragraphs = lines.map((line) => `<p>${typeset(line)}</p>`);
   return `<div class="more"><blockquote>${typeset(quote)}</blockquote>${paragraphs.join("")}</div>`;
 }
 
-// Which calibrated inputs give which verdict, and which departures change it when they are taken back.
-function otherVerdicts({ verdict, verdicts_of: verdictsOf, taken_back: takenBack }) {
-  const textsBy = (entries, joint) =>
-    d3.groups(entries, ([, found]) => found).map(([found, group]) => `${capital(found)} ${joint}: ${group.map(([name]) => name).join("; ")}`);
-  const titles = content.interpretations.map(({ name, title }) => [title, verdictsOf[name]]);
-  const changed = Object.entries(takenBack).filter(([, found]) => found !== verdict);
-  return [...textsBy(titles, "with"), ...textsBy(changed, "if")];
+// Which departures from the print change the verdict when they are taken back.
+function verdictsTakenBack({ verdict, taken_back: takenBack }) {
+  const changed = Object.entries(takenBack).filter(([, other]) => other !== verdict);
+  const groups = d3.groups(changed, ([, other]) => other);
+  return groups.map(([other, names]) => `${capital(other)} if: ${names.map(([name]) => name).join("; ")}`);
 }

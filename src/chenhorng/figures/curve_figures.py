@@ -5,16 +5,16 @@ from dataclasses import replace
 
 from matplotlib.figure import Figure
 
-from thirdbody.netcdf import PlainDataset
 from chenhorng.figures import printed as printed_marks
-from thirdbody.plotting.curves import Content, CurveFigure, curve_figure
+from chenhorng.figures.captions import HEADLINES, REMARKS
+from thirdbody.netcdf import PlainDataset
+from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.panels import Curve, Series
 
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
 AREA, FILM = Content("total_contact_area"), Content("film_thickness")
-OURS = "not in the paper"
-RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=f"of the same surface, {OURS}")
-TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio", remark=OURS)
+RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=REMARKS["relative"])
+TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio", remark=REMARKS["ours"])
 # the conditions of the curves have the same name in config/scenes.yaml; other scenes need no entry here
 CURVE_FIGURES: dict[str, CurveFigure] = {
     # dry: from the p-s over the hybrid to the s-s mode
@@ -62,20 +62,6 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     ),
     # and with other particle densities
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
-}
-# what the paper concludes from each, to be seen before its curves; each fits into a line
-HEADLINES = {
-    "fig03": "The paper: as the load grows, summits take over from particles, and the area nears the two-body one.",
-    "fig04": "The paper: above 70 cSt the lubricant carries ever more of the load, and the contact area rises less.",
-    "fig05": "The paper: a thin lubricant gives mixed lubrication on the smoother surface, not on the rougher one.",
-    "fig06": "The paper: larger particles make the dry area smaller; with oil the order is reversed at high loads.",
-    "fig07": "The paper: more particles make the area smaller, but larger at high loads in mixed lubrication.",
-    "fig08": "The paper: at small loads oil changes nothing; the roughest surface has a turning point of the area.",
-    "fig09": "The paper: particles of about 0.83 to 1.33 times the roughness have a turning point.",
-    "fig10": "The paper: either surface has turning points at about the same ratios of size to roughness.",
-    "fig11": "The paper: in mixed lubrication viscosity shifts the turning point to higher loads, but not its height.",
-    "fig12": "The paper: from 50 cSt on the smoother surface has no turning point; the rougher one always has it.",
-    "fig13": "The paper: the rougher the surface, the more the load of the turning point rises with particle density.",
 }
 
 
