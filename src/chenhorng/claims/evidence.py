@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from chenhorng.claims.between_curves import area_slope
 from chenhorng.sampling import SolvedCurve, area_slope
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import has_values
