@@ -9,6 +9,7 @@ import pytest
 import yaml
 from numpy.testing import assert_allclose
 
+from chenhorng.calibration.adoption import calibrated_text, library_text
 from chenhorng.calibration.calibration import (
     Interpretation,
     Objective,
@@ -45,6 +46,7 @@ from chenhorng.claims.kinds import Absence, Value, Window
 from chenhorng.configuration.inputs import uncalibrated_values
 from chenhorng.tables import TABLES
 from thirdbody.core.parameters import Parameters
+from thirdbody.inputs import CALIBRATED_FILE, load_parameters
 from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -545,3 +547,17 @@ def test_each_printed_number_has_its_deviation_and_minus_one_if_the_model_has_no
     assert table["deviation"].tolist() == pytest.approx(expected, abs=1e-12)
     assert table["place"].tolist()[-1] == "Figure 9A"
     assert [*table] == [column.name for column in TABLES["deviations"]]
+
+
+def test_the_files_that_were_adopted_are_those_that_an_adoption_writes():
+    default = read_yaml(CONFIG / "config.yaml")["calibrated"]
+    library = CALIBRATED_FILE.read_text(encoding="utf-8")
+    assert library == library_text(read_yaml(CONFIG.parent / default))
+    for path in sorted(CONFIG.glob("calibrated/*.yaml")):
+        assert path.read_text(encoding="utf-8") == calibrated_text(read_yaml(path)), path.name
+
+
+def test_the_library_has_the_inputs_and_the_ensemble_of_the_default():
+    default = load_parameters(CONFIG.parent / read_yaml(CONFIG / "config.yaml")["calibrated"])
+    assert load_parameters() == default
+    assert load_parameters().members == default.members
