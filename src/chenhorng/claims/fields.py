@@ -15,13 +15,13 @@ from pydantic import (
 
 from chenhorng.claims.courses import STATES
 from chenhorng.configuration.model import (
+    Allowed,
     Closed,
     Density,
     Diameter,
     Load,
     Roughness,
     Viscosity,
-    allowed,
     first_fault,
     one_of,
 )
@@ -32,7 +32,7 @@ Ends = Field(min_length=2, max_length=2)
 STATE = f"({'|'.join(STATES)})"
 State = Annotated[
     str,
-    allowed(
+    Allowed(
         lambda text: bool(re.fullmatch(f"{STATE}( (or )?{STATE})*", text)),
         f"{', '.join(STATES)}, and alternatives with or",
     ),

@@ -6,19 +6,22 @@ The classes are closed, so that a misspelt key is an error, and numbers are numb
 import math
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any
 
 import numpy as np
 from pydantic import (
-    AfterValidator,
     BaseModel,
     ConfigDict,
     Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
     ValidationError,
     field_validator,
     model_validator,
 )
+from pydantic_core.core_schema import no_info_after_validator_function
 
 from thirdbody.variables import VARIABLES
 
@@ -30,30 +33,39 @@ OTHER_PRODUCTS = r"fig.*|claims|sensitivity|.*_(wide|tpca_loads|transitions)"
 LONGEST = 60  # characters of a value in a message
 
 
-def allowed(is_allowed: Callable[[Any], bool], words: str) -> AfterValidator:
-    """A check of a value, and what is allowed in words."""
+@dataclass(frozen=True)
+class Allowed:
+    """A check of a value, and what is allowed in words, for the message and for the documentation."""
 
-    def check(value):
-        if not is_allowed(value):
-            raise ValueError(f"allowed: {words}")
+    is_allowed: Callable[[Any], bool]
+    words: str
+
+    def check(self, value: Any) -> Any:
+        """The value; ``ValueError`` if it is not allowed."""
+        if not self.is_allowed(value):
+            raise ValueError(f"allowed: {self.words}")
         return value
 
-    return AfterValidator(check)
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> Any:
+        return no_info_after_validator_function(self.check, handler(source))
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: GetJsonSchemaHandler) -> Any:
+        return handler(schema) | {"allowed": self.words}
 
 
-def one_of(*names: str) -> AfterValidator:
+def one_of(*names: str) -> Allowed:
     """A check that a value is one of some words."""
-    return allowed(names.__contains__, ", ".join(names))
+    return Allowed(names.__contains__, ", ".join(names))
 
 
-def zero_or_from(least: float) -> AfterValidator:
+def zero_or_from(least: float) -> Allowed:
     """A check that a number is 0 or not below ``least``."""
-    return allowed(lambda value: not 0 < value < least, f"0, or {least:g} or more")
+    return Allowed(lambda value: not 0 < value < least, f"0, or {least:g} or more")
 
 
-def plain_word(taken: str) -> AfterValidator:
+def plain_word(taken: str) -> Allowed:
     """A check that a text is a plain word, and not ``taken`` as the name of a product."""
-    return allowed(
+    return Allowed(
         lambda name: is_plain(name, taken),
         "a plain word of small letters, digits and _ that no product has",
     )
@@ -95,15 +107,15 @@ Density = Annotated[
 ]
 NamedLoad = Annotated[float, Field(gt=0, le=1, description="F_t* named in the text [1]")]
 Rtol = Annotated[float, Field(ge=1e-11, le=1e-2, description="requested relative error [1]")]
-Positive = Field(gt=0)
-File = Annotated[str, allowed(is_file, "the path of a YAML file below config/")]
+Positive = Allowed(lambda value: value > 0, "above 0")
+File = Annotated[str, Allowed(is_file, "the path of a YAML file below config/")]
 Pair = Field(min_length=2, max_length=2)
-Increasing = allowed(
+Increasing = Allowed(
     lambda values: all(before < after for before, after in pairwise(values)),
     "numbers that increase",
 )
 Some = Field(min_length=1, max_length=1000)
-Distinct = allowed(lambda values: len({*values}) == len(values), "different values")
+Distinct = Allowed(lambda values: len({*values}) == len(values), "different values")
 
 
 class Closed(BaseModel):
@@ -169,7 +181,8 @@ class Scene(Closed):
 
     title: Annotated[
         str,
-        allowed(
+        Field(description="title of the dataset and the figure"),
+        Allowed(
             lambda text: bool(re.fullmatch(r"[^\x00-\x1f]{1,200}", text)),
             "a line of 1 to 200 characters",
         ),
@@ -177,7 +190,14 @@ class Scene(Closed):
     named_loads: Annotated[list[NamedLoad], Field(max_length=1000)] = []
     load_axis: LoadAxis | None = None
     rtol: Rtol | None = None
-    curves: Annotated[list[Curves], Field(min_length=1, max_length=100)]
+    curves: Annotated[
+        list[Curves],
+        Field(
+            min_length=1,
+            max_length=100,
+            description="groups of curves: every combination of the values of a group is computed",
+        ),
+    ]
 
 
 class Windows(Closed):
@@ -194,8 +214,12 @@ class Windows(Closed):
 class Schematics(Closed):
     """Conditions of the drawings, figures 1 and 2."""
 
-    fig01: Annotated[list[Panel], Field(min_length=1, max_length=1)]
-    fig02: Annotated[list[Panel], Field(min_length=3, max_length=3)]
+    fig01: Annotated[
+        list[Panel], Field(min_length=1, max_length=1, description="the panel of figure 1")
+    ]
+    fig02: Annotated[
+        list[Panel], Field(min_length=3, max_length=3, description="the panels of figure 2")
+    ]
 
 
 class Atlas(Closed):
@@ -225,7 +249,7 @@ class Configuration(Closed):
     inputs: Annotated[
         Any,
         Field(description="inputs that override them, or a file of them"),
-        allowed(
+        Allowed(
             lambda given: isinstance(given, Mapping) or isinstance(given, str) and is_file(given),
             "inputs with their values, or the path of a YAML file below config/",
         ),
@@ -234,7 +258,10 @@ class Configuration(Closed):
     bands: Annotated[bool, Field(description="whether figures show the range of the ensemble")]
     windows: Windows
     load_axis: LoadAxis
-    scenes: dict[str, Scene]
+    scenes: Annotated[
+        dict[str, Scene],
+        Field(description="a dataset and a figure for each name; those of the paper are required"),
+    ]
     schematics: Schematics
     accuracy: Annotated[File, Field(description="settings of the accuracy run")]
     atlas: Atlas
