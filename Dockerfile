@@ -9,5 +9,5 @@ RUN cd /thirdbody \
 WORKDIR /work
 # Snakemake asks for the home and the name of its user, who has neither with --user
 ENV HOME=/tmp USER=nobody
-ENTRYPOINT ["snakemake", "--snakefile", "/usr/local/lib/python3.11/site-packages/thirdbody/Snakefile"]
+ENTRYPOINT ["snakemake", "--snakefile", "/usr/local/lib/python3.11/site-packages/chenhorng/Snakefile"]
 CMD ["--cores", "2"]

@@ -1,4 +1,4 @@
-"""The tables of the page on the configuration, from its classes and files."""
+"""The tables of the page on the configuration, from the classes that check it and from its files."""
 
 from pathlib import Path
 
@@ -8,36 +8,36 @@ from thirdbody.plain_yaml import read_yaml
 from thirdbody.symbols import unicode
 
 INPUTS = Path(__file__).resolve().parents[1] / "config" / "inputs.yaml"
-LIMITS = {
-    "minimum": "from {}",
-    "exclusiveMinimum": "above {}",
-    "gt": "above {}",
-    "maximum": "to {}",
-}
-KINDS = {"object": "mapping", "boolean": "true or false", "string": "text"}
+LIMITS = {"minimum": "from {}", "exclusiveMinimum": "above {}", "maximum": "to {}"}
+KINDS = {"array": "list", "object": "mapping", "boolean": "true or false", "string": "text"}
 
 
 def resolved(schema, definitions):
-    """A schema with what its reference says, or the first of its choices; others are null or a file."""
-    inner = schema.get("anyOf", [{}])[0]
-    if reference := schema.get("$ref", inner.get("$ref")):
-        inner = definitions[reference.rpartition("/")[2]]
-    return inner | schema
+    """A schema with what its references say, without the null of a key that may be left out."""
+    for choice in schema.get("anyOf", []):
+        if choice.get("type") != "null":
+            schema = schema | choice
+    name = schema.get("$ref", "").rpartition("/")[2]
+    return resolved(definitions[name], definitions) | schema if name else schema
+
+
+def described(schema):
+    """What a value is; for a list what its values are."""
+    return schema.get("description") or schema.get("items", {}).get("description", "")
 
 
 def allowed(schema):
     """What a value may be, in words."""
-    if "allowed" in schema:
-        return schema["allowed"].removeprefix("0, or " if "gt" in schema else "")
-    if schema["type"] == "array":
-        least, most = (schema.get(key) for key in ("minItems", "maxItems"))
-        count = f" of {least}" if least == most else f" of {least or 0} or more"
-        inner = schema["items"]
-        return f"list{count}" + (f": {allowed(inner)}" if "maximum" in inner else "")
-    words = KINDS.get(schema["type"], schema["type"])
-    bounds = schema.keys() - ({"minimum"} if schema.keys() & {"gt", "exclusiveMinimum"} else set())
-    limits = [text.format(f"{schema[key]:g}") for key, text in LIMITS.items() if key in bounds]
-    return " ".join([words, *limits])
+    kind = schema.get("type", "")
+    least, most = schema.get("minItems"), schema.get("maxItems")
+    if least is not None:
+        limits = [f"of {least}" if least == most else f"of {least} or more"]
+    else:
+        limits = [text.format(f"{schema[key]:g}") for key, text in LIMITS.items() if key in schema]
+    words = " ".join([KINDS.get(kind, kind), *limits])
+    if schema.get("items", {}).get("type") == "number":
+        words += f": {allowed(schema['items'])}"
+    return "; ".join(filter(None, [words, schema.get("allowed")]))
 
 
 def keys(schema, definitions, place=""):
@@ -60,8 +60,7 @@ def configuration():
     schema = Configuration.model_json_schema()
     text = row("key", "what it is", "allowed") + row("---", "---", "---")
     for place, each in keys(schema, schema["$defs"]):
-        words = each.get("description") or resolved(each["items"], schema["$defs"])["description"]
-        text += row(f"`{place}`", words, allowed(each))
+        text += row(f"`{place}`", described(each), allowed(each))
     return text
 
 

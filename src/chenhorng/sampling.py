@@ -82,3 +82,8 @@ def sample(curve: SolvedCurve, quantity: str, x: NDArray, against: str = "load")
 def logarithm(values: ArrayLike) -> NDArray:
     """The natural logarithm, also of what vanishes."""
     return np.log(np.maximum(values, TINY))
+
+
+def area_slope(load: NDArray, area: NDArray) -> NDArray:
+    """The slope of A_t* over F_t*, both on logarithmic axes [1]."""
+    return np.gradient(np.log(np.maximum(area, np.finfo(float).tiny)), np.log(load))

@@ -1,8 +1,7 @@
 """Labelled solutions: the results of ``Solution.to_dataset`` and ``Solution.to_dataframe``."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 import numpy as np
 import pandas as pd
@@ -11,18 +10,40 @@ from numpy.typing import ArrayLike
 
 from thirdbody.attributes import coordinate_attributes, variable_attributes
 from thirdbody.conditions import from_si
+from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import FLAG_MEANINGS, STATES, codes_to_name
 from thirdbody.ensembles import MEMBER
 from thirdbody.notes import area_note
 from thirdbody.variables import CONDITIONS, NORMAL_LOAD, VARIABLES, decimal
 
-if TYPE_CHECKING:
-    from thirdbody.points import Solution
-
 POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
-def labelled_dataset(solution: Solution) -> xr.Dataset:
+class Points(Protocol):
+    """Solved points, as ``Solution`` has them."""
+
+    @property
+    def variables(self) -> Mapping[str, Any]:
+        """The variables by name."""
+
+    @property
+    def conditions(self) -> Mapping[str, Any]:
+        """The conditions by name, SI."""
+
+    @property
+    def keys(self) -> Mapping[str, str]:
+        """The name of each condition in tables."""
+
+    @property
+    def parameters(self) -> Parameters:
+        """The inputs."""
+
+    @property
+    def index(self) -> pd.Index | None:
+        """The index of columns of pandas."""
+
+
+def labelled_dataset(solution: Points) -> xr.Dataset:
     """The variables and conditions of a solution, and the load in newtons.
 
     A dimension has the name of the only condition that varies along it.
@@ -61,7 +82,7 @@ def _labelled(solution) -> xr.Dataset:
     return dataset.assign_coords(normal_load=newtons)
 
 
-def labelled_frame(solution: Solution) -> pd.DataFrame:
+def labelled_frame(solution: Points) -> pd.DataFrame:
     """A solution as a table: one row per point, flags by name.
 
     Conditions have the names by which they were given, variables their SI unit behind their name.

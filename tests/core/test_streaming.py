@@ -125,3 +125,12 @@ def test_packed_numbers_are_decoded(parameters, tmp_path):
     for name in encoding:
         np.testing.assert_allclose(found[name].values, expected[name].values, rtol=1e-12)
         assert not {"scale_factor", "add_offset"} & found[name].attrs.keys()
+
+
+def test_a_grid_in_memory_and_in_a_file_say_the_version(tmp_path, parameters):
+    axes = dict(load_N=[1, 10], viscosity_cSt=0, roughness_nm=300, parameters=parameters)
+    axes |= dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    tb.stream(tmp_path / "grid.nc", **axes)
+    with xr.open_dataset(tmp_path / "grid.nc") as streamed:
+        assert streamed.attrs["software_version"] == tb.__version__
+    assert tb.grid(**axes).attrs["software_version"] == tb.__version__

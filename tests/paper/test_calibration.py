@@ -9,6 +9,7 @@ import pytest
 import yaml
 from numpy.testing import assert_allclose
 
+from chenhorng.calibration.adoption import calibrated_text, library_text
 from chenhorng.calibration.calibration import (
     Interpretation,
     Objective,
@@ -41,10 +42,11 @@ from chenhorng.calibration.search import (
 from chenhorng.claims.claim import Verdict
 from chenhorng.claims.claims import load_claims
 from chenhorng.claims.judge import Judge
-from chenhorng.claims.kinds import Value, Window
+from chenhorng.claims.kinds import Absence, Value, Window
 from chenhorng.configuration.inputs import uncalibrated_values
 from chenhorng.tables import TABLES
 from thirdbody.core.parameters import Parameters
+from thirdbody.inputs import CALIBRATED_FILE, load_parameters
 from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -128,6 +130,15 @@ def test_an_interpretation_searches_what_it_does_not_fix(name):
     assert known | set(searched) | interpretation.fixed.keys() == {*Parameters.names()}
 
 
+def spoilt_number(published):
+    """The field ``published`` of a statement with other content of its kind; none for one without."""
+    if published is None:
+        return {}
+    if isinstance(published, float):
+        return {"published": 1e9}
+    return {"published": ["full_film"] if isinstance(published[0], str) else [1e8, 1e9]}
+
+
 def test_no_fold_sees_what_it_is_judged_on(parameters):
     folds = make_folds(CLAIMS, SETTINGS["folds"])
     left_out = [claim.id for fold in folds for claim in fold.left_out]
@@ -138,10 +149,9 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
             assert not claim.all_figures & set(figures), claim.id
             assert claim.counted_as not in names, claim.id
         # whatever the judged statements say, the search minimises the same
-        wrong = {"statement": "wrong", "tolerance": 1e-9}
+        wrong = {"statement": "wrong", "tolerance": 1e-9, "tolerance_kind": "absolute"}
         spoilt = [
-            replace(claim, **wrong, **({"published": 1e9} if claim.published is not None else {}))
-            for claim in fold.left_out
+            replace(claim, **wrong, **spoilt_number(claim.published)) for claim in fold.left_out
         ]
         spoilt += [claim for claim in CLAIMS if claim not in fold.left_out]
         again = make_folds(spoilt, [figures])[0].fitted
@@ -302,12 +312,24 @@ def test_a_statement_that_was_in_no_search_is_not_predicted(parameters):
     assert candidate.verdicts.keys() == {CLAIMS[0].id, own.id}
 
 
+CURVE = {"viscosity_cSt": 0, "particle_diameter_nm": 0, "roughness_nm": 300}
+CURVE["particle_density_per_m2"] = 0
+
+
 def said(name, figure, made=Value, **fields):
-    """A statement that prints 2 in a figure, unless it is given what is ``published``."""
-    fields = {"published": 2.0, "conditions": {"viscosity_cSt": 0, "roughness_nm": 300}} | fields
-    fields |= {"tolerance": 0.1, "tolerance_kind": "absolute", "reason": "", "quote": ""}
-    fields |= {"statement": "", "kind": "value"}
-    fields |= {"quantity": "total_contact_area"} if made is Value else {}
+    """A statement on a figure; one of a value prints 2, unless it is given what is ``published``."""
+    fields = {
+        "conditions": CURVE,
+        "statement": "",
+        "kind": "value",
+        "quote": "",
+        "reason": "",
+    } | fields
+    fields |= {"tolerance": 0.1, "tolerance_kind": "absolute"}
+    if made is Value:
+        fields = {"published": 2.0, "extreme": "minimum"} | fields
+    if made is not Window:
+        fields["quantity"] = "total_contact_area"
     return made(id=name, place=f"Figure {figure}A", **fields)
 
 
@@ -326,7 +348,7 @@ def test_what_was_left_out_is_lost_by_figure_with_the_weights_of_the_objective(p
         said("twin", 5, cluster="twins"),
         said("other", 5, cluster="twins"),
         said("also", 9, figures=[5]),
-        said("aside", 4, aside="why"),
+        said("aside", 4, aside="why", contradicts=["four"]),
         said("unseen", 6),
     ]
     settings = SETTINGS | {"weights": {"value": 4.0}}
@@ -502,7 +524,7 @@ def test_each_printed_number_has_its_deviation_and_minus_one_if_the_model_has_no
         window,
         replace(window, id="half"),
         replace(window, id="no window"),
-        said("wordless", 5, published=None),
+        said("wordless", 5, Absence),
         said("not asked", 5),
     ]
     verdicts = {
@@ -525,3 +547,17 @@ def test_each_printed_number_has_its_deviation_and_minus_one_if_the_model_has_no
     assert table["deviation"].tolist() == pytest.approx(expected, abs=1e-12)
     assert table["place"].tolist()[-1] == "Figure 9A"
     assert [*table] == [column.name for column in TABLES["deviations"]]
+
+
+def test_the_files_that_were_adopted_are_those_that_an_adoption_writes():
+    default = read_yaml(CONFIG / "config.yaml")["calibrated"]
+    library = CALIBRATED_FILE.read_text(encoding="utf-8")
+    assert library == library_text(read_yaml(CONFIG.parent / default))
+    for path in sorted(CONFIG.glob("calibrated/*.yaml")):
+        assert path.read_text(encoding="utf-8") == calibrated_text(read_yaml(path)), path.name
+
+
+def test_the_library_has_the_inputs_and_the_ensemble_of_the_default():
+    default = load_parameters(CONFIG.parent / read_yaml(CONFIG / "config.yaml")["calibrated"])
+    assert load_parameters() == default
+    assert load_parameters().members == default.members

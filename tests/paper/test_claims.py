@@ -589,3 +589,119 @@ def test_what_no_inputs_can_meet_follows_from_the_papers_own_numbers(paper):
     most = load * (5.0 * solid + 1.0 - solid)
     assert f"at most {1e5 * most:.2f}e-5" in claim.limit
     assert most < claim.published == 3.0e-5
+
+
+LEFT_OUT = object()
+WINDOW = {"kind": "window", "published": [0.8, 1.2], "quantity": LEFT_OUT, "extreme": LEFT_OUT}
+ORDER = {"kind": "ordering", "published": LEFT_OUT, "extreme": LEFT_OUT, "direction": "increasing"}
+TREND = {"kind": "trend", "published": LEFT_OUT, "direction": "increasing", "along": "load"}
+STATES = {"kind": "mode_sequence", "quantity": LEFT_OUT, "extreme": LEFT_OUT}
+BAD_STATEMENTS = [  # the fields that differ from a good statement, and what the line says
+    # fields of all kinds
+    ({"id": LEFT_OUT}, ": 1: id: "),
+    ({"kind": LEFT_OUT}, "kind: "),
+    ({"kind": "opinion"}, "kind is 'opinion'; allowed: value, reach, span, "),
+    ({"quote": LEFT_OUT}, "quote: "),
+    ({"statement": 5}, "statement is 5; "),
+    ({"level": 1.0}, "level is 1.0; "),
+    ({"figures": ["4"]}, "figures.0 is '4'; "),
+    ({"must_be_reached": "yes"}, "must_be_reached is 'yes'; "),
+    ({"aside": "why"}, "aside without contradicts; allowed: "),
+    # the tolerance
+    ({"tolerance": LEFT_OUT}, "tolerance: "),
+    ({"tolerance": 0.1}, "tolerance is 0.1; "),
+    ({"tolerance": {"absolute": 0.1}}, "tolerance.reason: "),
+    ({"tolerance": {"reason": "why"}}, "allowed: one of absolute, relative and factor"),
+    ({"tolerance": {"absolute": 1.0, "factor": 2.0, "reason": "why"}}, "allowed: one of absolute"),
+    ({"tolerance": {"share": 1.0, "reason": "why"}}, "tolerance.share is 1.0; "),
+    ({"tolerance": {"absolute": "1", "reason": "why"}}, "tolerance.absolute is '1'; "),
+    ({"tolerance": {"absolute": 0.0, "reason": "why"}}, "the absolute tolerance is 0; allowed: "),
+    ({"tolerance": {"relative": 1.5, "reason": "why"}}, "the relative tolerance is 1.5; allowed: "),
+    ({"tolerance": {"factor": 0.5, "reason": "why"}}, "the factor tolerance is 0.5; allowed: "),
+    # the conditions
+    ({"conditions": [1]}, "conditions"),
+    ({"conditions": {"roughness_nm": LEFT_OUT}}, "conditions have no roughness_nm; allowed: "),
+    ({"conditions": {"viscosity_cSt": -1}}, "conditions: viscosity_cSt.0 is -1; "),
+    (
+        {"conditions": {"viscosity_cSt": 0.05}},
+        "viscosity_cSt.0 is 0.05; allowed: 0, or 0.3 or more",
+    ),
+    ({"conditions": {"roughness_nm": "300"}}, "conditions: roughness_nm.0 is '300'; "),
+    ({"conditions": {"roughness_nm": []}}, "conditions: roughness_nm is []; "),
+    ({"conditions": {"roughness": 300}}, "conditions: 'roughness' is no condition; allowed: "),
+    ({"conditions": {"load": float("nan")}}, "conditions: load is nan; "),
+    ({"conditions": {"load_max_N": 1e9}}, "conditions: load_max_N is 1000000000.0; "),
+    ({"conditions": {"load": 1e-5, "solid_load": 1e-6}}, "load and solid_load have a level; "),
+    (
+        {"conditions": {"viscosity_cSt": [0, 9, 90], "roughness_nm": [100, 300]}},
+        "conditions: lists of [2, 3] values; allowed: lists of one length",
+    ),
+    ({"reference": {"viscosity": 0}}, "reference: viscosity is 0.0; "),
+    ({"reference": {"viscosity_cSt": [0]}}, "reference.viscosity_cSt is [0]; "),
+    # one number of each curve
+    ({"published": LEFT_OUT}, "published: "),
+    ({"published": "1"}, "published is '1'; "),
+    ({"published": float("inf")}, "published is inf; "),
+    ({"quantity": "friction"}, "quantity is 'friction'; allowed: load, solid_load, "),
+    ({"extreme": "mean"}, "extreme is 'mean'; "),
+    ({"extreme": LEFT_OUT}, "solid_load_fraction of a whole curve; allowed: a condition with"),
+    ({"kind": "reach", "extreme": LEFT_OUT}, "extreme: "),
+    ({"quantity": "bend_load"}, "bend_load without reference; allowed: "),
+    ({"any_curve": 1}, "any_curve is 1; "),
+    # other kinds
+    (WINDOW | {"published": [1.0]}, "published is [1.0]; "),
+    (WINDOW | {"conditions": {"roughness_nm": LEFT_OUT}}, "no roughness_nm; allowed: roughness_nm"),
+    (ORDER, "an order of one curve; allowed: two or more, or a reference"),
+    (ORDER | {"direction": "constant"}, "direction is 'constant'; "),
+    (ORDER | {"quantity": "window_low"}, "quantity is 'window_low'; allowed: load, "),
+    (TREND | {"direction": "up"}, "direction is 'up'; allowed: increasing, decreasing, "),
+    (TREND | {"along": "time"}, "along is 'time'; "),
+    (TREND | {"along": "curves"}, "a trend along one curve; allowed: two curves or more"),
+    (TREND | {"quantity": "turning_point_load"}, "turning_point_load along the load; allowed: "),
+    (STATES | {"published": []}, "published is []; "),
+    (STATES | {"published": ["dry"]}, "published.0 is 'dry'; allowed: boundary, mixed, "),
+    (STATES | {"published": ["hybrid or"]}, "published.0 is 'hybrid or'; allowed: "),
+]
+
+
+def statement(changes):
+    """An entry of the statements: a good one, with ``changes``."""
+    entry = {"id": "least", "place": "Figure 4A", "statement": "words", "quote": "words"}
+    entry |= {"kind": "value", "quantity": "solid_load_fraction", "published": 0.5}
+    entry |= {"extreme": "minimum", "tolerance": {"absolute": 0.1, "reason": "digits"}}
+    conditions = dict.fromkeys(CONDITION_KEYS, 0) | {"roughness_nm": 300}
+    conditions["particle_diameter_nm"] = 300
+    if isinstance(changes.get("conditions", {}), dict):
+        changes = changes | {"conditions": present(conditions | changes.get("conditions", {}))}
+    return present(entry | changes)
+
+
+def present(mapping):
+    return {key: value for key, value in mapping.items() if value is not LEFT_OUT}
+
+
+def loaded(folder, *entries):
+    path = folder / "mine.yaml"
+    path.write_text(yaml.safe_dump([*entries]))
+    return claims.load_claims(path)
+
+
+@pytest.mark.parametrize(("changes", "expected"), BAD_STATEMENTS)
+def test_a_bad_statement_is_refused_in_one_line_that_names_it(changes, expected, tmp_path):
+    assert [claim.published for claim in loaded(tmp_path, statement({}))] == [0.5]
+    with pytest.raises(ValueError) as refused:
+        loaded(tmp_path, statement(changes))
+    message = str(refused.value)
+    assert message.startswith(f"{tmp_path / 'mine.yaml'}: ")
+    assert expected in message and ("'least'" in message or "id" in changes)
+    assert "\n" not in message and len(message) < 600
+
+
+def test_two_statements_with_one_id_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="'least': another statement has this id"):
+        loaded(tmp_path, statement({}), statement({"published": 0.6}))
+
+
+def test_what_is_no_statement_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="mine.yaml: 2: "):
+        loaded(tmp_path, statement({}), "word")

@@ -12,7 +12,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.text import Text
 
 import thirdbody as tb
-from chenhorng.claims.between_curves import BEND, area_slope
+from chenhorng.claims.between_curves import BEND
 from chenhorng.claims.claims import load_claims, printed_rows
 from chenhorng.figures.captions import HEADLINES, caption
 from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
@@ -20,6 +20,7 @@ from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
 from chenhorng.figures.products import SUFFIXES, figure_record, save, write_wide
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import STRETCH, sections, state_of
+from chenhorng.sampling import area_slope
 from chenhorng.scenes import scene_dataset
 from thirdbody.curves import Condition, condition_key
 from thirdbody.plotting.load_curves import curve_figure, curves_in

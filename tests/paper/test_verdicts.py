@@ -18,7 +18,7 @@ from chenhorng.claims.departures import (
 )
 from chenhorng.claims.evidence import QUICK_EFFORT
 from chenhorng.claims.judge import Judge, count_once
-from chenhorng.claims.kinds import Value
+from chenhorng.claims.kinds import Absence, Value
 from chenhorng.claims.verdicts import claims_html, claims_json, claims_markdown
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 from chenhorng.home import config_directory
@@ -33,17 +33,25 @@ BEYOND = Verdict("> 2", 0.0, 1.0, (2.0,), tested=False)
 WORDY = Verdict("boundary", 0.0, 0.0)
 
 
-def claim(name, loads=(), published=3.0, **fields):
-    fields |= {"conditions": {"viscosity_cSt": 0, "roughness_nm": 300, **dict(loads)}}
+def claim(name, loads=(), made=Value, **fields):
+    conditions = {"viscosity_cSt": 0, "particle_diameter_nm": 0, "roughness_nm": 300}
+    fields |= {"conditions": conditions | {"particle_density_per_m2": 0, **dict(loads)}}
     fields |= {"tolerance": 0.1, "tolerance_kind": "absolute", "reason": "reason", "kind": "value"}
-    fields |= {"place": "Figure 4A", "statement": "statement", "quote": "", "published": published}
-    return Value(id=name, quantity="total_contact_area", **fields)
+    fields |= {"place": "Figure 4A", "statement": "statement", "quote": ""}
+    if made is Value:
+        fields = {"extreme": "minimum", "published": 3.0} | fields
+    return made(id=name, quantity="total_contact_area", **fields)
+
+
+def twin(name):
+    """A statement of a cluster, without a number."""
+    return claim(name, made=Absence, cluster="twins")
 
 
 TAKEN_FIELDS = {"contradicts": ("aside",), "published": 1.0, "reference": {"viscosity_cSt": 90}}
 TAKEN = claim("taken", {"load_max": 1e-5}, **TAKEN_FIELDS)
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
-CLAIMS = (TAKEN, ASIDE, claim("one", cluster="twins"), claim("other", cluster="twins"))
+CLAIMS = (TAKEN, ASIDE, twin("one"), twin("other"))
 DEFAULT = {
     "interpretation": "some",
     "inputs": {"truncation": 2.0},
@@ -163,7 +171,7 @@ def test_programs_read_what_the_page_says():
     first, *_, last = content["statements"]
     assert (first["place"], first["published"], first["range"]) == ("Figure 4A", 1.0, [[1.0, 1.0]])
     (curve,) = first["curves"]
-    assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, None)
+    assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, 0)
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5} and first["reason"] == "reason"
     words = [row["verdicts_of"]["mine"] for row in content["statements"]]

@@ -101,9 +101,9 @@ def test_each_key_of_the_configuration_is_explained():
     assert {*settings} <= {*table} and all(len(row) == 2 and all(row) for row in table.values())
     assert table["scenes.NAME.curves[].viscosity_cSt"] == [
         "kinematic viscosity nu [cSt], 0 when dry",
-        "list of 1 or more: 0, or number from 0.3 to 100000",
+        "list of 1 or more: number from 0 to 100000; 0, or 0.3 or more; different values",
     ]
-    assert table["windows.particle_density_per_m2"][1] == "number from 1e+06 to 1e+15"
+    assert table["windows.particle_density_per_m2"][1] == "number from 0 to 1e+15; above 0"
     assert "| `plastic_interference_ratio` | ω₂/ω₁ | 1 | assumed |" in reference["inputs"]()
 
 

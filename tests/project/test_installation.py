@@ -1,4 +1,5 @@
-"""The library as it is installed: a wheel beside the packages that it requires, and no others."""
+"""The library as it is installed: a wheel beside the packages that it requires, and no others; and without the
+package of the paper."""
 
 import os
 import re
@@ -35,6 +36,31 @@ import thirdbody as tb
 layer = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
 tb.stream("points.nc", load_N=[1, 10], viscosity_cSt=90, **layer)
 print(repr(tb.load_parameters()), tb.__version__)
+"""
+# the library where the package of the paper cannot be imported, and no file of it or of its configuration be read
+ALONE = """
+import sys
+from pathlib import Path
+
+sys.modules.update(dict.fromkeys(["chenhorng", "benchmarks", "snakemake"]))
+root = Path(sys.argv[1])
+
+def refuse(event, arguments):
+    if event == "open" and isinstance(arguments[0], str):
+        path = Path(arguments[0]).absolute()
+        assert not path.is_relative_to(root / "config"), path
+        assert not path.is_relative_to(root / "src" / "chenhorng"), path
+
+sys.addaudithook(refuse)
+import thirdbody as tb
+layer = dict(viscosity_cSt=90, particle_diameter_nm=300, particle_density_per_m2=1e11)
+one = tb.solve(load_N=10, roughness_nm=300, **layer, parameters=tb.load_parameters())
+other = tb.solve(load_N=10, roughness_nm=300, **layer, parameters=tb.ensemble()[1])
+print(float(one.solid_load_fraction), float(other.solid_load_fraction))
+rig = tb.bearing(ball="silicon nitride", speed_m_per_s=2.0, oil_density_kg_per_m3=870)
+tb.stream("points.nc", load_N=[1, 10], roughness_nm=300, **layer, parameters=rig)
+tb.plot(tb.grid(load_N=[1, 3, 10], roughness_nm=[300], **layer), over="load_N")
+import thirdbody.command
 """
 
 
@@ -108,6 +134,33 @@ def test_the_wheel_has_the_data_that_the_library_needs(installed):
     done = installed(NEEDS_DATA)
     assert done.stderr == ""
     assert done.stdout == f"{thirdbody.load_parameters()!r} {thirdbody.__version__}\n"
+
+
+def test_the_wheel_has_the_workflow_beside_the_modules_that_it_runs(installed):
+    done = installed(
+        "from chenhorng.home import config_directory; home = config_directory().parent; "
+        "print(*sorted(path.name for path in home.iterdir() if path.suffix != '.py'))"
+    )
+    assert {"Snakefile", "config", "profiles", "workflow"} <= {*done.stdout.split()}, done.stderr
+
+
+def test_the_library_needs_nothing_of_the_paper(tmp_path):
+    library = {"PYTHONPATH": str(ROOT / "src"), "MPLBACKEND": "agg"}
+    done = subprocess.run(
+        [sys.executable, "-c", ALONE, ROOT],
+        cwd=tmp_path,
+        env=os.environ | library,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    first, second = map(float, done.stdout.split())
+    layer = dict(viscosity_cSt=90, particle_diameter_nm=300, particle_density_per_m2=1e11)
+    layer |= dict(load_N=10, roughness_nm=300)
+    assert first == thirdbody.solve(**layer).solid_load_fraction
+    assert (
+        second == thirdbody.solve(**layer, parameters=thirdbody.ensemble()[1]).solid_load_fraction
+    )
 
 
 def test_a_missing_extra_is_named_in_one_line(installed):

@@ -5,8 +5,10 @@ import os
 import re
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 
+import grimp
 import pytest
 
 import thirdbody
@@ -36,6 +38,13 @@ def test_source(check):
         command, cwd=ROOT, env=os.environ | library, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_no_module_imports_itself_through_others():
+    """Imports for types alone count too."""
+    graph = grimp.build_graph("thirdbody", "chenhorng", cache_dir=None)
+    imports = {name: graph.find_modules_directly_imported_by(name) for name in graph.modules}
+    TopologicalSorter(imports).prepare()  # raises CycleError
 
 
 def test_the_users_file_has_every_public_name():

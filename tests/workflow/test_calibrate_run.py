@@ -2,11 +2,15 @@
 
 import csv
 import json
+from pathlib import Path
 
 import yaml
-from workspace import INTERPRETATIONS, MINIMAL, NEARBY, Workspace
+from workspace import INTERPRETATIONS, MINIMAL, NEARBY, ROOT, Workspace
 
-from thirdbody.inputs import DEFAULT, load_parameters
+from chenhorng.calibration.adoption import library_text
+from thirdbody.inputs import load_parameters
+
+CONFIG = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))
 
 
 def files(workspace: Workspace, pattern):
@@ -22,7 +26,7 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     assert set(found) == {f"{name}.yaml" for name in INTERPRETATIONS}
     adopted = files(calibrated, "config/calibrated")
     # what is not in the ranking is kept no longer, but for what the configuration names
-    assert set(adopted) == {*found, f"{DEFAULT}.yaml"}
+    assert set(adopted) == {*found, Path(CONFIG["calibrated"]).name}
     chosen = chosen_of(calibrated)
     for name, content in found.items():
         expected = yaml.safe_load(content)
@@ -33,6 +37,13 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
         assert content == expected
         parameters = load_parameters(calibrated.root / "config/calibrated" / name)
         assert inputs.items() <= parameters.as_dict().items()
+
+
+def test_the_library_takes_the_default_of_the_ranking(calibrated):
+    name = chosen_of(calibrated)["interpretation"]
+    content = yaml.safe_load((calibrated.root / f"config/calibrated/{name}.yaml").read_text())
+    library = calibrated.root / "src/thirdbody/calibrated.yaml"
+    assert library.read_text(encoding="utf-8") == library_text(content)
 
 
 def test_the_ensemble_has_as_many_members_of_each_that_the_ranking_calls_equal(calibrated):

@@ -162,7 +162,7 @@ rule choose_default:
         "../scripts/choose_default.py"
 
 
-# replaces the files of config/calibrated/
+# replaces the files of config/calibrated/ and, in the repository, src/thirdbody/calibrated.yaml
 rule calibrate:
     input:
         calibrated=SUMMARISED,

@@ -1,16 +1,15 @@
-"""Copy the calibrated inputs of the best interpretations to where the default run reads them."""
+"""Copy the calibrated inputs of the best interpretations to where the default run and the library read them."""
 
 import json
 from pathlib import Path
 
 import pandas as pd
-import yaml
 
+from chenhorng.calibration.adoption import calibrated_text, library_text
 from chenhorng.job_log import job
 from thirdbody.plain_yaml import read_yaml
 
-PLACE = Path("config/calibrated")
-HEADER = "# Calibrated inputs of one interpretation, made by `snakemake -c2 calibrate`; not edited by hand.\n"
+PLACE, LIBRARY = Path("config/calibrated"), Path("src/thirdbody/calibrated.yaml")
 
 with job(snakemake) as output:
     PLACE.mkdir(parents=True, exist_ok=True)
@@ -24,12 +23,13 @@ with job(snakemake) as output:
         content = read_yaml(source)
         if content["interpretation"] not in kept:
             continue
-        if content["interpretation"] == default["interpretation"]:
+        is_default = content["interpretation"] == default["interpretation"]
+        if is_default:
             content |= default
         content["inputs"] = {**snakemake.params.base, **content["inputs"]}
-        with open(PLACE / source.name, "w", encoding="utf-8") as stream:
-            stream.write(HEADER)
-            yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
+        (PLACE / source.name).write_text(calibrated_text(content), encoding="utf-8")
+        if is_default and LIBRARY.is_file():  # in the repository
+            LIBRARY.write_text(library_text(content), encoding="utf-8")
     line = f"{PLACE / default['interpretation']}.yaml is the default by the rule"
     output.adopted.write_text(line + "\n", encoding="utf-8")
     print(f"{line}: set it as calibrated in config/config.yaml")

@@ -1,1 +1,1 @@
-"""The unprinted inputs, found from the statements of the paper: ``search``, ``results`` and ``choice``."""
+"""The unprinted inputs, found from the statements of the paper: ``search``, ``results``, ``choice`` and ``adoption``."""

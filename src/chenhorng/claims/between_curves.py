@@ -15,11 +15,6 @@ if TYPE_CHECKING:
 BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
 
 
-def area_slope(load: NDArray, area: NDArray) -> NDArray:
-    """The slope of A_t* over F_t*, both on logarithmic axes [1]."""
-    return np.gradient(np.log(np.maximum(area, np.finfo(float).tiny)), np.log(load))
-
-
 def crossings(load: NDArray, areas: NDArray) -> NDArray:
     """Loads F_t* [1] above which A_t* increases from each curve to the next; shape (curves - 1,)."""
     gaps = np.diff(logarithm(areas), axis=0)

@@ -6,15 +6,24 @@ by ``chenhorng.claims.evidence``, and holds if it is off by at most one toleranc
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import ConfigDict
 from pydantic.dataclasses import dataclass
 
+from chenhorng.claims.fields import Conditions, checked
+from chenhorng.configuration.model import one_of
 from chenhorng.places import figures_named
-from chenhorng.sampling import TINY, NotReached, SolvedCurve, loads_within, logarithm, sample
+from chenhorng.sampling import (
+    TINY,
+    NotReached,
+    SolvedCurve,
+    loads_within,
+    logarithm,
+    sample,
+)
 from thirdbody.curves import Condition
 from thirdbody.variables import CONDITION_AXES
 
@@ -31,6 +40,11 @@ TURNING_POINT_QUANTITIES = {
     "turning_point_solid_load": lambda point: point.solid_load_fraction * point.load,
 }
 WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
+TOLERANCES = {  # what each kind is between
+    "absolute": (0.0, np.inf),
+    "relative": (0.0, 1.0),
+    "factor": (1.0, np.inf),
+}
 CONDITION_KEYS = tuple(axis.alias for axis in CONDITION_AXES)  # they distinguish curves
 
 
@@ -70,7 +84,10 @@ class Verdict(NamedTuple):
         return self.numbers[self.worst] if self.numbers else np.nan
 
 
-@dataclass(frozen=True, kw_only=True, config=ConfigDict(extra="forbid"))
+CLOSED = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+
+
+@dataclass(frozen=True, kw_only=True, config=CLOSED)
 class Claim:
     """What every entry of ``config/claims.yaml`` has; the subclasses in ``kinds`` add the rest.
 
@@ -138,9 +155,9 @@ class Claim:
     statement: str
     quote: str
     kind: str
-    conditions: Mapping[str, Any]
+    conditions: Annotated[Mapping[str, Any], checked(Conditions)]
     tolerance: float
-    tolerance_kind: str
+    tolerance_kind: Annotated[str, one_of(*TOLERANCES)]
     reason: str
     must_be_reached: bool = False
     figures: Sequence[int] = ()
@@ -156,6 +173,21 @@ class Claim:
     published = None  # type: Any
     any_curve = open_end = False
     reference = {}  # type: Mapping[str, float]
+
+    def __post_init__(self) -> None:
+        low, high = TOLERANCES[self.tolerance_kind]
+        if not low < self.tolerance < high:
+            raise ValueError(
+                f"the {self.tolerance_kind} tolerance is {self.tolerance:g}; allowed: between {low:g} and {high:g}"
+            )
+        # a window is that of a surface, all else is that of a curve
+        required = ("roughness_nm",) if self.source == "window" else CONDITION_KEYS
+        if missing := [key for key in required if key not in self.conditions]:
+            raise ValueError(f"conditions have no {missing[0]}; allowed: {', '.join(required)}")
+        if self.aside and not self.contradicts:
+            raise ValueError(
+                "aside without contradicts; allowed: the statements that it contradicts"
+            )
 
     def check(self, evidence: "Evidence") -> Verdict:
         """Compare the model with the statement, whether or not it is tested."""

@@ -4,32 +4,46 @@ printed numbers as a table."""
 from collections.abc import Iterable, Sequence
 from itertools import product
 from pathlib import Path
+from typing import Annotated
 
 import numpy as np
-from pydantic import ValidationError
+from pydantic import BaseModel, ConfigDict, ValidationError
 
 from chenhorng.claims.claim import Claim
+from chenhorng.claims.fields import Tolerance
 from chenhorng.claims.kinds import KINDS
-from chenhorng.configuration.model import first_fault
+from chenhorng.configuration.model import first_fault, one_of
 from chenhorng.places import FIGURE
 from chenhorng.sampling import CURVE_QUANTITIES
 from thirdbody.plain_yaml import read_yaml
 
 
+class Head(BaseModel):
+    """What an entry of ``config/claims.yaml`` has before its kind is known."""
+
+    model_config = ConfigDict(extra="allow", strict=True, allow_inf_nan=False)
+
+    id: str
+    kind: Annotated[str, one_of(*KINDS)]
+    tolerance: Tolerance
+
+
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order; ``ValueError`` for one without a field of its kind, with
-    another, or with too few curves."""
-    claims = []
-    for entry in read_yaml(path, list):
-        given = dict(entry["tolerance"])
-        reason = given.pop("reason")
-        ((kind, size),) = given.items()
-        fields = {"tolerance": size, "tolerance_kind": kind, "reason": reason}
+    """Read the statements of the paper, in order; ``ValueError`` in one line for one without a field of its kind,
+    with another, with a value that is not allowed, or with the id of another."""
+    claims: dict[str, Claim] = {}
+    for number, entry in enumerate(read_yaml(path, list), 1):
+        name = entry.get("id", number) if isinstance(entry, dict) else number
         try:
-            claims.append(KINDS[entry["kind"]](**entry | fields))
+            head = Head.model_validate(entry)
+            ((kind, size),) = head.tolerance.kinds.items()
+            fields = {"tolerance": size, "tolerance_kind": kind, "reason": head.tolerance.reason}
+            claim = KINDS[head.kind](**entry | fields)
         except ValidationError as error:
-            raise ValueError(f"{path}: {entry['id']}: {first_fault(error)}") from None
-    return tuple(claims)
+            raise ValueError(f"{path}: {name!r:.100}: {first_fault(error)}") from None
+        if claims.setdefault(claim.id, claim) is not claim:
+            raise ValueError(f"{path}: {name!r:.100}: another statement has this id")
+    return tuple(claims.values())
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:

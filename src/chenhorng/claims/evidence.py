@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from chenhorng.claims.between_curves import area_slope
-from chenhorng.sampling import SolvedCurve
+from chenhorng.sampling import SolvedCurve, area_slope
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import has_values
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points

@@ -1,7 +1,7 @@
 """The ten kinds of claims: the fields that each has beside those of all, and its check."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +16,19 @@ from chenhorng.claims.between_curves import (
 )
 from chenhorng.claims.claim import TURNING_POINT_QUANTITIES, WINDOW_QUANTITIES, Claim, Verdict
 from chenhorng.claims.courses import COURSES, passed_states, peak_height, sequence_miss
+from chenhorng.claims.fields import CurveQuantity, Ends, Reference, State, checked
 from chenhorng.claims.words import NAMES, beginning, listed, passed, sentence, size
+from chenhorng.configuration.model import one_of
+from chenhorng.sampling import CURVE_QUANTITIES
 
 if TYPE_CHECKING:
     from chenhorng.claims.evidence import Evidence
 
+Quantity = Annotated[
+    str,
+    one_of(*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES, *BETWEEN_CURVES),
+]
+AGAINST_REFERENCE = "bend_load", "bend_load_over_mixed_load", "departure_sharpness"
 ROUNDING = 1e-9  # of the solver: curves that lie against an order by less are in order
 
 
@@ -29,9 +37,23 @@ class NumberClaim(Claim):
     """A claim on one number of each curve: at a load, the ``extreme`` over loads, or where curves part; or on
     its relative change from the ``reference``."""
 
-    quantity: str = Field()
-    extreme: str = ""
-    reference: Mapping[str, float] = Field(default_factory=dict)
+    quantity: Quantity = Field()
+    extreme: Literal["", "minimum", "maximum"] = ""
+    reference: Annotated[Mapping[str, float], checked(Reference)] = Field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.quantity in AGAINST_REFERENCE and not self.reference:
+            raise ValueError(
+                f"{self.quantity} without reference; allowed: a curve without the bend"
+            )
+        is_level = not {*CURVE_QUANTITIES}.isdisjoint(self.conditions)
+        is_number = self.along != "load" and self.quantity in CURVE_QUANTITIES
+        if is_number and not self.extreme and not is_level:
+            raise ValueError(
+                f"{self.quantity} of a whole curve; allowed: a condition with the load or with a level, "
+                "or extreme: minimum or maximum"
+            )
 
     def numbers(self, evidence: "Evidence") -> NDArray:
         """The quantity as one number per curve, or its relative change from the reference."""
@@ -120,7 +142,7 @@ class Value(NumberClaim):
 class Reach(Value):
     """The least (greatest) value along each curve is the published one or beyond it."""
 
-    extreme: str = Field()
+    extreme: Literal["minimum", "maximum"] = Field()
     printed_numbers = ()
 
     @property
@@ -139,8 +161,8 @@ class Reach(Value):
 class Span(Claim):
     """Both published numbers occur along the curve; the text has their loads."""
 
-    quantity: str = Field()
-    published: Sequence[float] = Field()
+    quantity: CurveQuantity = Field()
+    published: Annotated[Sequence[float], Ends] = Field()
 
     def check(self, evidence: "Evidence") -> Verdict:
         (curve,) = (evidence.curves[condition] for condition in self.curves)
@@ -167,7 +189,7 @@ class Span(Claim):
 class Window(Claim):
     """The ends of the range of x_a/sigma with a turning point agree on each surface."""
 
-    published: Sequence[float] = Field()
+    published: Annotated[Sequence[float], Ends] = Field()
     source = "window"
 
     def check(self, evidence: "Evidence") -> Verdict:
@@ -190,11 +212,12 @@ class Ordering(Claim):
     """Neighbouring curves, in the order listed, or each curve and its reference, are nowhere against
     the ``direction`` by more than the tolerance, and somewhere apart by it."""
 
-    quantity: str = Field()
-    direction: str = Field()
-    reference: Mapping[str, float] = Field(default_factory=dict)
+    quantity: CurveQuantity = Field()
+    direction: Literal["increasing", "decreasing"] = Field()
+    reference: Annotated[Mapping[str, float], checked(Reference)] = Field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         if len(self.curves) < 2 and not self.references:
             raise ValueError("an order of one curve; allowed: two or more, or a reference")
 
@@ -218,9 +241,9 @@ class Coincidence(Claim):
     """Curves and their references nowhere differ by more than the tolerance, ``against`` the load or
     another quantity."""
 
-    quantity: str = Field()
-    reference: Mapping[str, float] = Field()
-    against: str = "load"
+    quantity: CurveQuantity = Field()
+    reference: Annotated[Mapping[str, float], Field(min_length=1), checked(Reference)] = Field()
+    against: CurveQuantity = "load"
 
     def check(self, evidence: "Evidence") -> Verdict:
         widest = np.max([np.abs(gap).max() for gap in self.gaps(evidence)])
@@ -266,8 +289,17 @@ class Trend(CourseClaim, NumberClaim):
     the next.
     """
 
-    direction: str = Field()
-    along: str = Field()
+    direction: Annotated[str, one_of(*COURSES)] = Field()
+    along: Literal["load", "curves"] = Field()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.along == "load" and self.quantity not in CURVE_QUANTITIES:
+            raise ValueError(
+                f"{self.quantity} along the load; allowed: {', '.join(CURVE_QUANTITIES)}"
+            )
+        if self.along == "curves" and len(self.curves) < 2:
+            raise ValueError("a trend along one curve; allowed: two curves or more")
 
     def miss(self, course: NDArray) -> float:
         return COURSES[self.direction](course, self.step)
@@ -289,7 +321,7 @@ class Trend(CourseClaim, NumberClaim):
 class Absence(CourseClaim):
     """No interior maximum over load stands out by more than the tolerance."""
 
-    quantity: str = Field()
+    quantity: CurveQuantity = Field()
 
     def miss(self, course: NDArray) -> float:
         return peak_height(course)
@@ -304,7 +336,7 @@ class StateSequence(Claim):
     ``open_end`` the last may lie beyond the loads.  Excursions from them are within the tolerance;
     a step may name a regime and a mode, and alternatives with "or"."""
 
-    published: Sequence[str] = Field()
+    published: Annotated[Sequence[State], Field(min_length=1)] = Field()
     any_curve: bool = False
     open_end: bool = False
 

@@ -5,89 +5,117 @@ The classes are closed, so that a misspelt key is an error, and numbers are numb
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
+from pydantic_core.core_schema import no_info_after_validator_function
 
 from thirdbody.variables import VARIABLES
 
-FIGURES = {f"fig{number:02d}" for number in range(3, 14)}
+FIGURES = tuple(f"fig{number:02d}" for number in range(3, 14))
 FOLDERS = (
     "accuracy|atlas|bands|calibration|claims|datasets|explorer|extracted|figures|release|tables"
 )
+OTHER_PRODUCTS = r"fig.*|claims|sensitivity|.*_(wide|tpca_loads|transitions)"
+LONGEST = 60  # characters of a value in a message
 
 
-def zero_or_from(least: float) -> AfterValidator:
-    """A number that is 0 or not below ``least``."""
+@dataclass(frozen=True)
+class Allowed:
+    """A check of a value, and what is allowed in words, for the message and for the documentation."""
 
-    def check(value):
-        if 0 < value < least:
-            raise ValueError(f"allowed: 0, or {least:g} or more")
+    is_allowed: Callable[[Any], bool]
+    words: str
+
+    def check(self, value: Any) -> Any:
+        """The value; ``ValueError`` if it is not allowed."""
+        if not self.is_allowed(value):
+            raise ValueError(f"allowed: {self.words}")
         return value
 
-    return AfterValidator(check)
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> Any:
+        return no_info_after_validator_function(self.check, handler(source))
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: GetJsonSchemaHandler) -> Any:
+        return handler(schema) | {"allowed": self.words}
 
 
-def _increasing(values):
-    if any(after <= before for before, after in pairwise(values)):
-        raise ValueError("allowed: numbers that increase")
-    return values
+def one_of(*names: str) -> Allowed:
+    """A check that a value is one of some words."""
+    return Allowed(names.__contains__, ", ".join(names))
 
 
-def _variable(name):
-    if name not in VARIABLES:
-        raise ValueError(f"allowed: {', '.join(VARIABLES)}")
-    return name
+def zero_or_from(least: float) -> Allowed:
+    """A check that a number is 0 or not below ``least``."""
+    return Allowed(lambda value: not 0 < value < least, f"0, or {least:g} or more")
 
 
-def _distinct(values):
-    if len({*values}) < len(values):
-        raise ValueError("allowed: different values")
-    return values
+def plain_word(taken: str) -> Allowed:
+    """A check that a text is a plain word, and not ``taken`` as the name of a product."""
+    return Allowed(
+        lambda name: is_plain(name, taken),
+        "a plain word of small letters, digits and _ that no product has",
+    )
 
 
-def number(least: float, most: float, words: str, or_zero: bool = False, **limits: Any) -> Any:
-    """The field of a number between two ends, and what it is."""
-    if or_zero:
-        allowed: dict[str, Any] = {"allowed": f"0, or number from {least:g} to {most:g}"}
-        return Field(ge=0, le=most, description=words, json_schema_extra=allowed)
-    return Field(le=most, description=words, **({"ge": least} | limits))
+def is_file(path: str) -> bool:
+    """Whether a text is the path of a YAML file below config/."""
+    return bool(re.fullmatch(r"config/[A-Za-z0-9_/-]+\.yaml", path))
 
 
-Load = Annotated[float, number(1e-7, 1e4, "normal load F_t [N]")]
+def is_plain(name: str, taken: str) -> bool:
+    """Whether a text is a word of small letters, digits and _ that does not match ``taken``."""
+    return bool(re.fullmatch(r"[a-z][a-z0-9_]{0,40}", name)) and not re.fullmatch(taken, name)
+
+
+Load = Annotated[float, Field(ge=1e-7, le=1e4, description="normal load F_t [N]")]
 Viscosity = Annotated[
     float,
-    number(0.3, 1e5, "kinematic viscosity nu [cSt], 0 when dry", or_zero=True),
+    Field(ge=0, le=1e5, description="kinematic viscosity nu [cSt], 0 when dry"),
     zero_or_from(0.3),
 ]
 Diameter = Annotated[
     float,
-    number(1, 1e5, "mean particle diameter x_a [nm], 0 without particles", or_zero=True),
+    Field(ge=0, le=1e5, description="mean particle diameter x_a [nm], 0 without particles"),
     zero_or_from(1),
 ]
-Ratio = Annotated[float, number(0, 1000, "mean particle diameter over roughness, x_a/sigma [1]")]
-Roughness = Annotated[float, number(1, 1e4, "equivalent root mean square roughness sigma [nm]")]
+Ratio = Annotated[
+    float,
+    Field(ge=0, le=1000, description="mean particle diameter over roughness, x_a/sigma [1]"),
+]
+Roughness = Annotated[
+    float,
+    Field(ge=1, le=1e4, description="equivalent root mean square roughness sigma [nm]"),
+]
 Density = Annotated[
     float,
-    number(1e6, 1e15, "particles per unit area eta_a [m-2], 0 without particles", or_zero=True),
+    Field(ge=0, le=1e15, description="particles per unit area eta_a [m-2], 0 without particles"),
     zero_or_from(1e6),
 ]
-Rtol = Annotated[float, number(1e-11, 1e-2, "requested relative error [1]")]
-NamedLoad = Annotated[float, number(0, 1, "F_t* named in the text [1]", gt=0)]
-Positive = Field(gt=0)
-File = Annotated[
-    str,
-    Field(
-        pattern=r"^config/[A-Za-z0-9_/-]+\.yaml$",
-        json_schema_extra={"allowed": "the path of a YAML file in config/"},
-    ),
-]
-Increasing = AfterValidator(_increasing)
-Values = Field(min_length=1, max_length=1000), AfterValidator(_distinct)
-Axis = Field(min_length=1, max_length=1000), Increasing
+NamedLoad = Annotated[float, Field(gt=0, le=1, description="F_t* named in the text [1]")]
+Rtol = Annotated[float, Field(ge=1e-11, le=1e-2, description="requested relative error [1]")]
+Positive = Allowed(lambda value: value > 0, "above 0")
+File = Annotated[str, Allowed(is_file, "the path of a YAML file below config/")]
+Pair = Field(min_length=2, max_length=2)
+Increasing = Allowed(
+    lambda values: all(before < after for before, after in pairwise(values)),
+    "numbers that increase",
+)
+Some = Field(min_length=1, max_length=1000)
+Distinct = Allowed(lambda values: len({*values}) == len(values), "different values")
 
 
 class Closed(BaseModel):
@@ -99,7 +127,7 @@ class Closed(BaseModel):
 class LoadAxis(Closed):
     """F_t* from the first to the last load in newtons, evenly spaced in its logarithm."""
 
-    load_N: Annotated[list[Load], Field(min_length=2, max_length=2), Increasing]
+    load_N: Annotated[list[Load], Pair, Increasing]
     count: Annotated[int, Field(ge=5, le=100_000, description="number of loads")]
 
 
@@ -123,21 +151,19 @@ class Layer(Closed):
 class Curves(Layer):
     """A group of curves: every combination of the values is computed."""
 
-    viscosity_cSt: Annotated[list[Viscosity], *Values]
-    particle_diameter_nm: Annotated[list[Diameter], *Values] | None = None
-    particle_diameter_per_roughness: Annotated[list[Ratio], *Values] | None = None
-    roughness_nm: Annotated[list[Roughness], *Values]
-    particle_density_per_m2: Annotated[list[Density], *Values]
+    viscosity_cSt: Annotated[list[Viscosity], Some, Distinct]
+    particle_diameter_nm: Annotated[list[Diameter], Some, Distinct] | None = None
+    particle_diameter_per_roughness: Annotated[list[Ratio], Some, Distinct] | None = None
+    roughness_nm: Annotated[list[Roughness], Some, Distinct]
+    particle_density_per_m2: Annotated[list[Density], Some, Distinct]
 
     @model_validator(mode="before")
-    def _one_diameter(self):
-        if isinstance(self, Mapping) and ("particle_diameter_nm" in self) == (
-            "particle_diameter_per_roughness" in self
-        ):
-            raise ValueError(
-                "allowed: either particle_diameter_nm or particle_diameter_per_roughness"
-            )
-        return self
+    @classmethod
+    def _one_diameter(cls, content):
+        keys = "particle_diameter_nm", "particle_diameter_per_roughness"
+        if isinstance(content, Mapping) and len(content.keys() & {*keys}) != 1:
+            raise ValueError(f"allowed: either {' or '.join(keys)}")
+        return content
 
 
 class Panel(Layer):
@@ -155,10 +181,10 @@ class Scene(Closed):
 
     title: Annotated[
         str,
-        Field(
-            pattern=r"^[^\x00-\x1f]{1,200}$",
-            description="title of the dataset and of the figure",
-            json_schema_extra={"allowed": "text in one line, up to 200 letters"},
+        Field(description="title of the dataset and the figure"),
+        Allowed(
+            lambda text: bool(re.fullmatch(r"[^\x00-\x1f]{1,200}", text)),
+            "a line of 1 to 200 characters",
         ),
     ]
     named_loads: Annotated[list[NamedLoad], Field(max_length=1000)] = []
@@ -169,7 +195,7 @@ class Scene(Closed):
         Field(
             min_length=1,
             max_length=100,
-            description="groups of curves; every combination of a group's values is computed",
+            description="groups of curves: every combination of the values of a group is computed",
         ),
     ]
 
@@ -177,11 +203,9 @@ class Scene(Closed):
 class Windows(Closed):
     """Search for the range of x_a/sigma in which the turning point occurs."""
 
-    roughness_nm: Annotated[list[Roughness], *Values]
+    roughness_nm: Annotated[list[Roughness], Some, Distinct]
     particle_density_per_m2: Annotated[Density, Positive]
-    particle_diameter_per_roughness: Annotated[
-        list[Annotated[Ratio, Positive]], Field(min_length=2, max_length=2), Increasing
-    ]
+    particle_diameter_per_roughness: Annotated[list[Annotated[Ratio, Positive]], Pair, Increasing]
     count: Annotated[
         int, Field(ge=10, le=100_000, description="sampled x_a/sigma before the ends are refined")
     ]
@@ -190,63 +214,44 @@ class Windows(Closed):
 class Schematics(Closed):
     """Conditions of the drawings, figures 1 and 2."""
 
-    fig01: Annotated[list[Panel], Field(min_length=1, max_length=1)]
-    fig02: Annotated[list[Panel], Field(min_length=3, max_length=3)]
+    fig01: Annotated[
+        list[Panel], Field(min_length=1, max_length=1, description="the panel of figure 1")
+    ]
+    fig02: Annotated[
+        list[Panel], Field(min_length=3, max_length=3, description="the panels of figure 2")
+    ]
 
 
 class Atlas(Closed):
     """The conditions that ``snakemake atlas`` solves: every combination, a file for each roughness."""
 
-    load_N: Annotated[list[Load], *Axis]
-    viscosity_cSt: Annotated[list[Viscosity], *Axis]
-    particle_diameter_nm: Annotated[list[Diameter], *Axis]
-    roughness_nm: Annotated[list[Roughness], *Axis]
-    particle_density_per_m2: Annotated[list[Density], *Axis]
+    load_N: Annotated[list[Load], Some, Increasing]
+    viscosity_cSt: Annotated[list[Viscosity], Some, Increasing]
+    particle_diameter_nm: Annotated[list[Diameter], Some, Increasing]
+    roughness_nm: Annotated[list[Roughness], Some, Increasing]
+    particle_density_per_m2: Annotated[list[Density], Some, Increasing]
     rtol: Rtol
     variables: Annotated[
-        list[Annotated[str, AfterValidator(_variable)]], Field(description="kept at each point")
+        list[Annotated[str, one_of(*VARIABLES)]], Field(description="kept at each point")
     ]
-
-
-def _plain(name, taken):
-    """A plain word that is not ``taken`` as the name of a product."""
-    if not re.fullmatch(r"[a-z][a-z0-9_]{0,40}", name) or re.fullmatch(taken, name):
-        raise ValueError(
-            f"{name!r}; allowed: a word of small letters, digits and _ that no product has"
-        )
-    return name
-
-
-def _named(scenes):
-    for name in {*scenes} - FIGURES:
-        _plain(name, r"fig.*|claims|sensitivity|.*_(wide|tpca_loads|transitions)")
-    if missing := FIGURES - {*scenes}:
-        raise ValueError(f"{', '.join(sorted(missing))} missing; allowed: all figures of the paper")
-    return scenes
 
 
 class Configuration(Closed):
     """config.yaml and scenes.yaml together."""
 
     run: (
-        Annotated[
-            str,
-            AfterValidator(lambda name: _plain(name, FOLDERS)),
-            Field(
-                description="name of the run; its files go to results/NAME",
-                json_schema_extra={"allowed": "a word of small letters, digits and _"},
-            ),
-        ]
+        Annotated[str, plain_word(FOLDERS), Field(description="its files go to results/NAME")]
         | None
     ) = None
     calibrated: Annotated[
         File, Field(description="calibrated file with the inputs and their ensemble")
     ]
     inputs: Annotated[
-        dict[str, Any] | File,
-        Field(
-            description="inputs that override them, or a file of them",
-            json_schema_extra={"allowed": "inputs with their values, or the path of a YAML file"},
+        Any,
+        Field(description="inputs that override them, or a file of them"),
+        Allowed(
+            lambda given: isinstance(given, Mapping) or isinstance(given, str) and is_file(given),
+            "inputs with their values, or the path of a YAML file below config/",
         ),
     ]
     rtol: Rtol
@@ -255,12 +260,26 @@ class Configuration(Closed):
     load_axis: LoadAxis
     scenes: Annotated[
         dict[str, Scene],
-        AfterValidator(_named),
-        Field(description="a dataset and a figure each; fig03 to fig13 are those of the paper"),
+        Field(description="a dataset and a figure for each name; those of the paper are required"),
     ]
     schematics: Schematics
     accuracy: Annotated[File, Field(description="settings of the accuracy run")]
     atlas: Atlas
+
+    @field_validator("scenes", mode="before")
+    @classmethod
+    def _are_named(cls, scenes):
+        if not isinstance(scenes, Mapping):
+            return scenes
+        for name in scenes.keys() - {*FIGURES}:
+            if not is_plain(name, OTHER_PRODUCTS):
+                raise ValueError(
+                    f"{name!r:.{LONGEST}} is no name of a scene; allowed: a plain word of small "
+                    "letters, digits and _ that no product has"
+                )
+        if missing := sorted({*FIGURES} - scenes.keys()):
+            raise ValueError(f"{', '.join(missing)} missing; allowed: all figures of the paper")
+        return scenes
 
 
 def check(content: Any, name: str) -> None:
@@ -272,7 +291,12 @@ def check(content: Any, name: str) -> None:
 
 
 def first_fault(error: ValidationError) -> str:
-    """The first fault in one line."""
+    """The first fault in one line: its key, the value unless it is a mapping, and what is wrong."""
     first = error.errors(include_url=False)[0]
-    value = "" if first["type"] == "missing" else f" is {str(first['input']):.60}"
-    return f"{'.'.join(map(str, first['loc']))}{value}; {first['msg']}"
+    keys = [str(key) if str(key).isprintable() else repr(key) for key in first["loc"]]
+    words = first["msg"].removeprefix("Value error, ")
+    if not keys:
+        return words
+    place, value = f"{'.'.join(keys):.300}", first["input"]
+    is_told = first["type"] != "missing" and not isinstance(value, Mapping)
+    return f"{place} is {value!r:.{LONGEST}}; {words}" if is_told else f"{place}: {words}"

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chenhorng.claims.between_curves import area_slope, bend_load, crossings
+from chenhorng.claims.between_curves import bend_load, crossings
+from chenhorng.sampling import area_slope
 from thirdbody.curves import condition_key, row_key
 from thirdbody.plotting import marks
 from thirdbody.plotting.marks import AREA, RATIO, RELATIVE_AREA, is_on

@@ -1,0 +1,80 @@
+"""The files that developers edit: what one names, another has."""
+
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from chenhorng.atlas.chunk import atlas_axes, axis_values
+from thirdbody.core.parameters import Parameters
+from thirdbody.inputs import parameters_of
+from thirdbody.plain_yaml import read_yaml
+from thirdbody.variables import AXES
+
+ROOT = Path(__file__).parents[2]
+CONFIG = ROOT / "config"
+ATLASES = [
+    pytest.param(read_yaml(path), id=path.stem) for path in sorted(CONFIG.glob("atlas*.yaml"))
+]
+CLAIMS = read_yaml(CONFIG / "claims.yaml", list)
+
+
+def test_contradictions_are_settled():
+    by_id = {claim["id"]: claim for claim in CLAIMS}
+    for claim in CLAIMS:
+        for other in claim.get("contradicts", []):
+            assert claim["id"] in by_id[other]["contradicts"]
+            assert "aside" in claim or "aside" in by_id[other], (claim["id"], other)
+
+
+def test_inputs_that_are_searched_have_bounds():
+    calibration = read_yaml(CONFIG / "calibration.yaml")
+    interpretations = calibration["interpretations"].values()
+    searched = [calibration["always"], *(one.get("unknowns", []) for one in interpretations)]
+    assert {name for names in searched for name in names} <= calibration["unknowns"].keys()
+    assert calibration["unknowns"].keys() <= {*Parameters.names()}
+    for unknown in calibration["unknowns"].values():
+        for low, high in (unknown["bounds"], unknown["usual"]):
+            assert low < high
+
+
+def test_what_the_calibration_names_is_there():
+    calibration = read_yaml(CONFIG / "calibration.yaml")
+    assert set(calibration["headline"]) <= {claim["id"] for claim in CLAIMS}
+    assert calibration["kept"] <= len(calibration["interpretations"])
+    for name in calibration["interpretations"]:
+        way = [name]  # to the search from scattered sets, from which all others come in the end
+        while nearby := calibration["interpretations"][way[-1]].get("nearby"):
+            assert nearby not in way
+            way.append(nearby)
+
+
+@pytest.mark.parametrize(
+    "path", sorted(CONFIG.glob("calibrated/*.yaml")), ids=lambda path: path.stem
+)
+def test_each_calibrated_file_has_all_inputs_and_members_within_bounds(path):
+    content = read_yaml(path)
+    assert content["interpretation"] == path.stem
+    assert content["inputs"].keys() == {*Parameters.names()}
+    assert len(content["ensemble"]) == len(content["ensemble_interpretations"])
+    parameters_of(content)  # refuses a number out of bounds
+
+
+def test_each_departure_is_from_the_default():
+    calibration, config = (read_yaml(CONFIG / f"{name}.yaml") for name in ("calibration", "config"))
+    inputs = read_yaml(ROOT / config["calibrated"])["inputs"]
+    for departure in calibration["departures"]:
+        for name, value in departure["inputs"].items():
+            assert inputs[name] != value, departure["name"]
+
+
+@pytest.mark.parametrize("atlas", ATLASES)
+def test_the_axes_of_the_atlas_increase(atlas):
+    axes = {key: axis_values(axis) for key, axis in atlas["axes"].items()}
+    for axis in atlas["axes"].values():
+        assert axis["from"] < axis["to"]
+        assert all(value == 0 or axis["from"] <= value <= axis["to"] for value in axis["also"])
+    assert atlas["chunks"] <= len(axes["roughness_nm"])
+    for values in atlas_axes(atlas["axes"]).values():
+        assert all(before < after for before, after in pairwise(values))
+    assert atlas_axes(atlas["axes"]).keys() == AXES.keys()
