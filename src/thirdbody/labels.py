@@ -10,9 +10,8 @@ from numpy.typing import ArrayLike
 
 from thirdbody.attributes import coordinate_attributes, variable_attributes
 from thirdbody.conditions import from_si
-from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import FLAG_MEANINGS, STATES, codes_to_name
-from thirdbody.ensembles import MEMBER
+from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.notes import area_note
 from thirdbody.variables import CONDITIONS, NORMAL_LOAD, VARIABLES, decimal
 
@@ -35,8 +34,12 @@ class Points(Protocol):
         """The name of each condition in tables."""
 
     @property
-    def parameters(self) -> Parameters:
+    def parameters(self) -> Ensemble:
         """The inputs."""
+
+    @property
+    def has_members(self) -> bool:
+        """Whether the first dimension is that of members."""
 
     @property
     def index(self) -> pd.Index | None:

@@ -3,7 +3,6 @@
 from typing import assert_type
 
 import numpy as np
-import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -44,9 +43,8 @@ print(points.nonsense)  # type: ignore[attr-defined]
 tb.solve(load=3, nonsense=4)  # type: ignore[call-arg]
 tb.solve(load=None, load_N="heavy", viscosity=object())  # type: ignore[arg-type]
 tb.grid(load=[1e-6, 1e-5], nonsense=4)  # type: ignore[call-arg]
-columns = pd.DataFrame({"load_N": [1.0, 10.0]})
 labelled = xr.DataArray([0.0, 90.0], dims="oil")
-every = tb.solve(load_N=columns["load_N"], viscosity_cSt=labelled, members=True, parameters=inputs)
+every = tb.solve(load_N=10, viscosity_cSt=labelled, members=True, parameters=inputs)
 assert_type(every, tb.Solution)
 
 grid = tb.grid(load_N=[1, 10], viscosity_cSt=[0, 90], roughness_nm=300, progress=False)
