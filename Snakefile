@@ -66,17 +66,12 @@ rule all:
         "All products are there"
 
 
-include: "workflow/rules/datasets.smk"
-include: "workflow/rules/extract.smk"
-include: "workflow/rules/claims.smk"
-include: "workflow/rules/render.smk"
-include: "workflow/rules/explorer.smk"
-include: "workflow/rules/publish.smk"
-# on demand: snakemake -c2 calibrate, atlas, accuracy, release
-include: "workflow/rules/searches.smk"
+include: "workflow/rules/solve.smk"
+include: "workflow/rules/judge.smk"
+include: "workflow/rules/draw.smk"
+# on demand: snakemake -c2 atlas (in solve.smk), calibrate, accuracy, release
 include: "workflow/rules/calibrate.smk"
-include: "workflow/rules/atlas.smk"
-include: "workflow/rules/accuracy.smk"
+include: "workflow/rules/measure.smk"
 
 
 # a release has the sources, which only the repository has

@@ -81,3 +81,18 @@ rule judge_departures:
         "Judge the statements without each departure from the print"
     script:
         "../scripts/judge_departures.py"
+
+
+rule gather_printed:
+    output:
+        table="<results>/extracted/printed/all.csv",
+    log:
+        "<logs>/gather_printed.log",
+    params:
+        *sources_of("gather_printed.py"),
+        settings_text(CLAIMS, list),
+        claims=CLAIMS,
+    message:
+        "Gather the numbers that the paper prints"
+    script:
+        "../scripts/gather_printed.py"
