@@ -5,9 +5,7 @@ from snakemake.utils import min_version
 min_version("9.12")
 
 
-# whether this can run here
-include: "workflow/rules/start.smk"
-# the settings, checked; where files are; what a job depends on
+# the library; the settings, checked; where files are; what a job depends on
 include: "workflow/rules/common.smk"
 
 
@@ -63,7 +61,20 @@ rule all:
         "<results>/captions.md",
         "<results>/SHA256SUMS",
     message:
-        "All products are there"
+        "All products of the paper"
+
+
+onsuccess:
+    judged = Path(RESULTS, "claims/claims.json")
+    if Path(RESULTS, "index.html").is_file() and judged.is_file():
+        score = json.loads(judged.read_text(encoding="utf-8"))
+        print(
+            f"{score['held']} of {score['judged']} statements hold; open {RESULTS}/index.html in a browser"
+        )
+
+
+onerror:
+    print("Finished products are kept: the same command continues from there")
 
 
 include: "workflow/rules/solve.smk"

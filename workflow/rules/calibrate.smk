@@ -1,9 +1,6 @@
 # Calibration: `snakemake -c2 calibrate`, not part of the default run. Each search for the unprinted inputs is a job
 # that stores its evaluations; their results are sampled and summarised. The summary goes to config/calibrated/, which
 # is kept in git and read by the default run.
-import json
-from pathlib import Path
-
 CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
@@ -73,7 +70,7 @@ rule scatter_inputs:
     params:
         *sources_of("scatter_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
@@ -95,7 +92,7 @@ rule search_inputs:
     params:
         *sources_of("search_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
@@ -153,7 +150,7 @@ rule sample_inputs:
     params:
         *sources_of("sample_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=settings_of,
         parameters=settings["uncalibrated"],
@@ -180,7 +177,7 @@ rule summarise_inputs:
     params:
         *sources_of("summarise_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=settings_of,
     message:
@@ -205,7 +202,7 @@ rule choose_default:
     params:
         *sources_of("choose_default.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],

@@ -8,6 +8,13 @@ BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
 STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
 
 
+def figure_files(figure, category):
+    """The files of a figure by kind; the PNG goes into Snakemake's report."""
+    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
+    caption, labels = "../report/product.rst", {"figure": figure}
+    return files | {"png": report(files["png"], caption, category=category, labels=labels)}
+
+
 rule render_figure:
     input:
         dataset="<results>/datasets/{scene}.nc",
@@ -73,7 +80,7 @@ rule render_sensitivity:
         "<logs>/render_sensitivity.log",
     params:
         *sources_of("render_sensitivity.py"),
-        settings_text(INPUTS),
+        INPUTS_TEXT,
         entries=INPUTS,
     message:
         "Draw the sensitivities"
@@ -150,8 +157,8 @@ rule build_explorer:
     params:
         *sources_of("build_explorer.py"),
         *CALIBRATED_TEXTS,
-        settings_text(INPUTS),
-        settings_text(PAPER_TABLES),
+        INPUTS_TEXT,
+        PAPER_TABLES_TEXT,
         entries=INPUTS,
         tables=PAPER_TABLES,
         parameters=settings["parameters"],
@@ -193,7 +200,7 @@ rule write_index:
         "../scripts/write_index.py"
 
 
-# each product must be as its job made it
+# a product that is not as its job made it is refused
 rule write_sums:
     input:
         [product for product in rules.all.input if not product.endswith("SHA256SUMS")],
@@ -207,14 +214,3 @@ rule write_sums:
         "Write the sums of all products"
     script:
         "../scripts/write_sums.py"
-
-
-onsuccess:
-    judged = Path(RESULTS, "claims/claims.json")
-    if Path(RESULTS, "index.html").is_file() and judged.is_file():
-        print(json.loads(judged.read_text(encoding="utf-8"))["score"].replace("**", ""))
-        print(f"Open {RESULTS}/index.html in a browser")
-
-
-onerror:
-    print("Finished products are kept: the same command continues from there")

@@ -1,9 +1,5 @@
 # The verdict on every statement of the paper, and what carries the agreement.
 
-CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
-DEFAULT = settings["calibrated"]
-CALIBRATED_TEXTS = [settings_text(path) for path in dict.fromkeys([DEFAULT, *CALIBRATED])]
-
 
 rule judge_claims:
     input:
@@ -27,9 +23,9 @@ rule judge_claims:
         *sources_of("judge_claims.py"),
         *SOFTWARE,
         *CALIBRATED_TEXTS,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
-        default=DEFAULT,
+        default=settings["calibrated"],
         calibrated=CALIBRATED,
         settings=settings["calibration"],
         base=settings["uncalibrated"],
@@ -73,7 +69,7 @@ rule judge_departures:
     params:
         *sources_of("judge_departures.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=settings["calibration"],
         parameters=settings["parameters"],
@@ -90,7 +86,7 @@ rule gather_printed:
         "<logs>/gather_printed.log",
     params:
         *sources_of("gather_printed.py"),
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
     message:
         "Gather the numbers that the paper prints"

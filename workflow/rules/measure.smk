@@ -3,8 +3,8 @@
 ACCURACY = settings["accuracy"]
 # all that may run: `sources_of` follows the imports of the library alone, not those of the benchmarks
 MEASURED = [
-    *(file_text(path) for path in sorted(HOME.glob("src/**/*.py"))),
-    *(file_text(path) for path in sorted(HOME.glob("benchmarks/*.py"))),
+    *(SOURCES.text(path) for path in sorted(HOME.glob("src/**/*.py"))),
+    *(SOURCES.text(path) for path in sorted(HOME.glob("benchmarks/*.py"))),
 ]
 
 
@@ -21,7 +21,7 @@ rule measure_errors:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/measure_errors.py"),
+        SOURCES.text(HOME / "workflow/scripts/measure_errors.py"),
         rtol=ACCURACY["rtol"],
     message:
         "Measure errors"
@@ -42,7 +42,7 @@ rule compare_oracle:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/compare_oracle.py"),
+        SOURCES.text(HOME / "workflow/scripts/compare_oracle.py"),
         settings=ACCURACY["oracle"],
     message:
         "Compare with the oracle"
@@ -65,7 +65,7 @@ rule time_library:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/time_library.py"),
+        SOURCES.text(HOME / "workflow/scripts/time_library.py"),
         budget=ACCURACY,
         parameters=settings["parameters"],
     message:
@@ -89,7 +89,7 @@ rule compare_targets:
         "<logs>/compare_targets.log",
     params:
         *MEASURED,
-        file_text(HOME / "workflow/scripts/compare_targets.py"),
+        SOURCES.text(HOME / "workflow/scripts/compare_targets.py"),
     message:
         "Compare with the targets"
     script:
@@ -107,7 +107,7 @@ rule draw_work_precision:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/draw_work_precision.py"),
+        SOURCES.text(HOME / "workflow/scripts/draw_work_precision.py"),
     message:
         "Draw times over errors"
     script:
@@ -120,4 +120,4 @@ rule accuracy:
         "<results>/accuracy/work_precision.png",
         "<results>/accuracy/targets.csv",
     message:
-        "All measurements are there"
+        "All measurements"

@@ -96,7 +96,7 @@ rule recompute_paper_tables:
         "<logs>/recompute_paper_tables.log",
     params:
         *sources_of("recompute_paper_tables.py"),
-        settings_text(PAPER_TABLES),
+        PAPER_TABLES_TEXT,
         printed=PAPER_TABLES,
         parameters=settings["parameters"],
     message:
@@ -142,4 +142,4 @@ rule atlas:
     input:
         gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
     message:
-        "The atlas is there"
+        "The atlas"
