@@ -17,7 +17,7 @@ CASES = {
         "mine.yaml",
         b"rtol: 3\n",
         SECOND,
-        ("rtol: 3 is greater than the maximum of 0.01",),
+        ("rtol is 3; Input should be less than or equal to 0.01",),
     ),
     "no statements": (
         "config/claims.yaml",

@@ -10,31 +10,26 @@ try:
     import thirdbody
 
     if BESIDE.is_dir() and not BESIDE.samefile(Path(thirdbody.__file__).parent):
-        sys.exit(
-            f"the library is {Path(thirdbody.__file__).parent}; allowed: that of this checkout, by PYTHONPATH=src"
-        )
+        library = Path(thirdbody.__file__).parent
+        sys.exit(f"the library is {library}; allowed: that of this checkout, by PYTHONPATH=src")
     from chenhorng.configuration.settings import read_settings
     from chenhorng.home import config_directory
     from chenhorng.sources import Sources, settings_text
 except ModuleNotFoundError as missing:
-    sys.exit(
-        f'{missing.name} is not installed for {sys.executable}; allowed: pip install ".[workflow]" in a clone'
-    )
+    sys.exit(f'{missing.name} is not installed for {sys.executable}; pip install ".[workflow]"')
 
 
 def without_none(record):
     """Of a failed job Snakemake would write "message: None"."""
     if record.levelname == "ERROR" and getattr(record, "rule_msg", "") is None:
-        record.rule_msg = "its log says why"
+        record.rule_msg = "failed"
     return True
 
 
 logger.addFilter(without_none)
 
-PACKAGES = (
-    Path(thirdbody.__file__).resolve().parents[1]
-)  # src/, or where both packages are installed
-HOME = config_directory().parent  # the repository, or the installed package
+# src/ and the repository, or where both packages are installed and the installed package
+PACKAGES, HOME = Path(thirdbody.__file__).resolve().parents[1], config_directory().parent
 SOURCES = Sources(PACKAGES, HOME, "thirdbody", "chenhorng")
 
 
@@ -45,9 +40,8 @@ def sources_of(script):
 
 def project_file(name):
     """The path of a file of the project, relative if the current folder is its repository."""
-    path = (
-        PACKAGES / str(name).removeprefix("src/") if str(name).startswith("src/") else HOME / name
-    )
+    top, _, rest = str(name).partition("/")
+    path = PACKAGES / rest if top == "src" else HOME / name
     return str(path.relative_to(HOME) if Path.cwd() == HOME else path)
 
 
@@ -73,6 +67,4 @@ LOGS = f"{RESULTS}/logs" if settings["run"] else "logs"
 # without its record, Snakemake takes products of another configuration for those of this one
 if workflow.is_main_process and Path(RESULTS, "datasets").is_dir():
     if not Path(".snakemake/metadata").is_dir():
-        sys.exit(
-            f"{RESULTS} has products without .snakemake, which records what they were made of; allowed: both or none"
-        )
+        sys.exit(f"{RESULTS} has products without .snakemake, their record; allowed: both or none")
