@@ -50,9 +50,7 @@ def remade(workspace):
 def dry_run_after(workspace, file, change):
     """What the next run would do after a ``change`` of a ``file``."""
     workspace.rewrite(file, change)
-    asked = workspace.snakemake(
-        "--dry-run", "--quiet", "host"
-    )  # the profile has no counts and reasons
+    asked = workspace.snakemake("--dry-run", "--quiet", "host")  # with counts and reasons
     assert asked.returncode == 0, asked.stdout + asked.stderr
     return asked.stdout
 
