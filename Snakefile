@@ -1,4 +1,4 @@
-# Every dataset, table and figure of Chen & Horng (2024), from its equations and calibrated inputs: snakemake -c2
+# Every dataset, table and figure of Chen & Horng (2024): snakemake -c2
 
 from snakemake.utils import min_version
 
@@ -68,9 +68,8 @@ onsuccess:
     judged = Path(RESULTS, "claims/claims.json")
     if Path(RESULTS, "index.html").is_file() and judged.is_file():
         score = json.loads(judged.read_text(encoding="utf-8"))
-        print(
-            f"{score['held']} of {score['judged']} statements hold; open {RESULTS}/index.html in a browser"
-        )
+        hold = f"{score['held']} of {score['judged']} statements hold"
+        print(f"{hold}; open {RESULTS}/index.html in a browser")
 
 
 onerror:

@@ -9,7 +9,7 @@ from typing import Any
 
 from thirdbody.files import DamagedFile, atomic_write, digest
 
-# the SHA-256 of each product, as `sha256sum` prints it, by the job that made it; of two lines the later one counts
+# SHA-256 of each product, by the job that made it, as `sha256sum` prints it; the last line counts
 SUMS = Path(".snakemake/made.sha256")
 
 
@@ -17,9 +17,10 @@ SUMS = Path(".snakemake/made.sha256")
 def job(snakemake: Any) -> Iterator[SimpleNamespace]:
     """Run a script of the workflow, whose ``snakemake`` this is.
 
-    What it prints goes to its log, and the SHA-256 of each output to ``SUMS``.  The paths of its outputs, which are
-    yielded by their names, are temporary: all are moved into place together once the script has ended, so that a
-    run that is killed leaves no half of a file, nor do two runs at once.
+    What it prints goes to its log, and the SHA-256 of each output to ``SUMS``.  The paths of its
+    outputs, which are yielded by their names, are temporary: all are moved into place together once
+    the script has ended, so that a run that is killed leaves no half of a file, nor do two runs at
+    once.
     """
     output = snakemake.output
     with logged(snakemake.log[0]), atomic_write(*output) as paths:
@@ -42,10 +43,11 @@ def require_as_made(products: Iterable[str]) -> dict[str, str]:
 
 @contextmanager
 def logged(log: str | Path) -> Iterator[None]:
-    """Send what a script prints to the file ``log``; if the script fails, the log says why, and the exit code is 1.
+    """Send what a script prints to the file ``log``.
 
-    For ``ValueError``, ``OSError`` and ``MemoryError``, which a user can fix, the log ends with the message, for a
-    damaged product also with the command that recreates it; for any other error, with its traceback.  If the log
+    If the script fails, the log says why, and the exit code is 1.  For ``ValueError``, ``OSError``
+    and ``MemoryError``, which a user can fix, the log ends with the message, for a damaged product
+    also with the command that recreates it; for any other error, with its traceback.  If the log
     cannot be written, the message goes to standard error.
     """
     failure = None

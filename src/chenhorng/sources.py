@@ -1,4 +1,4 @@
-"""What a job depends on, as texts that are parameters of its rule: Snakemake names the text that has changed."""
+"""What a job depends on, as parameters of its rule: Snakemake names a text that has changed."""
 
 import ast
 import json
@@ -13,7 +13,7 @@ INPUTS_OF_RULES = ".j2", ".html"  # suffixes of templates
 
 
 class Sources:
-    """The files of ``packages``, which are in ``folder``; files in ``home`` are named relative to it."""
+    """The files of ``packages`` in ``folder``; files in ``home`` are named relative to it."""
 
     def __init__(self, folder: Path, home: Path, *packages: str) -> None:
         self.folder, self.home = folder, home
@@ -22,8 +22,8 @@ class Sources:
         )
 
     def of_script(self, script: Path) -> list[str]:
-        """A text for each file that ``script`` runs: itself, the modules that it imports, all modules that
-        these import, and the data beside them."""
+        """A text for each file that ``script`` runs: itself, the modules that it imports, all
+        modules that these import, and the data beside them."""
         imported = imports_of(script) & self.graph.modules
         modules = imported.union(*map(self.graph.find_upstream_modules, imported))
         packages = {name.rpartition(".")[0] for name in modules} - {""}
@@ -56,8 +56,8 @@ def imports_of(script: Path) -> set[str]:
 
 
 def settings_text(path: str | Path, kind: type = dict) -> str:
-    """The name of a file of the configuration, and the first digits of the SHA-256 of its content, which a
-    comment does not change; ``ValueError`` in one line for a file that cannot be read."""
+    """The name of a file of the configuration, and the first digits of the SHA-256 of its content,
+    which a comment does not change; ``ValueError`` in one line for a file that cannot be read."""
     content = json.dumps(read_yaml(path, kind), default=str)
     return f"{path} {_digest(content.encode())}"
 

@@ -1,4 +1,4 @@
-"""What a job depends on: the files that its script runs, by their content, and settings without comments."""
+"""What a job depends on: the files that its script runs, by content; settings without comments."""
 
 import os
 
@@ -34,7 +34,7 @@ def texts(home):
 
 
 def changed(home, name, content):
-    """The names of the files whose texts change with the content of a file, whose date becomes older."""
+    """The files whose texts change with the content of a file, whose date becomes older."""
     before = texts(home)
     (home / name).write_text(content)
     os.utime(home / name, (0, 0))

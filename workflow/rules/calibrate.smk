@@ -1,6 +1,6 @@
-# Calibration: `snakemake -c2 calibrate`, not part of the default run. Each search for the unprinted inputs is a job
-# that stores its evaluations; their results are sampled and summarised. The summary goes to config/calibrated/, which
-# is kept in git and read by the default run.
+# Calibration: `snakemake -c2 calibrate`, not part of the default run.  Each search for the
+# unprinted inputs is a job that stores its evaluations; their results are sampled and summarised.
+# The summary goes to config/calibrated/, which is kept in git and read by the default run.
 CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
@@ -45,7 +45,7 @@ def shortlisted():
 
 
 def is_cross_validated(wildcards):
-    """Whether an interpretation, or the one from which its starts come in the end, is on the shortlist."""
+    """Whether an interpretation, or that from which its searches start, is on the shortlist."""
     name = wildcards.interpretation
     while "nearby" in CALIBRATION["interpretations"][name]:
         name = CALIBRATION["interpretations"][name]["nearby"]

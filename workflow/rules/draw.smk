@@ -1,5 +1,5 @@
-# Drawing: figures with their data, tables to read, the explorer and the index page, and the sums of all products.
-# Nothing is solved here.
+# Drawing: figures with their data, tables to read, the explorer, the index page, and the sums of
+# all products.  Nothing is solved here.
 
 PRINTED = "<results>/extracted/printed/all.csv"  # the numbers of the paper
 WINDOWS = "<results>/extracted/tpca_windows/all.csv"

@@ -37,7 +37,7 @@ rule judge_claims:
         "../scripts/judge_claims.py"
 
 
-# statements of one's own, in config/NAME.yaml: snakemake -c2 results/claims/NAME.csv; those of the paper are counted alone
+# statements of one's own, in config/NAME.yaml: snakemake -c2 results/claims/NAME.csv
 rule judge_own_claims:
     output:
         table="<results>/claims/{name}.csv",

@@ -1,7 +1,7 @@
-# `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, their figure, and targets.
+# `snakemake -c2 accuracy`, not part of the default run: errors, extremes, times, figure, targets.
 
 ACCURACY = settings["accuracy"]
-# all that may run: `sources_of` follows the imports of the library alone, not those of the benchmarks
+# all that may run: `sources_of` does not follow the imports of the benchmarks
 MEASURED = [
     *(SOURCES.text(path) for path in sorted(HOME.glob("src/**/*.py"))),
     *(SOURCES.text(path) for path in sorted(HOME.glob("benchmarks/*.py"))),

@@ -1,4 +1,4 @@
-# Solving: datasets, the ensemble ranges of their curves, what is extracted from them, and the atlas.
+# Solving: datasets, the ensemble ranges of their curves, what is extracted from them; the atlas.
 
 
 rule solve_scene:
@@ -105,8 +105,8 @@ rule recompute_paper_tables:
         "../scripts/recompute_paper_tables.py"
 
 
-# The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves some of the roughnesses
-# for all inputs.  An interruption loses only the running chunks.
+# The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves some of the
+# roughnesses for all inputs.  An interruption loses only the running chunks.
 
 ATLAS = settings["atlas"]
 
