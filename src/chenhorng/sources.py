@@ -45,7 +45,7 @@ class Sources:
 
 def imports_of(script: Path) -> set[str]:
     """The names that a script imports: modules, and what may be a module or a name in one."""
-    names = set()
+    names: set[str] = set()
     for statement in ast.walk(ast.parse(script.read_bytes())):
         if isinstance(statement, ast.Import):
             names.update(alias.name for alias in statement.names)

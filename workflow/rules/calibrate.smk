@@ -1,57 +1,12 @@
 # Calibration: `snakemake -c2 calibrate`, not part of the default run.  Each search for the
 # unprinted inputs is a job that stores its evaluations; their results are sampled and summarised.
 # The summary goes to config/calibrated/, which is kept in git and read by the default run.
+from chenhorng.calibration.searches import Searches
+
 CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
-SEARCHED_WIDELY = [
-    name for name, entry in CALIBRATION["interpretations"].items() if "nearby" not in entry
-]
-
-
-def settings_of(wildcards):
-    """The settings for one interpretation, independent of the others."""
-    names = [wildcards.interpretation, *nearby(wildcards)]
-    return {
-        **CALIBRATION,
-        "interpretations": {name: CALIBRATION["interpretations"][name] for name in names},
-    }
-
-
-def nearby(wildcards):
-    """The interpretation from whose best inputs that of a job is searched, if there is one."""
-    entry = CALIBRATION["interpretations"][wildcards.interpretation]
-    return [entry["nearby"]] if "nearby" in entry else []
-
-
-def start_of(wildcards):
-    """The files with the inputs from which a search starts."""
-    for name in nearby(wildcards):
-        if "fold" in wildcards.keys():
-            return [f"<results>/calibration/{name}/fold{wildcards.fold}.csv"]
-        return searches_of(name)
-    return [f"<results>/calibration/{wildcards.interpretation}/scattered.csv"]
-
-
-def searches_of(name):
-    """The files of the searches over all statements of an interpretation."""
-    seeds = SEEDS if name in shortlisted() else SEEDS[:1]
-    return [f"<results>/calibration/{name}/seed{seed}.csv" for seed in seeds]
-
-
-def shortlisted():
-    chosen = checkpoints.shortlist.get().output.chosen
-    return json.loads(Path(chosen).read_text(encoding="utf-8"))
-
-
-def is_cross_validated(wildcards):
-    """Whether an interpretation, or that from which its searches start, is on the shortlist."""
-    name = wildcards.interpretation
-    while "nearby" in CALIBRATION["interpretations"][name]:
-        name = CALIBRATION["interpretations"][name]["nearby"]
-    return name in shortlisted()
-
-
+SEARCHES = Searches(CALIBRATION, lambda: checkpoints.shortlist.get().output.chosen)
 OF_INTERPRETATION = "<results>/calibration/{{interpretation}}"
 
 
@@ -72,7 +27,7 @@ rule scatter_inputs:
         *SOFTWARE,
         CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
     message:
         "Scatter inputs of {wildcards.interpretation}"
@@ -82,7 +37,7 @@ rule scatter_inputs:
 
 rule search_inputs:
     input:
-        start=start_of,
+        start=lambda wildcards: SEARCHES.starts(wildcards.interpretation),
     output:
         evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
     log:
@@ -94,7 +49,7 @@ rule search_inputs:
         *SOFTWARE,
         CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
@@ -105,6 +60,8 @@ rule search_inputs:
 
 
 use rule search_inputs as search_fold with:
+    input:
+        start=lambda wildcards: SEARCHES.starts_of_fold(wildcards.interpretation, wildcards.fold),
     output:
         evaluations="<results>/calibration/{interpretation}/fold{fold}.csv",
     log:
@@ -120,7 +77,7 @@ checkpoint shortlist:
     input:
         evaluations=expand(
             "<results>/calibration/{interpretation}/seed{seed}.csv",
-            interpretation=SEARCHED_WIDELY,
+            interpretation=SEARCHES.wide(),
             seed=SEEDS[0],
         ),
     output:
@@ -140,7 +97,7 @@ checkpoint shortlist:
 
 rule sample_inputs:
     input:
-        evaluations=lambda wildcards: searches_of(wildcards.interpretation),
+        evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation),
     output:
         samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
@@ -152,7 +109,7 @@ rule sample_inputs:
         *SOFTWARE,
         CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
     message:
         "Sample inputs of {wildcards.interpretation}, seed {wildcards.seed}"
@@ -162,13 +119,14 @@ rule sample_inputs:
 
 rule summarise_inputs:
     input:
-        evaluations=lambda wildcards: searches_of(wildcards.interpretation),
+        evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation),
         samples=branch(
-            is_cross_validated,
+            lambda wildcards: SEARCHES.is_cross_validated(wildcards.interpretation),
             then=expand(f"{OF_INTERPRETATION}/seed{{seed}}_samples.csv", seed=SEEDS),
         ),
         folds=branch(
-            is_cross_validated, then=expand(f"{OF_INTERPRETATION}/fold{{fold}}.csv", fold=FOLDS)
+            lambda wildcards: SEARCHES.is_cross_validated(wildcards.interpretation),
+            then=expand(f"{OF_INTERPRETATION}/fold{{fold}}.csv", fold=FOLDS),
         ),
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",
@@ -179,7 +137,7 @@ rule summarise_inputs:
         *SOFTWARE,
         CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
     message:
         "Summarise {wildcards.interpretation}"
     script:

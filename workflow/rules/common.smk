@@ -45,6 +45,13 @@ def project_file(name):
     return str(path.relative_to(HOME) if Path.cwd() == HOME else path)
 
 
+def figure_files(figure, category):
+    """The files of a figure by kind; the PNG goes into Snakemake's report."""
+    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
+    caption, labels = "../report/product.rst", {"figure": figure}
+    return files | {"png": report(files["png"], caption, category=category, labels=labels)}
+
+
 # snakedeploy copies the configuration into the folder of the user's workflow
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
 CLAIMS = f"{CONFIG}/claims.yaml"

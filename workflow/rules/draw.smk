@@ -8,13 +8,6 @@ BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
 STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
 
 
-def figure_files(figure, category):
-    """The files of a figure by kind; the PNG goes into Snakemake's report."""
-    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
-    caption, labels = "../report/product.rst", {"figure": figure}
-    return files | {"png": report(files["png"], caption, category=category, labels=labels)}
-
-
 rule render_figure:
     input:
         dataset="<results>/datasets/{scene}.nc",
