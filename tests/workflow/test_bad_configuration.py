@@ -17,7 +17,7 @@ CASES = {
         "mine.yaml",
         b"rtol: 3\n",
         SECOND,
-        ("rtol is 3; Input should be less than or equal to 0.01",),
+        ("configuration: rtol is 3; ",),
     ),
     "no statements": (
         "config/claims.yaml",

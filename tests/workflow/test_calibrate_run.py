@@ -9,7 +9,7 @@ from workspace import INTERPRETATIONS, MINIMAL, NEARBY, ROOT, Workspace
 
 from thirdbody.inputs import load_parameters
 
-DEFAULT = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))["calibrated"]
+CONFIG = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))
 
 
 def files(workspace: Workspace, pattern):
@@ -25,7 +25,7 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     assert set(found) == {f"{name}.yaml" for name in INTERPRETATIONS}
     adopted = files(calibrated, "config/calibrated")
     # what is not in the ranking is kept no longer, but for what the configuration names
-    assert set(adopted) == {*found, Path(DEFAULT).name}
+    assert set(adopted) == {*found, Path(CONFIG["calibrated"]).name}
     chosen = chosen_of(calibrated)
     for name, content in found.items():
         expected = yaml.safe_load(content)
