@@ -1,4 +1,4 @@
-# Every dataset, table and figure of Chen & Horng (2024), from its equations and calibrated inputs: snakemake -c2
+# Every dataset, table and figure of Chen & Horng (2024): snakemake -c2
 
 import os
 import platform
@@ -16,9 +16,7 @@ if platform.machine() in ("x86_64", "AMD64"):
     os.environ.setdefault("OPENBLAS_CORETYPE", "Prescott")
 
 
-# whether this can run here
-include: "workflow/rules/start.smk"
-# the settings, checked; where files are; what a job depends on
+# the library; the settings, checked; where files are; what a job depends on
 include: "workflow/rules/common.smk"
 
 
@@ -74,20 +72,27 @@ rule all:
         "<results>/captions.md",
         "<results>/SHA256SUMS",
     message:
-        "All products are there"
+        "All products of the paper"
 
 
-include: "workflow/rules/datasets.smk"
-include: "workflow/rules/extract.smk"
-include: "workflow/rules/claims.smk"
-include: "workflow/rules/render.smk"
-include: "workflow/rules/explorer.smk"
-include: "workflow/rules/publish.smk"
-# on demand: snakemake -c2 calibrate, atlas, accuracy, release
-include: "workflow/rules/searches.smk"
+onsuccess:
+    judged = Path(RESULTS, "claims/claims.json")
+    if Path(RESULTS, "index.html").is_file() and judged.is_file():
+        score = json.loads(judged.read_text(encoding="utf-8"))
+        hold = f"{score['held']} of {score['judged']} statements hold"
+        print(f"{hold}; open {RESULTS}/index.html in a browser")
+
+
+onerror:
+    print("Finished products are kept: the same command continues from there")
+
+
+include: "workflow/rules/solve.smk"
+include: "workflow/rules/judge.smk"
+include: "workflow/rules/draw.smk"
+# on demand: snakemake -c2 atlas (in solve.smk), calibrate, accuracy, release
 include: "workflow/rules/calibrate.smk"
-include: "workflow/rules/atlas.smk"
-include: "workflow/rules/accuracy.smk"
+include: "workflow/rules/measure.smk"
 
 
 # a release has the sources, which only the repository has

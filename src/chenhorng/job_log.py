@@ -1,6 +1,6 @@
 """The log and the products of a job of the workflow."""
 
-import re
+import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
@@ -9,42 +9,46 @@ from typing import Any
 
 from thirdbody.files import DamagedFile, atomic_write, digest
 
-SUM = re.compile(r"^([0-9a-f]{64})  (.+)$", re.MULTILINE)  # of a product, as `sha256sum` prints it
+# SHA-256 of each product, by the job that made it, as `sha256sum` prints it; the last line counts
+SUMS = Path(".snakemake/made.sha256")
 
 
 @contextmanager
 def job(snakemake: Any) -> Iterator[SimpleNamespace]:
     """Run a script of the workflow, whose ``snakemake`` this is.
 
-    What it prints goes to its log, and then the SHA-256 of each output.  The paths of its outputs, which are yielded by
-    their names, are temporary: all are moved into place together once the script has ended, so that a run that
-    is killed leaves no half of a file, nor do two runs at once.
+    What it prints goes to its log, and the SHA-256 of each output to ``SUMS``.  The paths of its
+    outputs, which are yielded by their names, are temporary: all are moved into place together once
+    the script has ended, so that a run that is killed leaves no half of a file, nor do two runs at
+    once.
     """
     output = snakemake.output
     with logged(snakemake.log[0]), atomic_write(*output) as paths:
         yield SimpleNamespace(**dict(zip(output.keys(), paths, strict=True)))
-        for name, path in zip(output, paths, strict=True):
-            print(f"{digest(path)}  {name}")
+        lines = [f"{digest(path)}  {name}\n" for name, path in zip(output, paths, strict=True)]
+        with open(SUMS, "a", encoding="utf-8") as sums:
+            sums.write("".join(lines))  # at once, as jobs of a run write at the same time
 
 
-def require_as_made(products: Iterable[str], logs: str | Path) -> dict[str, str]:
-    """The SHA-256 of each product in the log of its job; ``DamagedFile`` for a product of another content."""
-    paths = sorted(Path(logs).rglob("*.log"), key=lambda path: path.stat().st_mtime_ns)
-    texts = [path.read_text(encoding="utf-8") for path in paths]  # of two, the newer one counts
-    sums = {name: digits for text in texts for digits, name in SUM.findall(text)}
-    for product in products:
-        if digest(product) != sums.get(product):
+def require_as_made(products: Iterable[str]) -> dict[str, str]:
+    """The SHA-256 of each product; ``DamagedFile`` for a product that is not as its job made it."""
+    lines = SUMS.read_text(encoding="utf-8").splitlines() if SUMS.is_file() else []
+    made = {name: digits for digits, _, name in (line.partition("  ") for line in lines)}
+    now = {product: digest(product) for product in products}
+    for product, digits in now.items():
+        if digits != made.get(product, digits):
             raise DamagedFile(product, "is not as its job made it")
-    return sums
+    return now
 
 
 @contextmanager
 def logged(log: str | Path) -> Iterator[None]:
     """Send what a script prints to the file ``log``.
 
-    For ``ValueError``, ``OSError`` and ``MemoryError``, which a user can fix, the log ends with the
-    message instead of a traceback, for a damaged product also with the command that recreates it, and
-    the script exits with code 1.  If the log cannot be written, the message goes to standard error.
+    If the script fails, the log says why, and the exit code is 1.  For ``ValueError``, ``OSError``
+    and ``MemoryError``, which a user can fix, the log ends with the message, for a damaged product
+    also with the command that recreates it; for any other error, with its traceback.  If the log
+    cannot be written, the message goes to standard error.
     """
     failure = None
     try:
@@ -56,6 +60,9 @@ def logged(log: str | Path) -> Iterator[None]:
                 failure = str(error) or type(error).__name__
                 if isinstance(error, DamagedFile):
                     failure += f"; remake it: snakemake -c2 --force {error.path}"
+            except Exception:
+                failure = traceback.format_exc().rstrip()
+            if failure:
                 print(failure, file=stream)
     except OSError as error:  # a wrong path, or a full disk
         raise SystemExit(failure or f"{log} cannot be written ({error.strerror})") from None

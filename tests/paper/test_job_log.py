@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from chenhorng.job_log import job, logged, require_as_made
+from chenhorng.job_log import SUMS, job, logged, require_as_made
 from thirdbody.files import digest, unreadable
 
 
@@ -37,9 +37,15 @@ def test_a_damaged_product_is_named_with_the_command_that_remakes_it(tmp_path):
     assert log.read_text() == f"{reason}; remake it: snakemake -c2 --force {product}\n"
 
 
-def test_any_other_failure_keeps_its_traceback(tmp_path):
-    with pytest.raises(ZeroDivisionError), logged(tmp_path / "log"):
+def test_any_other_failure_is_a_traceback_in_the_log(tmp_path):
+    log = tmp_path / "log"
+    with pytest.raises(SystemExit) as ended, logged(log):
+        print("begun")
         1 / 0  # noqa: B018
+    begun, first, *_, last = log.read_text().splitlines()
+    assert (begun, first) == ("begun", "Traceback (most recent call last):")
+    assert last == "ZeroDivisionError: division by zero"
+    assert ended.value.code == 1
 
 
 def test_a_log_that_cannot_be_written_is_named(tmp_path):
@@ -48,8 +54,10 @@ def test_a_log_that_cannot_be_written_is_named(tmp_path):
 
 
 @pytest.fixture
-def snakemake(tmp_path):
+def snakemake(tmp_path, monkeypatch):
     """What a script has of its job: two outputs, of which one is there from an earlier run."""
+    monkeypatch.chdir(tmp_path)
+    SUMS.parent.mkdir()
     (tmp_path / "a.csv").write_text("old")
     output = {"a": str(tmp_path / "a.csv"), "b": str(tmp_path / "b.csv")}
 
@@ -67,24 +75,33 @@ def test_a_job_moves_its_products_into_place_together(snakemake, tmp_path):
         print("done")
     assert (tmp_path / "a.csv").read_text() == "new" and (tmp_path / "b.csv").read_text() == "other"
     sums = [f"{digest(path)}  {path}" for path in snakemake.output]
-    assert (tmp_path / "job.log").read_text().splitlines() == ["done", *sums]
+    assert SUMS.read_text().splitlines() == sums
+    assert (tmp_path / "job.log").read_text() == "done\n"
 
 
 def test_a_product_that_is_not_as_its_job_made_it_is_refused(snakemake, tmp_path):
     with job(snakemake) as output:
         output.a.write_text("new")
         output.b.write_text("other")
-    sums = require_as_made(snakemake.output, tmp_path)
-    assert sums == {path: digest(path) for path in snakemake.output}
+    sums = {path: digest(path) for path in snakemake.output}
+    assert require_as_made(snakemake.output) == sums
     (tmp_path / "b.csv").write_text("edited")
     with pytest.raises(OSError, match="b.csv is not as its job made it"):
-        require_as_made(snakemake.output, tmp_path)
+        require_as_made(snakemake.output)
+    with job(snakemake) as output:  # of two jobs the later one counts
+        output.a.write_text("new")
+        output.b.write_text("edited")
+    require_as_made(snakemake.output)
+    SUMS.unlink()  # nothing says that a product was harmed
+    (tmp_path / "b.csv").write_text("harmed")
+    require_as_made(snakemake.output)
 
 
 def test_a_job_that_fails_leaves_all_as_it_was(snakemake, tmp_path):
     with pytest.raises(SystemExit), job(snakemake) as output:
         output.a.write_text("new")
         raise ValueError("load is -1")
-    assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "job.log"}
+    assert {path.name for path in tmp_path.iterdir()} == {".snakemake", "a.csv", "job.log"}
+    assert not SUMS.exists()
     assert (tmp_path / "a.csv").read_text() == "old"
     assert (tmp_path / "job.log").read_text() == "load is -1\n"

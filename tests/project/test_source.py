@@ -89,5 +89,15 @@ SCRIPTS = [
 
 @pytest.mark.parametrize(("rule", "script"), SCRIPTS, ids=[script for _, script in SCRIPTS])
 def test_a_rule_depends_on_its_own_script(rule, script):
-    names = f'sources_of("{script}")', f'file_text(HOME / "workflow/scripts/{script}")'
+    names = f'sources_of("{script}")', f'SOURCES.text(HOME / "workflow/scripts/{script}")'
     assert any(name in rule for name in names)
+
+
+IMPORTING = [*ROOT.glob("workflow/scripts/*.py"), *ROOT.glob("src/chenhorng/**/*.py")]
+
+
+@pytest.mark.parametrize("path", IMPORTING, ids=lambda path: path.name)
+def test_jobs_import_modules_of_the_library_not_its_lazy_names(path):
+    """A job depends on the modules that its script imports; behind ``tb.solve`` no import is seen."""
+    text = path.read_text(encoding="utf-8")
+    assert not re.search(r"^ *(import thirdbody\b(?!\.)|from thirdbody import)", text, re.MULTILINE)

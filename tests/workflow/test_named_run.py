@@ -5,7 +5,7 @@ import re
 import pytest
 from workspace import ROOT
 
-from chenhorng.configuration.model import FOLDERS, is_plain
+from chenhorng.configuration.settings import read_settings
 
 SOFT = "inputs: {hardness_surface_1: 3.0e+9}\nrun: soft\n"
 CHANGES = "--config", "changes=soft.yaml"
@@ -61,4 +61,5 @@ def test_the_name_changes_no_byte(finished, twofold):
 def test_a_run_is_not_called_like_a_folder_of_products():
     """Its files would mix with those of the run without a name."""
     for name in set(re.findall(r'"<results>/(\w+)/', RULES)):
-        assert not is_plain(name, FOLDERS)
+        with pytest.raises(ValueError, match="that no product has"):
+            read_settings({"run": name}, ROOT / "config")

@@ -13,7 +13,8 @@ from pathlib import Path
 import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
-MINIMAL = ("--configfile", "config/minimal.yaml")  # of the atlas, the accuracy and the calibration
+# of the atlas, the accuracy and the calibration
+MINIMAL = ("--config", "changes=config/minimal.yaml")
 SEARCHED = yaml.safe_load((ROOT / "config" / "calibration.yaml").read_text())["interpretations"]
 # calibrated in tests: one that is searched from scattered sets, and one that starts from it
 WIDE = next(name for name, each in SEARCHED.items() if "nearby" not in each)

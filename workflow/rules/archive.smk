@@ -14,7 +14,7 @@ rule release:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
         provenance=RECORD,
     message:
-        "The release is {input.archive}"
+        "The release {input.archive}"
 
 
 rule stage_release:

@@ -1,7 +1,12 @@
-# Calibration: `snakemake -c2 calibrate`, not part of the default run. Each search for the unprinted inputs is a job
-# that stores its evaluations; their results are sampled and summarised. The summary goes to config/calibrated/, which
-# is kept in git and read by the default run.
+# Calibration: `snakemake -c2 calibrate`, not part of the default run.  Each search for the
+# unprinted inputs is a job that stores its evaluations; their results are sampled and summarised.
+# The summary goes to config/calibrated/, which is kept in git and read by the default run.
+from chenhorng.calibration.searches import Searches
 
+CALIBRATION = settings["calibration"]
+SEEDS = CALIBRATION["seeds"]
+FOLDS = range(len(CALIBRATION["folds"]))
+SEARCHES = Searches(CALIBRATION, lambda: checkpoints.shortlist.get().output.chosen)
 OF_INTERPRETATION = "<results>/calibration/{{interpretation}}"
 
 
@@ -20,9 +25,9 @@ rule scatter_inputs:
     params:
         *sources_of("scatter_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
     message:
         "Scatter inputs of {wildcards.interpretation}"
@@ -32,7 +37,7 @@ rule scatter_inputs:
 
 rule search_inputs:
     input:
-        start=start_of,
+        start=lambda wildcards: SEARCHES.starts(wildcards.interpretation),
     output:
         evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
     log:
@@ -42,9 +47,9 @@ rule search_inputs:
     params:
         *sources_of("search_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
@@ -55,6 +60,8 @@ rule search_inputs:
 
 
 use rule search_inputs as search_fold with:
+    input:
+        start=lambda wildcards: SEARCHES.starts_of_fold(wildcards.interpretation, wildcards.fold),
     output:
         evaluations="<results>/calibration/{interpretation}/fold{fold}.csv",
     log:
@@ -70,7 +77,7 @@ checkpoint shortlist:
     input:
         evaluations=expand(
             "<results>/calibration/{interpretation}/seed{seed}.csv",
-            interpretation=SEARCHED_WIDELY,
+            interpretation=SEARCHES.wide(),
             seed=SEEDS[0],
         ),
     output:
@@ -90,7 +97,7 @@ checkpoint shortlist:
 
 rule sample_inputs:
     input:
-        evaluations=lambda wildcards: searches_of(wildcards.interpretation),
+        evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation),
     output:
         samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
@@ -100,9 +107,9 @@ rule sample_inputs:
     params:
         *sources_of("sample_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
     message:
         "Sample inputs of {wildcards.interpretation}, seed {wildcards.seed}"
@@ -112,13 +119,14 @@ rule sample_inputs:
 
 rule summarise_inputs:
     input:
-        evaluations=lambda wildcards: searches_of(wildcards.interpretation),
+        evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation),
         samples=branch(
-            is_cross_validated,
+            lambda wildcards: SEARCHES.is_cross_validated(wildcards.interpretation),
             then=expand(f"{OF_INTERPRETATION}/seed{{seed}}_samples.csv", seed=SEEDS),
         ),
         folds=branch(
-            is_cross_validated, then=expand(f"{OF_INTERPRETATION}/fold{{fold}}.csv", fold=FOLDS)
+            lambda wildcards: SEARCHES.is_cross_validated(wildcards.interpretation),
+            then=expand(f"{OF_INTERPRETATION}/fold{{fold}}.csv", fold=FOLDS),
         ),
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",
@@ -127,9 +135,9 @@ rule summarise_inputs:
     params:
         *sources_of("summarise_inputs.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=settings_of,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
     message:
         "Summarise {wildcards.interpretation}"
     script:
@@ -152,7 +160,7 @@ rule choose_default:
     params:
         *sources_of("choose_default.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],

@@ -10,7 +10,7 @@ with logged(snakemake.log[0]):
     place = Path(snakemake.output.sealed).parent
     products = snakemake.input.products
     sources = snakemake.input.sources
-    require_as_made(products, Path(snakemake.log[0]).parent)
+    require_as_made(products)
     release = Release.of("pyproject.toml", "CITATION.cff", snakemake.params.is_paper)
     stage(
         place,

@@ -1,13 +1,12 @@
-"""Checksums of all products, as their jobs recorded them."""
+"""Checksums of all products, each of which must be as its job made it."""
 
 from pathlib import Path
 
 from chenhorng.job_log import job, require_as_made
 
 with job(snakemake) as output:
-    place, logs = Path(snakemake.output.sums).parent, Path(snakemake.log[0]).parent
-    sums = require_as_made(snakemake.input, logs)
-    products = sorted(snakemake.input)
-    lines = [f"{sums[path]}  {Path(path).relative_to(place)}\n" for path in products]
+    folder = Path(snakemake.output.sums).parent
+    sums = require_as_made(sorted(snakemake.input))
+    lines = [f"{digits}  {Path(path).relative_to(folder)}\n" for path, digits in sums.items()]
     output.sums.write_text("".join(lines), encoding="utf-8")
-    print(f"{len(products)} products")
+    print(f"{len(lines)} products")

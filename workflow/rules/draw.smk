@@ -1,4 +1,5 @@
-# Rendering: figures with their data, and tables to read.  Nothing is solved here.
+# Drawing: figures with their data, tables to read, the explorer, the index page, and the sums of
+# all products.  Nothing is solved here.
 
 PRINTED = "<results>/extracted/printed/all.csv"  # the numbers of the paper
 WINDOWS = "<results>/extracted/tpca_windows/all.csv"
@@ -72,7 +73,7 @@ rule render_sensitivity:
         "<logs>/render_sensitivity.log",
     params:
         *sources_of("render_sensitivity.py"),
-        settings_text(INPUTS),
+        INPUTS_TEXT,
         entries=INPUTS,
     message:
         "Draw the sensitivities"
@@ -125,3 +126,82 @@ use rule write_table as write_scene_table with:
         "<logs>/write_scene_table/{scene}_{table}.log",
     wildcard_constraints:
         table="|".join(OF_SCENES),
+
+
+rule build_explorer:
+    input:
+        figures=expand("<results>/figures/{figure}.json", figure=SCENES),
+        verdicts="<results>/claims/claims.json",
+        departures="<results>/extracted/departures/verdicts.json",
+        page=[
+            project_file(path)
+            for folder in ("web", "vendor")
+            for path in sorted(PACKAGES.glob(f"chenhorng/page/{folder}/*.*"))
+        ],
+    output:
+        page=report(
+            "<results>/explorer/index.html",
+            caption="../report/explorer.rst",
+            category="Explorer",
+            labels={"page": "explorer"},
+        ),
+    log:
+        "<logs>/build_explorer.log",
+    params:
+        *sources_of("build_explorer.py"),
+        INPUTS_TEXT,
+        PAPER_TABLES_TEXT,
+        entries=INPUTS,
+        tables=PAPER_TABLES,
+        parameters=settings["parameters"],
+        unknowns=settings["calibration"]["unknowns"],
+        ensemble=settings["ensemble"],
+    message:
+        "Build the explorer"
+    script:
+        "../scripts/build_explorer.py"
+
+
+# measured by `snakemake -c2 accuracy`, and kept in the repository alone
+PRECISION = [name for name in ["docs/work_precision.png"] if (HOME / name).is_file()]
+
+
+rule write_index:
+    input:
+        figures=expand("<results>/figures/{figure}.json", figure=FIGURES),
+        pictures=expand("<results>/figures/{figure}.png", figure=FIGURES),
+        tables=expand("<results>/tables/{table}.html", table=TABLES),
+        verdicts="<results>/claims/claims.json",
+        explorer="<results>/explorer/index.html",
+        datasets=expand("<results>/datasets/{figure}.nc", figure=SCENES),
+        precision=[project_file(name) for name in PRECISION],
+        page_template=project_file("workflow/templates/index.html"),
+        captions_template=project_file("workflow/templates/captions.md"),
+    output:
+        page="<results>/index.html",
+        captions="<results>/captions.md",
+    log:
+        "<logs>/write_index.log",
+    params:
+        *sources_of("write_index.py"),
+        titles={figure: settings["scenes"][figure]["title"] for figure in SCENES},
+    message:
+        "Write the index page"
+    script:
+        "../scripts/write_index.py"
+
+
+# a product that is not as its job made it is refused
+rule write_sums:
+    input:
+        [product for product in rules.all.input if not product.endswith("SHA256SUMS")],
+    output:
+        sums="<results>/SHA256SUMS",
+    log:
+        "<logs>/write_sums.log",
+    params:
+        *sources_of("write_sums.py"),
+    message:
+        "Write the sums of all products"
+    script:
+        "../scripts/write_sums.py"

@@ -1,4 +1,38 @@
-# Extraction: turning points and transitions of datasets, windows, sensitivities, and the printed numbers.
+# Solving: datasets, the ensemble ranges of their curves, what is extracted from them; the atlas.
+
+
+rule solve_scene:
+    output:
+        dataset="<results>/datasets/{scene}.nc",
+    log:
+        "<logs>/solve_scene/{scene}.log",
+    params:
+        *sources_of("solve_scene.py"),
+        *SOFTWARE,
+        scene=lookup(dpath="{scene}", within=settings["scenes"]),
+        parameters=settings["parameters"],
+    message:
+        "Solve the curves of {wildcards.scene}"
+    script:
+        "../scripts/solve_scene.py"
+
+
+rule solve_ensemble:
+    input:
+        dataset="<results>/datasets/{scene}.nc",
+    output:
+        band="<results>/bands/{scene}.nc",
+    log:
+        "<logs>/solve_ensemble/{scene}.log",
+    params:
+        *sources_of("solve_ensemble.py"),
+        *SOFTWARE,
+        parameters=settings["parameters"],
+        ensemble=settings["ensemble"],
+    message:
+        "Solve the curves of {wildcards.scene} for the ensemble"
+    script:
+        "../scripts/solve_ensemble.py"
 
 
 rule extract_curves:
@@ -54,21 +88,6 @@ rule compute_sensitivities:
         "../scripts/compute_sensitivities.py"
 
 
-rule gather_printed:
-    output:
-        table="<results>/extracted/printed/all.csv",
-    log:
-        "<logs>/gather_printed.log",
-    params:
-        *sources_of("gather_printed.py"),
-        settings_text(CLAIMS, list),
-        claims=CLAIMS,
-    message:
-        "Gather the numbers that the paper prints"
-    script:
-        "../scripts/gather_printed.py"
-
-
 rule recompute_paper_tables:
     output:
         table1="<results>/extracted/table1/all.csv",
@@ -77,10 +96,41 @@ rule recompute_paper_tables:
         "<logs>/recompute_paper_tables.log",
     params:
         *sources_of("recompute_paper_tables.py"),
-        settings_text(PAPER_TABLES),
+        PAPER_TABLES_TEXT,
         printed=PAPER_TABLES,
         parameters=settings["parameters"],
     message:
         "Recompute Tables 1 and 2 of the paper"
     script:
         "../scripts/recompute_paper_tables.py"
+
+
+# The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves the conditions at a
+# roughness.  An interruption loses only the running chunks.
+
+
+rule solve_chunk:
+    output:
+        chunk="<results>/atlas/chunks/{roughness_nm}nm.nc",
+    log:
+        "<logs>/solve_chunk/{roughness_nm}nm.log",
+    benchmark:
+        "<logs>/solve_chunk/{roughness_nm}nm.tsv"
+    resources:
+        runtime=30,
+    params:
+        *sources_of("solve_chunk.py"),
+        *SOFTWARE,
+        asked=lambda wildcards: settings["atlas"] | {"roughness_nm": float(wildcards.roughness_nm)},
+        parameters=settings["parameters"],
+    message:
+        "Solve the atlas at a roughness of {wildcards.roughness_nm} nm"
+    script:
+        "../scripts/solve_chunk.py"
+
+
+rule atlas:
+    input:
+        [f"<results>/atlas/chunks/{each:.12g}nm.nc" for each in settings["atlas"]["roughness_nm"]],
+    message:
+        "The atlas"

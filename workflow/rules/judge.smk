@@ -1,9 +1,5 @@
 # The verdict on every statement of the paper, and what carries the agreement.
 
-CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
-DEFAULT = settings["calibrated"]
-CALIBRATED_TEXTS = [settings_text(path) for path in dict.fromkeys([DEFAULT, *CALIBRATED])]
-
 
 rule judge_claims:
     input:
@@ -27,9 +23,9 @@ rule judge_claims:
         *sources_of("judge_claims.py"),
         *SOFTWARE,
         *CALIBRATED_TEXTS,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
-        default=DEFAULT,
+        default=settings["calibrated"],
         calibrated=CALIBRATED,
         settings=settings["calibration"],
         base=settings["uncalibrated"],
@@ -41,7 +37,7 @@ rule judge_claims:
         "../scripts/judge_claims.py"
 
 
-# statements of one's own, in config/NAME.yaml: snakemake -c2 results/claims/NAME.csv; those of the paper are counted alone
+# statements of one's own, in config/NAME.yaml: snakemake -c2 results/claims/NAME.csv
 rule judge_own_claims:
     output:
         table="<results>/claims/{name}.csv",
@@ -73,7 +69,7 @@ rule judge_departures:
     params:
         *sources_of("judge_departures.py"),
         *SOFTWARE,
-        settings_text(CLAIMS, list),
+        CLAIMS_TEXT,
         claims=CLAIMS,
         settings=settings["calibration"],
         parameters=settings["parameters"],
@@ -81,3 +77,18 @@ rule judge_departures:
         "Judge the statements without each departure from the print"
     script:
         "../scripts/judge_departures.py"
+
+
+rule gather_printed:
+    output:
+        table="<results>/extracted/printed/all.csv",
+    log:
+        "<logs>/gather_printed.log",
+    params:
+        *sources_of("gather_printed.py"),
+        CLAIMS_TEXT,
+        claims=CLAIMS,
+    message:
+        "Gather the numbers that the paper prints"
+    script:
+        "../scripts/gather_printed.py"

@@ -1,10 +1,10 @@
 # `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, and their figure.
 
 ACCURACY = settings["accuracy"]
-# all that may run: `sources_of` follows the imports of the library alone, not those of the benchmarks
+# all that may run: `sources_of` does not follow the imports of the benchmarks
 MEASURED = [
-    *(file_text(path) for path in sorted(HOME.glob("src/**/*.py"))),
-    *(file_text(path) for path in sorted(HOME.glob("benchmarks/*.py"))),
+    *(SOURCES.text(path) for path in sorted(HOME.glob("src/**/*.py"))),
+    *(SOURCES.text(path) for path in sorted(HOME.glob("benchmarks/*.py"))),
 ]
 
 
@@ -21,7 +21,7 @@ rule measure_errors:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/measure_errors.py"),
+        SOURCES.text(HOME / "workflow/scripts/measure_errors.py"),
         rtol=ACCURACY["rtol"],
     message:
         "Measure errors"
@@ -42,7 +42,7 @@ rule compare_oracle:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/compare_oracle.py"),
+        SOURCES.text(HOME / "workflow/scripts/compare_oracle.py"),
         settings=ACCURACY["oracle"],
     message:
         "Compare with the oracle"
@@ -65,7 +65,7 @@ rule time_library:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/time_library.py"),
+        SOURCES.text(HOME / "workflow/scripts/time_library.py"),
         budget=ACCURACY,
         parameters=settings["parameters"],
     message:
@@ -91,7 +91,7 @@ rule draw_work_precision:
     params:
         *MEASURED,
         *SOFTWARE,
-        file_text(HOME / "workflow/scripts/draw_work_precision.py"),
+        SOURCES.text(HOME / "workflow/scripts/draw_work_precision.py"),
     message:
         "Draw times over errors"
     script:
@@ -103,4 +103,4 @@ rule accuracy:
         *ACCURACY_TABLES.values(),
         "<results>/accuracy/work_precision.png",
     message:
-        "All measurements are there"
+        "All measurements"

@@ -1,0 +1,60 @@
+"""The searches of a calibration: which there are, and the files from which each starts."""
+
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+FOLDER = "<results>/calibration"
+
+
+class Searches:
+    """The searches by the settings of a calibration.
+
+    ``shortlist`` returns the path of a file with the names on the shortlist, once it is chosen.
+    """
+
+    def __init__(self, settings: Mapping[str, Any], shortlist: Callable[[], str]) -> None:
+        self.settings, self.entries = settings, settings["interpretations"]
+        self.shortlist = shortlist
+
+    def wide(self) -> list[str]:
+        """The interpretations that are not searched from the best inputs of another one."""
+        return [name for name, entry in self.entries.items() if "nearby" not in entry]
+
+    def nearby(self, name: str) -> list[str]:
+        """The interpretation from whose best inputs that of ``name`` is searched, if there is one."""
+        return [self.entries[name]["nearby"]] if "nearby" in self.entries[name] else []
+
+    def settings_of(self, name: str) -> dict[str, Any]:
+        """The settings for one interpretation, independent of the others."""
+        names = [name, *self.nearby(name)]
+        return {**self.settings, "interpretations": {each: self.entries[each] for each in names}}
+
+    def starts(self, name: str) -> list[str]:
+        """The files with the inputs from which a search over all statements starts."""
+        for other in self.nearby(name):
+            return self.found(other)
+        return [f"{FOLDER}/{name}/scattered.csv"]
+
+    def starts_of_fold(self, name: str, fold: int | str) -> list[str]:
+        """The files with the inputs from which a search without a fold starts."""
+        for other in self.nearby(name):
+            return [f"{FOLDER}/{other}/fold{fold}.csv"]
+        return [f"{FOLDER}/{name}/scattered.csv"]
+
+    def found(self, name: str) -> list[str]:
+        """The files of the searches over all statements of an interpretation."""
+        seeds = self.settings["seeds"]
+        seeds = seeds if name in self.shortlisted() else seeds[:1]
+        return [f"{FOLDER}/{name}/seed{seed}.csv" for seed in seeds]
+
+    def shortlisted(self) -> list[str]:
+        """The names on the shortlist."""
+        return json.loads(Path(self.shortlist()).read_text(encoding="utf-8"))
+
+    def is_cross_validated(self, name: str) -> bool:
+        """Whether an interpretation, or that from which its searches start, is on the shortlist."""
+        while nearby := self.nearby(name):
+            (name,) = nearby
+        return name in self.shortlisted()

@@ -1,0 +1,66 @@
+"""What a job depends on, as parameters of its rule: Snakemake names a text that has changed."""
+
+import ast
+import json
+from hashlib import sha256
+from pathlib import Path
+
+import grimp
+
+from thirdbody.plain_yaml import read_yaml
+
+INPUTS_OF_RULES = ".j2", ".html"  # suffixes of templates
+
+
+class Sources:
+    """The files of ``packages`` in ``folder``; files in ``home`` are named relative to it."""
+
+    def __init__(self, folder: Path, home: Path, *packages: str) -> None:
+        self.folder, self.home = folder, home
+        self.graph = grimp.build_graph(
+            *packages, exclude_type_checking_imports=True, cache_dir=None
+        )
+
+    def of_script(self, script: Path) -> list[str]:
+        """A text for each file that ``script`` runs: itself, the modules that it imports, all
+        modules that these import, and the data beside them."""
+        imported = imports_of(script) & self.graph.modules
+        modules = imported.union(*map(self.graph.find_upstream_modules, imported))
+        packages = {name.rpartition(".")[0] for name in modules} - {""}
+        files = {script}.union(*map(self.module_files, modules | packages))
+        return sorted(map(self.text, files))
+
+    def module_files(self, name: str) -> list[Path]:
+        """A module, and the data beside it under the same name."""
+        path = self.folder.joinpath(*name.split("."))
+        beside = path.parent.glob(f"{path.name}.*")
+        files = [file for file in beside if file.suffix not in INPUTS_OF_RULES]
+        return files or [path / "__init__.py"]
+
+    def text(self, path: Path) -> str:
+        """The name of a file, and the first digits of its SHA-256."""
+        name = path.relative_to(self.home) if path.is_relative_to(self.home) else path
+        return f"{name} {_digest(path.read_bytes())}"
+
+
+def imports_of(script: Path) -> set[str]:
+    """The names that a script imports: modules, and what may be a module or a name in one."""
+    names: set[str] = set()
+    for statement in ast.walk(ast.parse(script.read_bytes())):
+        if isinstance(statement, ast.Import):
+            names.update(alias.name for alias in statement.names)
+        if isinstance(statement, ast.ImportFrom):
+            within = [f"{statement.module}.{alias.name}" for alias in statement.names]
+            names.update([f"{statement.module}", *within])
+    return names
+
+
+def settings_text(path: str | Path, kind: type = dict) -> str:
+    """The name of a file of the configuration, and the first digits of the SHA-256 of its content,
+    which a comment does not change; ``ValueError`` in one line for a file that cannot be read."""
+    content = json.dumps(read_yaml(path, kind), default=str)
+    return f"{path} {_digest(content.encode())}"
+
+
+def _digest(content: bytes) -> str:
+    return sha256(content).hexdigest()[:8]
