@@ -7,7 +7,7 @@ import pytest
 
 from chenhorng.atlas.chunk import atlas_axes, axis_values
 from thirdbody.core.parameters import Parameters
-from thirdbody.inputs import parameters_of
+from thirdbody.inputs import ensemble_of
 from thirdbody.plain_yaml import read_yaml
 from thirdbody.variables import AXES
 
@@ -57,7 +57,7 @@ def test_each_calibrated_file_has_all_inputs_and_members_within_bounds(path):
     assert content["interpretation"] == path.stem
     assert content["inputs"].keys() == {*Parameters.names()}
     assert len(content["ensemble"]) == len(content["ensemble_interpretations"])
-    parameters_of(content)  # refuses a number out of bounds
+    ensemble_of(content)  # refuses a number out of bounds
 
 
 def test_each_departure_is_from_the_default():
