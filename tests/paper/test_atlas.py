@@ -85,7 +85,7 @@ BAD = [  # a key, its value, and what the line says
     ("load_N", [], "atlas.load_N is []"),
     ("viscosity_cSt", [0.1], "atlas.viscosity_cSt.0"),
     ("rtol", 0, "atlas.rtol is 0"),
-    ("variables", ["roughness"], "atlas.variables.0 is roughness"),
+    ("variables", ["roughness"], "atlas.variables.0 is 'roughness'; allowed: total_contact_area"),
 ]
 
 

@@ -1,21 +1,15 @@
 """The files that developers edit: what one names, another has."""
 
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
-from chenhorng.atlas.chunk import atlas_axes, axis_values
 from thirdbody.core.parameters import Parameters
 from thirdbody.inputs import ensemble_of
 from thirdbody.plain_yaml import read_yaml
-from thirdbody.variables import AXES
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
-ATLASES = [
-    pytest.param(read_yaml(path), id=path.stem) for path in sorted(CONFIG.glob("atlas*.yaml"))
-]
 CLAIMS = read_yaml(CONFIG / "claims.yaml", list)
 
 
@@ -66,15 +60,3 @@ def test_each_departure_is_from_the_default():
     for departure in calibration["departures"]:
         for name, value in departure["inputs"].items():
             assert inputs[name] != value, departure["name"]
-
-
-@pytest.mark.parametrize("atlas", ATLASES)
-def test_the_axes_of_the_atlas_increase(atlas):
-    axes = {key: axis_values(axis) for key, axis in atlas["axes"].items()}
-    for axis in atlas["axes"].values():
-        assert axis["from"] < axis["to"]
-        assert all(value == 0 or axis["from"] <= value <= axis["to"] for value in axis["also"])
-    assert atlas["chunks"] <= len(axes["roughness_nm"])
-    for values in atlas_axes(atlas["axes"]).values():
-        assert all(before < after for before, after in pairwise(values))
-    assert atlas_axes(atlas["axes"]).keys() == AXES.keys()

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody import symbols
+import thirdbody.symbols as symbols
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
