@@ -1,5 +1,6 @@
 """What users choose by: time, true error, and behaviour at extremes.
 
-``snakemake -c2 accuracy`` runs it.  ``points``, ``accuracy``, ``extremes`` and ``oracle`` measure true errors, ``classes``
-and ``uses`` times, beside a plain solver (``baselines``).  Only the public interface of the library is measured.
+``snakemake -c2 accuracy`` runs it.  ``points``, ``accuracy``, ``extremes`` and ``oracle`` measure
+true errors, ``classes`` and ``uses`` times, beside a plain solver (``baselines``).  Only the public
+interface of the library is measured.
 """

@@ -1,4 +1,5 @@
-"""True errors and times of the library and of a plain solver, for each ``rtol`` and class of points.
+"""True errors and times of the library and of a plain solver, for each ``rtol`` and class of
+points.
 
 Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``) and
 ``nested_roots`` (``NestedRoots`` of ``baselines``).
@@ -32,7 +33,9 @@ CURVE = np.geomspace(0.1, 10.0, 40)  # of its load: the curve on which a grid ha
 def error_rows(
     rows: Iterable[dict[str, str]], rtols: Sequence[float], plain: ModuleType
 ) -> list[dict[str, Any]]:
-    """Errors of every variable at golden ``rows``, for each of ``rtols``: rows of the table ``errors``."""
+    """Errors of every variable at golden ``rows``, for each of ``rtols``: rows of the table
+    ``errors``.
+    """
     groups = grouped(rows)
     table = []
     for rtol in rtols:
@@ -108,7 +111,9 @@ def _summary(errors, rtol):
 def time_rows(
     parameters: tb.Parameters, budget: Mapping[str, Any], plain: ModuleType
 ) -> list[dict[str, Any]]:
-    """Processor time of a point, as ``config/accuracy.yaml`` asks for it: rows of the table ``times``."""
+    """Processor time of a point, as ``config/accuracy.yaml`` asks for it: rows of the table
+    ``times``.
+    """
     return [row for kind in TIMED for row in _time_rows_of(kind, parameters, budget, plain)]
 
 

@@ -1,13 +1,14 @@
-"""How far the summit model is from a full solution: the dry real contact area of generated surfaces, over the load.
+"""How far the summit model is from a full solution: the dry real contact area of generated
+surfaces, over the load.
 
     pip install ContactMechanics
     python -m benchmarks.boundary_elements benchmarks/boundary_elements.csv
 
-Writes one row for each surface, hardness and load, in some ten minutes.  ``ContactMechanics`` presses a rigid
-rough plane on an elastic half-space, by boundary elements that bear at most the hardness; ``thirdbody`` has the
-summits of the same heights.  Area over load depends on F*/slope, H/(E_ss slope)
-and eta_s R sigma alone, so that one slope stands for all.  ``PolonskyKeerRey`` of the package ``tamaas`` finds the
-same elastic areas within 2e-4 (one surface, three loads).
+Writes one row for each surface, hardness and load, in some ten minutes.  ``ContactMechanics``
+presses a rigid rough plane on an elastic half-space, by boundary elements that bear at most the
+hardness; ``thirdbody`` has the summits of the same heights.  Area over load depends on F*/slope,
+H/(E_ss slope) and eta_s R sigma alone, so that one slope stands for all.  ``PolonskyKeerRey`` of
+the package ``tamaas`` finds the same elastic areas within 2e-4 (one surface, three loads).
 """
 
 import csv
@@ -39,12 +40,15 @@ COLUMNS = (
     *("seed", "summit_parameter", "hardness_over_slope", "load_over_slope"),
     *("area_of_boundary_elements", "area_of_summits"),
 )
-# Yastrebov, Anciaux & Molinari (2017, Tribol. Int. 114:161): what squares add to an area, over perimeter and spacing
+# Yastrebov, Anciaux & Molinari (2017, Tribol. Int. 114:161): what squares add to an area, over
+# perimeter and spacing
 CORNERS = (math.pi - 1.0 + math.log(2.0)) / 24.0
 
 
 def random_heights(longest: int, seed: int) -> NDArray[np.float64]:
-    """Periodic self-affine heights [m] of a random Gaussian surface with the SLOPE, shape (POINTS, POINTS)."""
+    """Periodic self-affine heights [m] of a random Gaussian surface with the SLOPE, shape (POINTS,
+    POINTS).
+    """
     wave = np.fft.fftfreq(POINTS, 1.0 / POINTS)
     number = np.hypot(wave[:, np.newaxis], wave)
     amplitude = np.maximum(number, longest) ** -(1.0 + HURST)
@@ -56,7 +60,9 @@ def random_heights(longest: int, seed: int) -> NDArray[np.float64]:
 
 
 def moments(heights: NDArray[np.float64]) -> tuple[float, float, float]:
-    """Mean squares of ``heights`` [m], and of the slopes and curvatures of profiles, by differences."""
+    """Mean squares of ``heights`` [m], and of the slopes and curvatures of profiles, by
+    differences.
+    """
     ahead = [np.roll(heights, -1, axis) for axis in (0, 1)]
     behind = [np.roll(heights, 1, axis) for axis in (0, 1)]
     slopes = (ahead - heights)[:, :-1, :-1] / SPACING
@@ -65,7 +71,9 @@ def moments(heights: NDArray[np.float64]) -> tuple[float, float, float]:
 
 
 def with_summits(heights: NDArray[np.float64]) -> tb.Ensemble:
-    """Inputs with the summits of ``heights`` [m] by their moments (McCool 1987, J. Tribol. 109:264)."""
+    """Inputs with the summits of ``heights`` [m] by their moments (McCool 1987, J. Tribol.
+    109:264).
+    """
     m_0, m_2, m_4 = moments(heights)
     roughness, radius = math.sqrt(m_0), 0.375 * math.sqrt(math.pi / m_4)
     summit_parameter = m_4 / (6.0 * math.sqrt(3.0) * math.pi * m_2) * radius * roughness

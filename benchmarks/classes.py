@@ -1,4 +1,6 @@
-"""Classes of points whose time and error are measured, random points and grids of a class, and time itself."""
+"""Classes of points whose time and error are measured, random points and grids of a class, and time
+itself.
+"""
 
 import time
 from collections.abc import Callable, Mapping
@@ -57,7 +59,8 @@ def random_conditions(
 def grid_axes(
     kind: PointClass, counts: Mapping[str, int], parameters: tb.Parameters
 ) -> dict[str, NDArray[np.float64]]:
-    """Axes of a grid over the span of a class, with so many values each, and all its roughnesses."""
+    """Axes of a grid over the span of a class, with so many values each, and all its
+    roughnesses."""
     counts = {"normal_load": counts["load"], **counts}
     spans = SPANS[kind.span].items()
     axes = {name: np.geomspace(*ends, counts[name]) for name, ends in spans}
@@ -80,7 +83,8 @@ def _of_class(kind, given, roughness, parameters):
 def least_seconds(
     functions: Mapping, rounds: int, clock: Callable[[], float] = time.process_time
 ) -> dict:
-    """Least time [s] of each function over several rounds, by name: other programs can only add to a time.
+    """Least time [s] of each function over several rounds, by name: other programs can only add to
+    a time.
 
     The functions take turns, so that a busy minute falls on all of them.
     """

@@ -57,7 +57,9 @@ def _judge_group(group: Group, rtol: float) -> Iterator[tuple[str, float, str, s
 
 
 def verdict(row: Mapping[str, str], status: str, error: float, bound: float, rtol: float) -> str:
-    """``right``; ``refused: ...`` if the library truly says that its error is above ``rtol``; or ``wrong``."""
+    """``right``; ``refused: ...`` if the library truly says that its error is above ``rtol``; or
+    ``wrong``.
+    """
     if status == row["status"] and error <= rtol:
         return "right"
     if status == "not_converged" and error <= bound and bound > rtol:

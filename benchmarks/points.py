@@ -1,4 +1,6 @@
-"""Points known to 25 digits (*golden* points, in ``tests/golden``) and the errors of solutions at them."""
+"""Points known to 25 digits (*golden* points, in ``tests/golden``) and the errors of solutions at
+them.
+"""
 
 import csv
 from collections.abc import Iterable, Mapping
@@ -33,7 +35,9 @@ def read_rows(path: str | PathLike) -> list[dict[str, str]]:
 
 
 def grouped(rows: Iterable[dict[str, str]]) -> list[Group]:
-    """Golden points with the same inputs and class together; ``ValueError`` if inputs are not physical."""
+    """Golden points with the same inputs and class together; ``ValueError`` if inputs are not
+    physical.
+    """
     shared = {}
     for row in rows:
         kind = tuple(row.get(name) for name in CLASS)
@@ -75,7 +79,9 @@ def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters
 
 
 def relative_error(value: NDArray, expected: NDArray) -> NDArray[np.float64]:
-    """|value/expected - 1| [1]: 0 where both are below the least normal float64, infinite where either is nan."""
+    """|value/expected - 1| [1]: 0 where both are below the least normal float64, infinite where
+    either is nan.
+    """
     larger = np.maximum(np.abs(expected), SMALLEST)
     nothing = (np.abs(value) < SMALLEST) & (np.abs(expected) < SMALLEST)
     with np.errstate(over="ignore"):

@@ -2,8 +2,9 @@
 
     python -m benchmarks.processors
 
-A process for each row solves the points with fewer of numpy's optional instructions, with the linear
-algebra of another processor, or with both.  The table compares values with those of the first row.
+A process for each row solves the points with fewer of numpy's optional instructions, with the
+linear algebra of another processor, or with both.  The table compares values with those of the
+first row.
 """
 
 import os
@@ -37,7 +38,9 @@ SETTINGS = {
 
 
 def solve_figures(path: str) -> None:
-    """Write the numbers of all figures, one after another, and the least time [s] to the file ``path``."""
+    """Write the numbers of all figures, one after another, and the least time [s] to the file
+    ``path``.
+    """
     parameters = thirdbody.load_parameters().best
     settings = read_settings({}, config_directory())
     groups = [

@@ -2,8 +2,8 @@
 
     python -m benchmarks.ranges
 
-A range is 5 to 95 % of the members of the ensemble.  A default at its edge would give a reader values outside
-the range printed beside them.
+A range is 5 to 95 % of the members of the ensemble.  A default at its edge would give a reader
+values outside the range printed beside them.
 """
 
 import numpy as np
@@ -27,7 +27,9 @@ ROUNDING = 1e-9  # of the solver, where all members have one value
 
 
 def random_conditions(count: int, seed: int) -> dict[str, np.ndarray]:
-    """Conditions within Table 2 of the paper by their names in ``thirdbody.solve``, each of shape (count,)."""
+    """Conditions within Table 2 of the paper by their names in ``thirdbody.solve``, each of shape
+    (count,).
+    """
     rng = np.random.default_rng(seed)
 
     def logarithmic(low, high):
@@ -45,8 +47,8 @@ def random_conditions(count: int, seed: int) -> dict[str, np.ndarray]:
 
 
 def shares_within(ensemble: tb.Ensemble) -> pd.Series:
-    """Share of the conditions [1] at which the best of an ``ensemble`` lies within the range of its members, by
-    variable; conditions at which the best has no values are left out."""
+    """Share of the conditions [1] at which the best of an ``ensemble`` lies within the range of its
+    members, by variable; conditions at which the best has no values are left out."""
     conditions = random_conditions(CONDITIONS, SEED)
     points = tb.solve(**conditions, parameters=ensemble, members=True)
     shares = {}

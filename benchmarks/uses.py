@@ -1,4 +1,6 @@
-"""Time of typical uses: one point alone, many surfaces, a grid to a file, the first answer of a new process."""
+"""Time of typical uses: one point alone, many surfaces, a grid to a file, the first answer of a new
+process.
+"""
 
 import math
 import resource
@@ -34,7 +36,9 @@ tb.solve(load=1e-5, viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, part
 def use_rows(
     parameters: tb.Parameters, budget: Mapping[str, Any], directory: Path
 ) -> Iterator[dict[str, Any]]:
-    """Rows of the table ``uses``, as ``config/accuracy.yaml`` asks for them; a file in ``directory`` is removed."""
+    """Rows of the table ``uses``, as ``config/accuracy.yaml`` asks for them; a file in
+    ``directory`` is removed.
+    """
     rtol, sizes = budget["uses"]["rtol"], budget["uses"]
     asked = {"parameters": parameters, "rtol": rtol}
     drawn = random_conditions(HEAVIEST, max(sizes["calls"], sizes["surfaces"]), parameters)

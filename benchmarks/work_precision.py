@@ -1,4 +1,6 @@
-"""The work-precision figure: time of a point over the largest true error, of the library and of a plain solver."""
+"""The work-precision figure: time of a point over the largest true error, of the library and of a
+plain solver.
+"""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -21,7 +23,9 @@ Rows = Sequence[Mapping[str, Any]]
 
 
 def largest_errors(rows: Rows) -> dict[tuple, float]:
-    """Largest true error over all variables and classes, by method, ``rtol`` and span; of rows of ``errors``."""
+    """Largest true error over all variables and classes, by method, ``rtol`` and span; of rows of
+    ``errors``.
+    """
     found: dict[tuple, float] = {}
     for row in rows:
         key = row["method"], row["rtol"], row["span"]
@@ -59,7 +63,9 @@ def draw(errors: Rows, times: Rows) -> Figure:
 
 
 def _name_tolerances(axes, rows, errors) -> None:
-    """Write above the points of the grid for which ``rtol`` they are; those of about the same error have one text."""
+    """Write above the points of the grid for which ``rtol`` they are; those of about the same error
+    have one text.
+    """
     places: dict[int, list[tuple]] = {}
     for row, error in zip(rows, errors, strict=True):
         point = row["rtol"], error, row["microseconds_per_point"]

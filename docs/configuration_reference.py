@@ -1,4 +1,5 @@
-"""The tables of the page on the configuration, from the classes that check it and from its files."""
+"""The tables of the page on the configuration, from the classes that check it and from its
+files."""
 
 from pathlib import Path
 

@@ -1,4 +1,5 @@
-"""Puts the numbers of the last run, and what examples print, into README and pages of the documentation.
+"""Puts the numbers of the last run, and what examples print, into README and pages of the
+documentation.
 
 Each stands between two markers that name it.
 
@@ -8,7 +9,8 @@ Each stands between two markers that name it.
 
 The last bits of a number depend on the processor: a page agrees with a run if it shows the same
 digits, or, where a number lies at the edge of two roundings, either.  What `make accuracy` measures
-differs from run to run: there numbers agree up to a factor, and the page stays where there is no such run.
+differs from run to run: there numbers agree up to a factor, and the page stays where there is no
+such run.
 """
 
 import io
@@ -94,7 +96,8 @@ def ranges_block() -> str:
 
 
 def took_block() -> str:
-    """What the calibrated inputs assume beyond the print, and how many statements hold without it."""
+    """What the calibrated inputs assume beyond the print, and how many statements hold without
+    it."""
     inputs = thirdbody.load_parameters().best
     rows = read_rows("departures")
     held = {row["departure"]: f"{row['holds']:g} of {row['judged']:g}" for row in rows}
@@ -187,12 +190,17 @@ def accuracy_block() -> str:
     one, surfaces, stream, start = (row["microseconds_per_point"] for row in uses)
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-        + f"\n\nOver all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point at usual conditions; there "
-        f"`tb.grid` at 0.001 is {default / coarse:.2g} times as fast as the default. At extremes `tb.solve` takes "
-        f"{_range(times, 'library', 'extremes')} µs, `tb.grid` {_range(times, 'library_grid', 'extremes')} µs. In the same run `quad` and `brentq` "
+        + f"\n\nOver all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point at "
+        "usual conditions; there "
+        f"`tb.grid` at 0.001 is {default / coarse:.2g} times as fast as the default. At extremes "
+        "`tb.solve` takes "
+        f"{_range(times, 'library', 'extremes')} µs, `tb.grid` "
+        f"{_range(times, 'library_grid', 'extremes')} µs. In the same run `quad` and `brentq` "
         f"take {plain / 1e3:.2g} ms a point. A call with "
-        f"one point takes {one / 1e3:.2g} ms, nearly all of it for calls of numpy: put many points into one call. "
-        f"Points that each have their own surface take {surfaces:.2g} µs there, those of a grid that is streamed to a "
+        f"one point takes {one / 1e3:.2g} ms, nearly all of it for calls of numpy: put many points "
+        "into one call. "
+        f"Points that each have their own surface take {surfaces:.2g} µs there, those of a grid "
+        "that is streamed to a "
         f"file {stream:.2g} µs. A new process imports the "
         f"library and has its first answer after {start / 1e6:.2g} s."
     )
@@ -217,7 +225,8 @@ def oracle_block() -> str:
     )
     return (
         f"`results/accuracy/oracle.csv` counts it: of {points:,} solutions in all combinations of "
-        f"interpretations, half of them next to kinks, {wrong} are wrong and {beyond} are beyond their "
+        f"interpretations, half of them next to kinks, {wrong} are wrong and {beyond} are beyond "
+        "their "
         f"bound. {100.0 * less_exact / points:.1f} % have the status `not_converged`, "
         f"{100.0 * without / points:.1f} % have no values. The largest error of the others is "
         f"{max(row['largest_error'] / row['rtol'] for row in rows):.2f} of `rtol`."
@@ -263,7 +272,9 @@ def renewed(text: str, blocks: dict) -> str:
 
 
 def show_the_same(text: str, runs: list[str]) -> bool:
-    """Whether each number of a text is that of one of the runs, which differ in bits, and each word too."""
+    """Whether each number of a text is that of one of the runs, which differ in bits, and each word
+    too.
+    """
     if {tuple(NUMBER.sub("#", each).split()) for each in runs} != {
         tuple(NUMBER.sub("#", text).split())
     }:
@@ -291,8 +302,9 @@ def agree(text: str, other: str) -> bool:
 
 
 def look_the_same(one: np.ndarray, other: np.ndarray) -> bool:
-    """Whether two pictures (rows, columns, channels), of values 0 to 1, differ in at most one of 10,000
-    pixels, by at most ``SHADE``: what other last bits of a curve do to the shades of its edge."""
+    """Whether two pictures (rows, columns, channels), of values 0 to 1, differ in at most one of
+    10,000 pixels, by at most ``SHADE``: what other last bits of a curve do to the shades of its
+    edge."""
     if one.shape != other.shape:
         return False
     differences = np.abs(one - other).max(axis=-1)

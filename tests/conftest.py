@@ -1,5 +1,5 @@
-"""Inputs that tests share, the paper's equations as the verification has them, and the checkers of CF
-and ACDD."""
+"""Inputs that tests share, the paper's equations as the verification has them, and the checkers of
+CF and ACDD."""
 
 import re
 import shutil
@@ -51,8 +51,8 @@ INTERPRETATIONS = {
         **{"elastic_modulus_particle": 2.0e11, "ellipticity": 2.5},
     },
 }
-# what does not apply to data without a place, a time, an instrument or a name in the table of standard names, and
-# addresses and dates that there are not
+# what does not apply to data without a place, a time, an instrument or a name in the table of
+# standard names, and addresses and dates that there are not
 INAPPLICABLE = re.compile(
     r"(geospatial_\w+|time_coverage_\w+|standard_name|instrument\w*|platform\w*|keywords_vocabulary|program"
     r"|creator_(institution|url|email)|publisher_\w+|metadata_link|product_version|Attr date_\w+)\b"
@@ -125,8 +125,8 @@ def equations():
 
 @pytest.fixture(scope="session")
 def findings_in():
-    """Function that gives what the checkers of CF-1.11 and ACDD-1.3 have to say of a NetCDF file, but
-    what does not apply; their own errors would be said by none."""
+    """Function that gives what the checkers of CF-1.11 and ACDD-1.3 have to say of a NetCDF file,
+    but what does not apply; their own errors would be said by none."""
     from compliance_checker.runner import CheckSuite
 
     suite = CheckSuite()

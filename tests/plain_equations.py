@@ -1,4 +1,5 @@
-"""The plain equations of ``verification/plain_model.py`` at many points, for tests of the library."""
+"""The plain equations of ``verification/plain_model.py`` at many points, for tests of the
+library."""
 
 import json
 import math

@@ -222,8 +222,8 @@ def expected_points(scene, axes):
 def configuration_findings(data, name, config, inputs):
     """Where a dataset is not the one that the configuration asks for.
 
-    ``data`` is a `recompute.Dataset`, ``name`` that of its figure, ``config`` and ``inputs`` are the
-    files config.json and parameters.json.
+    ``data`` is a `recompute.Dataset`, ``name`` that of its figure, ``config`` and ``inputs`` are
+    the files config.json and parameters.json.
     """
     scene = config["scenes"][name]
     if data.title != scene["title"]:

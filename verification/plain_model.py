@@ -9,11 +9,11 @@ recomputes.  All quantities SI; loads are divided by A_n E_ss, areas by A_n.
 
 What the paper leaves open is read so.  The separation d is that of the mean planes of the
 surfaces; summits see d - y_s, and particles d, or d - y_s where the `particle_plane` is "summit".
-The sizes of particles have the mean `mean_ratio` x_a: 0 as Eq. 6 is printed, 1 where x_a is the mean.
-Summits have the hardness of the softer surface.  No particle is smaller than X_min = 0, nor larger
-than X_max; only particles that take part (`participation`) bear load or cover anything.  Where they
-would cover more than everything, Eq. 4 has no meaning.  Surfaces are no closer than d = 0.  Inputs
-are of hard particles, with an elastic factor of at most 1: then F_s falls as d grows.
+The sizes of particles have the mean `mean_ratio` x_a: 0 as Eq. 6 is printed, 1 where x_a is the
+mean. Summits have the hardness of the softer surface.  No particle is smaller than X_min = 0, nor
+larger than X_max; only particles that take part (`participation`) bear load or cover anything.
+Where they would cover more than everything, Eq. 4 has no meaning.  Surfaces are no closer than d =
+0.  Inputs are of hard particles, with an elastic factor of at most 1: then F_s falls as d grows.
 """
 
 import math
@@ -339,8 +339,8 @@ def log_load_in_w(log_fluid_fraction, model, point):
 def outside_film_formula(fluid_fraction, film_thickness, model, point):
     """Whether a film that is at work, of thickness H_c [1], is outside of the meaning of Eq. 7.
 
-    There H_c falls with rising viscosity, dH_c/dU <= 0, the film is not thin, or the load in W would
-    press on A_n with more than the hardness of the softer surface.
+    There H_c falls with rising viscosity, dH_c/dU <= 0, the film is not thin, or the load in W
+    would press on A_n with more than the hardness of the softer surface.
     """
     if point.dry or fluid_fraction <= FILM_AT_WORK:
         return False
@@ -424,11 +424,11 @@ def solve(model, point):
 
 
 def uncertainty(separation, model, point, noise):
-    """How far loads and areas at the solution ``separation`` [m] may be off [1], where forces are known
-    to the relative ``noise``.
+    """How far loads and areas at the solution ``separation`` [m] may be off [1], where forces are
+    known to the relative ``noise``.
 
-    The separation moves by the rounding of the lengths it is compared with, and until the forces have
-    changed by their noise.  This is the largest relative change of what follows.
+    The separation moves by the rounding of the lengths it is compared with, and until the forces
+    have changed by their noise.  This is the largest relative change of what follows.
     """
     lengths = separation + point.roughness + point.summit_offset
     if not point.two_body:
@@ -452,7 +452,8 @@ def uncertainty(separation, model, point, noise):
 
 
 def known_logarithms(separation, model, point):
-    """ln of loads and areas at ``separation`` d [m], by name, as far as float64 holds the numbers."""
+    """ln of loads and areas at ``separation`` d [m], by name, as far as float64 holds the
+    numbers."""
     there = state(separation, model, point)
     least, log_area = math.log(sys.float_info.min), logarithm(there.total_area)
     logarithms = {

@@ -90,8 +90,8 @@ def deviation(first, second):
 
 
 class Own(NamedTuple):
-    """What this program knows of a point: its solution from the inputs alone, and how far it and the
-    library may be off [1] there because of rounding."""
+    """What this program knows of a point: its solution from the inputs alone, and how far it and
+    the library may be off [1] there because of rounding."""
 
     solution: plain_model.Solution
     uncertainty: float
@@ -221,7 +221,9 @@ def check(path, config, inputs, count, rng):
 
 
 def point_findings(data, index, is_sampled):
-    """What is wrong at one point, and the largest deviation from the own solution of a resolved one."""
+    """What is wrong at one point, and the largest deviation from the own solution of a resolved
+    one.
+    """
     row = {name: data.values[name].item(index) for name in data.values}
     point, status = point_at(data, index), row["solution_status"]
     where = f"at {','.join(map(str, map(int, index)))}"

@@ -86,7 +86,9 @@ def read_files(folder, faults):
 
 
 def read_text(path):
-    """Content of a manifest or description; ``ValueError`` if it is not UTF-8 or too large to be one."""
+    """Content of a manifest or description; ``ValueError`` if it is not UTF-8 or too large to be
+    one.
+    """
     if path.stat().st_size > LARGEST_TEXT:
         raise ValueError(f"{path.name} is larger than {LARGEST_TEXT} bytes")
     return path.read_bytes().decode()
@@ -250,7 +252,9 @@ def check_packed(folder, found, faults):
 
 
 def is_member(archive, member, path, digest):
-    """Whether a member of the packed archive is the file ``path``; it is read only if it has the size."""
+    """Whether a member of the packed archive is the file ``path``; it is read only if it has the
+    size.
+    """
     if member.file_size != path.stat().st_size:
         return False
     with archive.open(member) as content:
@@ -326,8 +330,8 @@ def main(arguments=None):
 
 
 def say(text):
-    """Print one line.  Names come from the archive, so characters that could break the line, or that a
-    terminal cannot show, are written as in Python."""
+    """Print one line.  Names come from the archive, so characters that could break the line, or
+    that a terminal cannot show, are written as in Python."""
     print(text.encode("unicode_escape").decode("ascii"))
 
 

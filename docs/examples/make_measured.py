@@ -1,4 +1,5 @@
-"""Writes ``measured.csv``: no measurement, but a member of the ensemble with errors of a laboratory.
+"""Writes ``measured.csv``: no measurement, but a member of the ensemble with errors of a
+laboratory.
 
 Friction and contact resistance come from the estimates of ``docs/recipes.md``.
 """

@@ -1,4 +1,5 @@
-"""Run at the start of a page: its examples write into a folder that goes away, and ``%%sh`` prints at once.
+"""Run at the start of a page: its examples write into a folder that goes away, and ``%%sh`` prints
+at once.
 
 The ``%%sh`` of IPython prints in pieces, which the site would show in separate blocks.
 """

@@ -19,13 +19,17 @@ BAND_RTOL = 1e-4  # for each member: an error far below a line width
 SUFFIXES = "low", "high"
 ATTRIBUTES = {
     "summary": (
-        "Range of each quantity, 5 to 95 %, over an ensemble of inputs that explain the paper's statements about "
+        "Range of each quantity, 5 to 95 %, over an ensemble of inputs that explain the paper's "
+        "statements about "
         "equally well, at the points of the dataset of this figure."
     ),
     "comment": (
-        "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. Each member is "
-        "solved at the same F_t*, which is another normal load where its apparent area differs. A member that has no "
-        "solution at a point does not count there. ensemble gives what differs from the default in each member, by the "
+        "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to "
+        "it. Each member is "
+        "solved at the same F_t*, which is another normal load where its apparent area differs. A "
+        "member that has no "
+        "solution at a point does not count there. ensemble gives what differs from the default in "
+        "each member, by the "
         "names of config/inputs.yaml, SI."
     ),
 }
@@ -36,8 +40,9 @@ def band(
     base: Parameters,
     ensemble: Sequence[Mapping[str, Any]],
 ) -> PlainDataset:
-    """Both ends of the range of each quantity, ``<quantity>_low`` and ``_high``, over the ``ensemble``, whose
-    members have the inputs that differ from ``base``, SI, at the points of ``dataset``."""
+    """Both ends of the range of each quantity, ``<quantity>_low`` and ``_high``, over the
+    ``ensemble``, whose members have the inputs that differ from ``base``, SI, at the points of
+    ``dataset``."""
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
     points = {"load": load, **Condition(*conditions)._asdict()}

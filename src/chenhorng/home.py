@@ -1,4 +1,6 @@
-"""Where the files of the workflow are: the repository, or the installed package, which has copies of them."""
+"""Where the files of the workflow are: the repository, or the installed package, which has copies
+of them.
+"""
 
 from pathlib import Path
 

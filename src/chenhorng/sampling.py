@@ -1,4 +1,6 @@
-"""Curves at the loads of a claim: bounds of the range, levels of quantities, and values between loads."""
+"""Curves at the loads of a claim: bounds of the range, levels of quantities, and values between
+loads.
+"""
 
 from collections.abc import Mapping, Sequence
 
@@ -53,8 +55,9 @@ def loads_within(
 
 
 def first_fall(loads: NDArray, values: NDArray) -> float:
-    """Load at which ``values`` first fall to zero, or the first load if they start below; extrapolated with
-    the last slope, over a decade at most, so that nothing jumps when inputs change."""
+    """Load at which ``values`` first fall to zero, or the first load if they start below;
+    extrapolated with the last slope, over a decade at most, so that nothing jumps when inputs
+    change."""
     above = values > 0.0
     if not above[0]:
         return loads[0] if values[0] <= 0.0 else np.nan

@@ -31,8 +31,8 @@ STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
 # Finite differences of second order: steps, and weights of the values over the step.
 CENTRAL = (-1.0, 1.0), (-0.5, 0.5)
 INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
-# Relative distance of two samples from the end of a window: more than STEP moves it, and so small that
-# interpolation between them leaves an error of 3e-4 in an elasticity.
+# Relative distance of two samples from the end of a window: more than STEP moves it, and so small
+# that interpolation between them leaves an error of 3e-4 in an elasticity.
 REACH = 0.003
 TURNING_POINT, WINDOW = ("turning_point_load", "turning_point_ratio"), ("window_low", "window_high")
 
@@ -90,7 +90,8 @@ class Subject:
         return np.concatenate([*points, *windows, *last_crossings(evidence, self.transitions)])
 
     def effort_near(self, values: NDArray) -> Effort:
-        """``FULL_EFFORT`` for outputs close to ``values``: ends of windows are interpolated there."""
+        """``FULL_EFFORT`` for outputs close to ``values``: ends of windows are interpolated
+        there."""
         ends = values[[each["output"] in WINDOW for each in self.outputs]]
         if np.isnan(ends).any():
             return FULL_EFFORT
@@ -99,7 +100,9 @@ class Subject:
 
 
 def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArray:
-    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``, or nan: shape (curves, limits)."""
+    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``, or nan: shape (curves,
+    limits).
+    """
     found = np.full((len(conditions), len(LIMITS)), np.nan)
     if conditions:
         curves = [evidence.curves[condition] for condition in conditions]
@@ -124,9 +127,9 @@ def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, flo
 def elasticities(
     values: Callable[[dict[str, float]], NDArray], base: NDArray, inputs: Mapping[str, float]
 ) -> tuple[NDArray, NDArray]:
-    """Elasticities of the outputs, ``base`` at ``inputs``, by central differences, one-sided at an upper
-    bound, and their errors, the difference from twice the step: both of shape (outputs, inputs).  ``values``
-    solves for changed inputs."""
+    """Elasticities of the outputs, ``base`` at ``inputs``, by central differences, one-sided at an
+    upper bound, and their errors, the difference from twice the step: both of shape (outputs,
+    inputs).  ``values`` solves for changed inputs."""
 
     def slopes(width):
         columns = []
@@ -144,8 +147,9 @@ def elasticities(
 def sensitivity_rows(
     subject: Subject, base: NDArray, inputs: Mapping[str, float], values: NDArray, errors: NDArray
 ) -> list[dict[str, Any]]:
-    """Rows of the table ``sensitivity``, from the result of ``elasticities``: one for each output and
-    input, or a single one of an output that does not occur at the default ``inputs``, in ``base``."""
+    """Rows of the table ``sensitivity``, from the result of ``elasticities``: one for each output
+    and input, or a single one of an output that does not occur at the default ``inputs``, in
+    ``base``."""
     rows = []
     for index, output in enumerate(subject.outputs):
         same = {**output, "value": base[index]}

@@ -85,7 +85,9 @@ class Sheet:
         }
 
     def padding(self, name: str, text: str) -> str:
-        """What a number lacks behind it, so that the points of a column of numbers stand below each other."""
+        """What a number lacks behind it, so that the points of a column of numbers stand below each
+        other.
+        """
         missing = self.decimals.get(name, 0) - _decimals(text)
         if missing == 0 or text in WORDS or "e" in text:
             return ""
@@ -96,7 +98,9 @@ class Sheet:
         return ENVIRONMENT.get_template("sheets.html").render(sheet=self)
 
     def latex(self, label: str) -> str:
-        """The table for LaTeX, with its caption and ``label``; columns of numbers are those of siunitx."""
+        """The table for LaTeX, with its caption and ``label``; columns of numbers are those of
+        siunitx.
+        """
         names = [*self.rows[0]] if self.rows else []
         numeric = {name: name in self.decimals for name in names}
         lines = [
@@ -116,8 +120,8 @@ class Sheet:
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
-    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger; None (missing)
-    gives an empty text, and nan (does not exist) gives "none"."""
+    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger; None
+    (missing) gives an empty text, and nan (does not exist) gives "none"."""
     if value is None:
         return ""
     if math.isnan(value):
@@ -131,7 +135,8 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
 
 
 def result_name(row: Mapping) -> str:
-    """The result in a row of the table ``sensitivity``, with the condition that distinguishes it."""
+    """The result in a row of the table ``sensitivity``, with the condition that distinguishes
+    it."""
     name = RESULTS[row["quantity"] or row["output"]].format(row["level"]).replace("%", " %")
     varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
     axis = AXES[varied[row["output"].partition("_")[0]]]
@@ -185,7 +190,8 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> Sheet:
     ]
     title += ", as printed and recomputed"
     note = (
-        "Recomputed from the other printed values where possible. A value agrees if it is the printed one "
+        "Recomputed from the other printed values where possible. A value agrees if it is the "
+        "printed one "
         "once it is rounded to as many digits as the paper prints."
     )
     return Sheet(title=title, note=note, rows=lines)
@@ -245,7 +251,8 @@ def _transitions(rows, printed, newtons_per_load) -> Sheet:
             line[f"{symbol} = {limit} (paper)"] = _spread(paper, 1.0 / newtons_per_load, **at)
         lines.append(line | {"status": _statuses(some)})
     note = (
-        "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. Without an entry "
+        "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. Without an "
+        "entry "
         f"it does not cross the limit within the loads. {NEWTONS}"
     )
     return Sheet(title="Loads at which the regime or mode changes", note=note, rows=lines)
@@ -280,7 +287,8 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
     ]
     note = (
         f"All numbers that the headline statements print. The median of the deviations is "
-        f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of H_c are those from "
+        f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of "
+        "H_c are those from "
         "0.04 to 80 N."
     )
     return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
@@ -328,7 +336,8 @@ SHEETS: dict[str, Callable[..., Sheet]] = {
 
 
 def _curves(rows, printed):
-    """The cells of each curve, which several figures may share, its rows, and its printed numbers."""
+    """The cells of each curve, which several figures may share, its rows, and its printed
+    numbers."""
     names = "roughness", "particle_diameter", "particle_density", "viscosity"
     ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
     for key, group in groupby(ordered, key=row_key):
@@ -346,7 +355,9 @@ def _curves(rows, printed):
 def _headed(
     table: str, texts: Mapping[str, str], printed: Mapping[str, str] | None = None
 ) -> dict[str, str]:
-    """The ``texts`` of columns of a ``table`` under their headings, those ``printed`` in the paper beside them."""
+    """The ``texts`` of columns of a ``table`` under their headings, those ``printed`` in the paper
+    beside them.
+    """
     line = {}
     for column in TABLES[table]:
         if column.name in texts:

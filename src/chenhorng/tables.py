@@ -14,8 +14,8 @@ from thirdbody.files import unreadable
 class Column(NamedTuple):
     """A column of a table: its name, which ends with the SI unit if there is one; the type of
     the Table Schema, ``number`` or ``string``; the SI unit, ``1`` for a pure number and empty for
-    text; its description; the table in ``tables.csv``; and its heading in the sheet of the table, empty if
-    that is the name."""
+    text; its description; the table in ``tables.csv``; and its heading in the sheet of the table,
+    empty if that is the name."""
 
     name: str
     kind: str

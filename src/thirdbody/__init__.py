@@ -16,8 +16,8 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 
 ``solve`` also takes arrays.  ``grid`` returns a dataset over five axes, ``plot`` draws it, and
 ``stream`` writes datasets larger than memory.  ``find``, ``transitions``, ``turning_point`` and
-``turning_window`` search along an axis and return tables.  The equations and the force balance are in
-``thirdbody.core``, which imports only numpy and scipy.
+``turning_window`` search along an axis and return tables.  The equations and the force balance are
+in ``thirdbody.core``, which imports only numpy and scipy.
 """
 
 import lazy_loader

@@ -1,9 +1,10 @@
 """Answers of the command: tables of quantities with their range over the ensemble.
 
-Each function takes the five conditions of one interface, and returns a table with a row for each quantity.
-Its columns are the ``symbol``, the ``value`` for the inputs, the ends ``low`` and ``high`` of the range, the
-``unit``, the ``quantity`` in words, and how many of the ``members`` of the ensemble ``agree``: also have a number,
-or have the same state.  ``attrs`` has a title, notes, and whether what was asked for is ``found``.
+Each function takes the five conditions of one interface, and returns a table with a row for each
+quantity. Its columns are the ``symbol``, the ``value`` for the inputs, the ends ``low`` and
+``high`` of the range, the ``unit``, the ``quantity`` in words, and how many of the ``members`` of
+the ensemble ``agree``: also have a number, or have the same state.  ``attrs`` has a title, notes,
+and whether what was asked for is ``found``.
 """
 
 import math
@@ -35,7 +36,8 @@ Conditions = Mapping[str, Any]
 
 
 def state(parameters: Ensemble, conditions: Conditions) -> pd.DataFrame:
-    """Load sharing, contact area, regime and mode of an interface, and the nominal pressure on it."""
+    """Load sharing, contact area, regime and mode of an interface, and the nominal pressure on
+    it."""
     values, of_members = _states(parameters, conditions)
     rows = [_row(name, values[name], [each[name] for each in of_members]) for name in SHOWN]
     rows += _nominal_rows(parameters, conditions)
@@ -47,7 +49,9 @@ def state(parameters: Ensemble, conditions: Conditions) -> pd.DataFrame:
 def compare_interfaces(
     parameters: Ensemble, conditions: Conditions, other: Ensemble, others: Conditions
 ) -> pd.DataFrame:
-    """Two interfaces: ``value`` of the first, ``other`` of the second, and the range of the second minus the first."""
+    """Two interfaces: ``value`` of the first, ``other`` of the second, and the range of the second
+    minus the first.
+    """
     values, of_members = _states(parameters, conditions)
     other_values, of_other_members = _states(other, others)
     rows = []
@@ -124,7 +128,9 @@ def changes_along(
 def turning_load(
     parameters: Ensemble, conditions: Conditions, between_N: tuple[float, float] = LOADS
 ) -> pd.DataFrame:
-    """The load at which the particle fraction of the contact area turns, and the sizes for which it does."""
+    """The load at which the particle fraction of the contact area turns, and the sizes for which it
+    does.
+    """
     values, of_members = _turning_values(parameters, conditions, between_N)
     rows = []
     for name, (symbol, quantity, unit) in TURNING.items():
@@ -159,7 +165,8 @@ def curve(
     between: tuple[float, float],
     count: int,
 ) -> pd.DataFrame:
-    """All variables along one condition, the alias ``along``, with their ranges in columns ``_low`` and ``_high``.
+    """All variables along one condition, the alias ``along``, with their ranges in columns ``_low``
+    and ``_high``.
 
     The first column is the condition; variables are in SI, regime, mode and status by name.
     """
@@ -237,8 +244,8 @@ def _with_range(row, value, numbers, members) -> dict:
 
 
 def _states(parameters, conditions) -> tuple[dict, list[dict]]:
-    """The variables of one point for the best set, and for each member if there are several: numbers, of d in nm, or
-    names of states."""
+    """The variables of one point for the best set, and for each member if there are several:
+    numbers, of d in nm, or names of states."""
     points = solve(**conditions, parameters=parameters, members=True)
 
     def values(member):
@@ -285,7 +292,8 @@ def _nominal_rows(parameters, conditions) -> list[dict]:
 
 
 def _by_border(table, along) -> dict[tuple, float]:
-    """The places of valid changes, by flag, states and how often the same change occurred before."""
+    """The places of valid changes, by flag, states and how often the same change occurred
+    before."""
     valid = table[~table["solution_status"].isin(INVALID)]
     keys = ["flag", "before", "after"]
     numbers = valid.groupby(keys).cumcount()
@@ -325,8 +333,8 @@ def _notes(parameters, conditions, status) -> list[str]:
 
 
 def _ensemble_notes(parameters, conditions) -> list[str]:
-    """What the inputs stand for: the nominal area, the speed if there is oil, the sizes if there are particles;
-    and what a range is."""
+    """What the inputs stand for: the nominal area, the speed if there is oil, the sizes if there
+    are particles; and what a range is."""
     notes = [area_note(parameters)]
     if conditions.get("viscosity_cSt") != 0.0:
         notes += speed_notes(parameters)

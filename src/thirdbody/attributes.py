@@ -25,7 +25,8 @@ GIVEN_AS = (
 
 
 def coordinate_attributes(described: Described, key: str = "") -> dict[str, str]:
-    """Attributes of a coordinate: an axis, which was given by the name ``key``, or the normal load."""
+    """Attributes of a coordinate: an axis, which was given by the name ``key``, or the normal
+    load."""
     attributes = {
         "units": described.unit,
         "long_name": described.label,
@@ -86,8 +87,8 @@ def described_grid(
     load_key: str = "load",
 ) -> PlainDataset:
     """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes; the load was given by the name ``load_key``.  Its SHA-256 depends on the parameters, ``rtol`` and
-    ``request``, by default the axes."""
+    attributes; the load was given by the name ``load_key``.  Its SHA-256 depends on the parameters,
+    ``rtol`` and ``request``, by default the axes."""
     variables = {
         name: Variable(
             DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)

@@ -66,7 +66,9 @@ MATERIALS = {
 
 
 def _moduli(setup: Setup) -> tuple[float, float]:
-    """E_ss and E_sa [Pa] of three bodies; a particle is in contact with the more compliant of ball and flat."""
+    """E_ss and E_sa [Pa] of three bodies; a particle is in contact with the more compliant of ball
+    and flat.
+    """
     ball, flat, particle = (getattr(setup, name) for name in BODIES)
     surface = max(ball, flat, key=lambda body: body.compliance)
     return _hertz_modulus(ball, flat), _hertz_modulus(particle, surface)
@@ -101,23 +103,25 @@ def bearing(
 ) -> Ensemble:
     """Derive the inputs of the model for another ball, speed, oil or material.
 
-    What is not given stays as it is in ``parameters``, also the product of density and speed and the
-    pressure-viscosity coefficient that U and G stand for, the materials of the other bodies, and A_n.
+    What is not given stays as it is in ``parameters``, also the product of density and speed and
+    the pressure-viscosity coefficient that U and G stand for, the materials of the other bodies,
+    and A_n.
 
     Parameters
     ----------
     parameters : Parameters or Ensemble, optional
-        Inputs to start from, by default the calibrated ones.  Of ``Parameters`` the bodies and the oil are unknown.
+        Inputs to start from, by default the calibrated ones.  Of ``Parameters`` the bodies and the
+        oil are unknown.
     ball_radius_mm : float, optional
         R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls.
     speed_m_per_s, oil_density_kg_per_m3 : float, optional
-        Entrainment speed u = (u_1 + u_2)/2 [m/s] and density rho of the oil [kg m-3], both or neither.  Where a
-        disc turns under a ball that does not, its speed is twice u.
+        Entrainment speed u = (u_1 + u_2)/2 [m/s] and density rho of the oil [kg m-3], both or
+        neither.  Where a disc turns under a ball that does not, its speed is twice u.
     pressure_viscosity_per_GPa : float, optional
         alpha of the oil [GPa-1].
     ball, flat, particle : Material or str, optional
-        Materials or their names: "steel", "silicon nitride", "alumina".  The ball is surface 1, on which Eq. 5
-        counts the contact area of particles, so that ball and flat cannot be exchanged.
+        Materials or their names: "steel", "silicon nitride", "alumina".  The ball is surface 1, on
+        which Eq. 5 counts the contact area of particles, so that ball and flat cannot be exchanged.
     apparent_area_mm2 : float, optional
         A_n [mm2], the nominal area of loads and areas: at most the cross-section of the ball.
     ellipticity : float, optional
@@ -126,15 +130,15 @@ def bearing(
     Returns
     -------
     Ensemble
-        All inputs, SI; the members have the same changes.  Its ``setup`` has the materials and the density of the
-        oil.
+        All inputs, SI; the members have the same changes.  Its ``setup`` has the materials and the
+        density of the oil.
 
     Raises
     ------
     ValueError
-        For a number that is not positive, a speed without a density or the reverse, a particle softer than a
-        surface, an A_n larger than the ball, inputs out of bounds, and some of the bodies where those of
-        ``parameters`` are not known.
+        For a number that is not positive, a speed without a density or the reverse, a particle
+        softer than a surface, an A_n larger than the ball, inputs out of bounds, and some of the
+        bodies where those of ``parameters`` are not known.
 
     Warns
     -----
@@ -188,7 +192,9 @@ def bearing(
 
 
 def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup, dict[str, float]]:
-    """The setup of an ensemble with other ``materials`` by name, and the inputs that follow from these."""
+    """The setup of an ensemble with other ``materials`` by name, and the inputs that follow from
+    these.
+    """
     setup, before = ensemble.setup, ensemble.best
     if not materials:
         return setup, {}
@@ -203,7 +209,8 @@ def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup,
     two = materials["flat"].hardness if "flat" in materials else before.hardness_surface_2
     if "particle" in materials and materials["particle"].hardness < max(one, two):
         raise ValueError(
-            f"particle has a hardness of {1e-9 * materials['particle'].hardness:g} GPa; allowed: at least "
+            f"particle has a hardness of {1e-9 * materials['particle'].hardness:g} GPa; allowed: "
+            "at least "
             f"{1e-9 * max(one, two):g} GPa, the harder surface, as particles keep their shape"
         )
     surfaces, particle = _moduli(setup)
@@ -235,8 +242,8 @@ def hertz_contact(load_N: ArrayLike, parameters: Parameters | Ensemble) -> tuple
 
 
 def derived_inputs(parameters: Parameters | Ensemble | None = None) -> pd.DataFrame:
-    """The inputs that ``bearing`` derives: a row for each, with its value, unit and formula, and notes in
-    ``attrs``."""
+    """The inputs that ``bearing`` derives: a row for each, with its value, unit and formula, and
+    notes in ``attrs``."""
     import pandas as pd  # slow to import, for inputs alone
 
     inputs = or_calibrated(parameters)

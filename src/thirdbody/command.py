@@ -1,6 +1,7 @@
 """The command ``thirdbody``: each question is a sub-command, a function of this module.
 
-The rest of the library is imported only to answer a question, so that ``thirdbody --help`` is quick.
+The rest of the library is imported only to answer a question, so that ``thirdbody --help`` is
+quick.
 """
 
 import json

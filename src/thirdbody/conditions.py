@@ -1,8 +1,9 @@
 """What a user gives, in SI: the five conditions, and numbers with a unit in their name.
 
-A condition is refused here, and nowhere else, if it would be computed to a wrong number in silence.  A
-condition is a number or an array of numpy, a list of numbers, a column of pandas, an array of xarray or a
-quantity of pint; anything else is refused by its type, as it may carry a unit, a mask or a date.
+A condition is refused here, and nowhere else, if it would be computed to a wrong number in silence.
+A condition is a number or an array of numpy, a list of numbers, a column of pandas, an array of
+xarray or a quantity of pint; anything else is refused by its type, as it may carry a unit, a mask
+or a date.
 """
 
 import re
@@ -34,7 +35,9 @@ Usual = Mapping[str, tuple[float, float, str]]
 
 
 class ConditionArguments(TypedDict, total=False):
-    """The five conditions and the speed, each under one of its two names, for help and type checkers."""
+    """The five conditions and the speed, each under one of its two names, for help and type
+    checkers.
+    """
 
     load: ArrayLike | None
     load_N: ArrayLike | None
@@ -91,7 +94,8 @@ class Conditions:
     def with_load(
         self, parameters: Parameters, arrays: Mapping[str, NDArray] | None = None
     ) -> dict[str, NDArray]:
-        """The ``arrays``, or others that follow from them, with the load F_t* [1] of some inputs."""
+        """The ``arrays``, or others that follow from them, with the load F_t* [1] of some
+        inputs."""
         solved = dict(self.arrays if arrays is None else arrays)
         if self.is_force and "load" in solved:
             solved["load"] = solved["load"] * (1.0 / parameters.newtons_per_load)
@@ -101,17 +105,19 @@ class Conditions:
 def read_conditions(
     arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
 ) -> Conditions:
-    """Read the five conditions, ``arguments`` under either of their names, or all but the one called ``without``;
-    and the speed, if it is among them.  An argument that is None is not given.  A public function calls this
-    itself, so that warnings name the line that called it; the usual range of newtons is that of ``parameters``.
+    """Read the five conditions, ``arguments`` under either of their names, or all but the one
+    called ``without``; and the speed, if it is among them.  An argument that is None is not given.
+    A public function calls this itself, so that warnings name the line that called it; the usual
+    range of newtons is that of ``parameters``.
 
     Raises
     ------
     TypeError
         For an unknown name.
     ValueError
-        For a value of another kind than ``KINDS``, a condition that is missing or given twice, a quantity of another dimension, a number that is
-        not finite or negative, a load or roughness of 0, and columns with different indexes.
+        For a value of another kind than ``KINDS``, a condition that is missing or given twice, a
+        quantity of another dimension, a number that is not finite or negative, a load or roughness
+        of 0, and columns with different indexes.
 
     Warns
     -----
@@ -254,7 +260,9 @@ class _Typed(NamedTuple):
         return cls(key, axis, numbers, text, scale, is_force, unit is not None)
 
     def checked_si(self, newtons_per_load: float) -> NDArray:
-        """The numbers in SI, a load that ``is_force`` in newtons; ``ValueError`` for those that no interface has."""
+        """The numbers in SI, a load that ``is_force`` in newtons; ``ValueError`` for those that no
+        interface has.
+        """
         si = np.array(self.numbers if self.scale == 1.0 else decimal(self.numbers, self.scale))
         number = si * (1.0 / newtons_per_load) if self.is_force else si
         never_zero = self.axis.name in NEVER_ZERO
@@ -269,7 +277,9 @@ class _Typed(NamedTuple):
         return si
 
     def unusual(self, newtons_per_load: float) -> list[str]:
-        """Words on the first number outside the usual range, in its own unit; none if there is none."""
+        """Words on the first number outside the usual range, in its own unit; none if there is
+        none.
+        """
         force = newtons_per_load if self.is_force else 1.0
         least, most = (end * force / self.scale for end in self.axis.usual)
         return unusual_text(self.key, self.numbers, least, most, self.text)
@@ -283,7 +293,9 @@ def _with_values(labelled: Any, values: NDArray) -> "xr.DataArray":
 
 
 def common_index(arguments: Mapping[str, Any]) -> "pd.Index | None":
-    """The index of the columns of pandas, None if there are none; ``ValueError`` unless it is the same."""
+    """The index of the columns of pandas, None if there are none; ``ValueError`` unless it is the
+    same.
+    """
     columns = {key: value for key, value in arguments.items() if _is_a(value, "pandas", "Series")}
     if not columns:
         return None
@@ -299,8 +311,8 @@ def common_index(arguments: Mapping[str, Any]) -> "pd.Index | None":
 
 
 def numbers_in(name: str, value: Any, unit: str) -> NDArray:
-    """A value of one of the ``KINDS`` as float64 numbers, of a quantity in ``unit`` (UDUNITS spelling); pint raises
-    an error for a quantity of another dimension."""
+    """A value of one of the ``KINDS`` as float64 numbers, of a quantity in ``unit`` (UDUNITS
+    spelling); pint raises an error for a quantity of another dimension."""
     numbers, unit_of_value = _numbers_and_unit(name, value)
     if unit_of_value is None:
         return numbers
@@ -310,7 +322,9 @@ def numbers_in(name: str, value: Any, unit: str) -> NDArray:
 
 
 def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
-    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None; ``ValueError`` for others."""
+    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None;
+    ``ValueError`` for others.
+    """
     if _is_a(value, "pint", "Quantity"):
         return _numbers(name, value.magnitude), value.units
     if _is_a(value, "xarray", "DataArray", "Variable"):
@@ -331,7 +345,8 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
 
 
 def _numbers(name, value):
-    """Numbers, an array of numpy or a list of numbers as float64; ``ValueError`` for anything else."""
+    """Numbers, an array of numpy or a list of numbers as float64; ``ValueError`` for anything
+    else."""
     if isinstance(value, list | tuple):
         if all(map(_is_number, _flat(value))):
             return np.array(value, float)
@@ -396,8 +411,9 @@ def registry() -> Any:
 def broadcast_by_name(conditions: Conditions) -> tuple[dict[str, NDArray], "xr.DataArray"]:
     """Broadcast conditions, of which one or more have named dimensions, by the names of these.
 
-    Returns views of one shape, and an array with the dimensions and coordinates of that shape.  Raises
-    ``ValueError`` for an array without named dimensions, and xarray an error for different coordinates.
+    Returns views of one shape, and an array with the dimensions and coordinates of that shape.
+    Raises ``ValueError`` for an array without named dimensions, and xarray an error for different
+    coordinates.
     """
     import xarray as xr
 
@@ -440,8 +456,8 @@ def check_count(count: int) -> None:
 
 
 def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1") -> float:
-    """A number or quantity as a float in ``unit``; ``ValueError`` unless it is one finite number, positive or
-    else not negative."""
+    """A number or quantity as a float in ``unit``; ``ValueError`` unless it is one finite number,
+    positive or else not negative."""
     numbers = numbers_in(name, value, unit)
     if numbers.ndim or not 0.0 <= numbers < np.inf or (positive and numbers == 0.0):
         sign = "a positive number" if positive else "zero or a positive number"
@@ -452,7 +468,8 @@ def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1"
 def checked_numbers(
     arguments: Mapping[str, Any], usual: Usual, stacklevel: int
 ) -> dict[str, float]:
-    """Numbers or quantities as floats in the units of ``usual``; ``ValueError`` unless all are positive.
+    """Numbers or quantities as floats in the units of ``usual``; ``ValueError`` unless all are
+    positive.
 
     Issues one ``OutOfRangeWarning`` for all that are unusual.
     """

@@ -1,4 +1,6 @@
-"""Curves over the load: their conditions, in tables and keys of the configuration, and those of a dataset."""
+"""Curves over the load: their conditions, in tables and keys of the configuration, and those of a
+dataset.
+"""
 
 from collections.abc import Iterable, Mapping, Set
 from typing import NamedTuple, Self
@@ -28,7 +30,9 @@ class Condition(NamedTuple):
 
     @classmethod
     def of(cls, given: Mapping[str, float]) -> Self:
-        """The condition from a configuration, a number for each key; ``KeyError`` if one is missing."""
+        """The condition from a configuration, a number for each key; ``KeyError`` if one is
+        missing.
+        """
         return cls(*(float(axis.to_si(given[axis.alias])) for axis in CONDITION_AXES))
 
     @property
@@ -50,9 +54,9 @@ class Condition(NamedTuple):
 
 
 def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]]:
-    """The condition whose values have colours in a figure over the load, and the conditions of which each
-    value has panels of its own, from the ``levels`` of all.  Dry contact is black, and two-body contact is in
-    each panel."""
+    """The condition whose values have colours in a figure over the load, and the conditions of
+    which each value has panels of its own, from the ``levels`` of all.  Dry contact is black, and
+    two-body contact is in each panel."""
     varying = [name for name in OF_PARTICLES if len(levels[name] - {0.0}) > 1]
     media = levels["viscosity"]
     if len(media - {0.0}) > 1 or (len(media) > 1 and not varying):
@@ -64,7 +68,9 @@ def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]
 
 
 def variables_over_load(levels: Mapping[str, Set[float]]) -> tuple[str, ...]:
-    """The variables that a figure over the load shows: areas, also load fractions and film unless all is dry."""
+    """The variables that a figure over the load shows: areas, also load fractions and film unless
+    all is dry.
+    """
     return ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED
 
 

@@ -1,4 +1,5 @@
-"""``Ensemble``: the sets of inputs that explain the paper about equally well, and the setup that they are for.
+"""``Ensemble``: the sets of inputs that explain the paper about equally well, and the setup that
+they are for.
 
 A result for the best set is an answer; the results of all sets are its range.
 """
@@ -22,7 +23,8 @@ ENDS = (0.05, 0.95)  # quantiles at the ends of a range over the members
 GIGA = 1e9
 USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
 BODIES = "ball", "flat", "particle"
-# inputs that were found for one value of another, or are derived from it (below Eq. 8), and what changes them together
+# inputs that were found for one value of another, or are derived from it (below Eq. 8), and what
+# changes them together
 BEARING = "thirdbody.bearing changes them together"
 CALIBRATED = "they were found for the value of the calibrated file"
 BELONGS_TO = {
@@ -88,10 +90,11 @@ class Material:
 
 @dataclass(frozen=True, kw_only=True)
 class Setup:
-    """What a user knows of the bodies and the oil, and the inputs of the model do not say; None is unknown.
+    """What a user knows of the bodies and the oil, and the inputs of the model do not say; None is
+    unknown.
 
-    Radius, speed and pressure-viscosity coefficient are the inputs ``ball_radius``, ``speed_per_viscosity``
-    and ``material_parameter``.
+    Radius, speed and pressure-viscosity coefficient are the inputs ``ball_radius``,
+    ``speed_per_viscosity`` and ``material_parameter``.
 
     Parameters
     ----------
@@ -147,8 +150,8 @@ class Setup:
     def without_speed(
         self, arrays: Mapping[str, NDArray], parameters: Parameters
     ) -> dict[str, NDArray]:
-        """Conditions without a speed.  U in Eq. 8 has only the product of viscosity and speed: a viscosity at
-        another speed is another viscosity at the speed of ``parameters``."""
+        """Conditions without a speed.  U in Eq. 8 has only the product of viscosity and speed: a
+        viscosity at another speed is another viscosity at the speed of ``parameters``."""
         solved = dict(arrays)
         speed = solved.pop("speed", None)
         if speed is not None:
@@ -164,10 +167,11 @@ PAPER_SETUP = Setup(ball=STEEL, flat=STEEL, particle=STEEL, oil_density_kg_per_m
 
 @dataclass(frozen=True, repr=False)
 class Ensemble:
-    """Sets of inputs that explain the paper about equally well, and the setup that all of them are for.
+    """Sets of inputs that explain the paper about equally well, and the setup that all of them are
+    for.
 
-    An input of an ensemble is that of its best set: ``ensemble.ball_radius``.  What is changed or was
-    given is known: all members have it.
+    An input of an ensemble is that of its best set: ``ensemble.ball_radius``.  What is changed or
+    was given is known: all members have it.
 
     Parameters
     ----------
@@ -228,21 +232,21 @@ class Ensemble:
         return self.setup.speed(self.best)
 
     def changed(self, **inputs: Any) -> Ensemble:
-        """The same with other ``inputs``, SI or quantities, in all members; where no member then differs
-        from the best, the best alone.
+        """The same with other ``inputs``, SI or quantities, in all members; where no member then
+        differs from the best, the best alone.
 
         Raises
         ------
         ValueError
-            For an unknown input, a number out of bounds, an unknown word, a quantity of another dimension, and
-            an A_n larger than the ball.
+            For an unknown input, a number out of bounds, an unknown word, a quantity of another
+            dimension, and an A_n larger than the ball.
 
         Warns
         -----
         UserWarning
             For a modulus, hardness or radius without G, V or U/nu, which depend on it:
-            ``thirdbody.bearing`` changes them together; and for another mean of the sizes, plane of the
-            particles or load of the film without the inputs that were calibrated for it.
+            ``thirdbody.bearing`` changes them together; and for another mean of the sizes, plane of
+            the particles or load of the film without the inputs that were calibrated for it.
 
         Examples
         --------
@@ -265,7 +269,9 @@ class Ensemble:
         return replace(self, members=members if set(others) - {best} else (best,))
 
     def as_dict(self) -> dict[str, Any]:
-        """All inputs of the best set, and the ``setup``: arguments of ``thirdbody.load_parameters``."""
+        """All inputs of the best set, and the ``setup``: arguments of
+        ``thirdbody.load_parameters``.
+        """
         return {**self.best.as_dict(), "setup": self.setup.as_dict()}
 
     def known(self) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """A one-line error that says what to install if an optional dependency is missing.
 
-The equations and the solver import only numpy and scipy.  A package that needs more calls ``require``
-in its ``__init__``, so that importing any of its modules raises the same error.
+The equations and the solver import only numpy and scipy.  A package that needs more calls
+``require`` in its ``__init__``, so that importing any of its modules raises the same error.
 """
 
 from importlib.util import find_spec

@@ -18,8 +18,9 @@ from thirdbody.messages import format_path
 @contextmanager
 def atomic_write(*paths: str | PathLike) -> Iterator[tuple[Path, ...]]:
     """Write files under temporary names beside the ``paths``, which are yielded, and move them into
-    place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
-    an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
+    place together once all are written; if the block raises, no file is changed.  ``ValueError``
+    for an invalid file name, ``OSError`` if a file cannot be written, if possible before the block
+    runs."""
     places = [*map(_place, paths)]
     if len(places) == 1 and _is_device(places[0]):
         yield (places[0],)
@@ -59,8 +60,8 @@ def _is_device(place):
 
 
 def _prepare(place, part):
-    """Remove temporary files of killed processes; then raise ``OSError`` unless ``part`` can be written and
-    moved to ``place``."""
+    """Remove temporary files of killed processes; then raise ``OSError`` unless ``part`` can be
+    written and moved to ``place``."""
     start = f".{place.stem}.partial"
     for leftover in place.parent.glob(f"{glob.escape(start)}*-*{glob.escape(place.suffix)}"):
         process = leftover.name.removeprefix(start).partition("-")[0]

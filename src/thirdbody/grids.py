@@ -1,4 +1,6 @@
-"""``grid`` and ``stream``: every combination of five axes as a dataset, in memory or block by block in a file."""
+"""``grid`` and ``stream``: every combination of five axes as a dataset, in memory or block by block
+in a file.
+"""
 
 from __future__ import annotations
 
@@ -65,23 +67,24 @@ def grid(
     members : bool, optional
         Whether all members of an ensemble are solved, by default its best set alone.
     rtol : float, optional
-        Requested relative error of every variable [1].  At 1e-3 or more, large grids are interpolated
-        over the separation, which is faster; below, every point is solved individually.
+        Requested relative error of every variable [1].  At 1e-3 or more, large grids are
+        interpolated over the separation, which is faster; below, every point is solved
+        individually.
     variables : str or collection of str, optional
         Variables of ``Solution`` to compute; ``solution_status`` is always included.
     progress : bool, optional
         Whether a long call shows its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities, by any of their names in
-        ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact; diameter or
-        density 0 is two-body contact.
+        ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact;
+        diameter or density 0 is two-body contact.
 
     Returns
     -------
     xarray.Dataset
         Dimensions are the axes.  ``solution_status`` is the status of each point; points
-        without values are nan.  With ``members`` the first dimension is ``member``, the best first.  Where loads were
-        given in newtons, the coordinate ``load`` is F_t* of the best.
+        without values are nan.  With ``members`` the first dimension is ``member``, the best first.
+        Where loads were given in newtons, the coordinate ``load`` is F_t* of the best.
 
     Raises
     ------
@@ -229,7 +232,8 @@ def stream(
     ValueError
         As in ``grid``, which also warns; and for speeds.
     OSError
-        If the path is not writable or the disk is full; without compression, before anything is solved.
+        If the path is not writable or the disk is full; without compression, before anything is
+        solved.
 
     Examples
     --------
@@ -263,7 +267,8 @@ def stream(
         free = disk_usage(Path(path).parent).free
         if size > free and not compression:
             raise OSError(
-                f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
+                f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; "
+                "allowed: at "
                 f"most the {free:.3g} bytes free on the disk"
             )
         with (
@@ -301,7 +306,9 @@ def _names(variables: str | Collection[str] | None) -> list[str]:
 
 
 def _axes(read: Conditions) -> dict[str, NDArray[np.float64]]:
-    """The axes of a grid, a load in the unit in which it was given; ``ValueError`` unless they increase."""
+    """The axes of a grid, a load in the unit in which it was given; ``ValueError`` unless they
+    increase.
+    """
     axes = {name: np.atleast_1d(values) for name, values in read.arrays.items()}
     for name, axis in axes.items():
         if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():

@@ -24,19 +24,19 @@ def load_parameters(
     Parameters
     ----------
     path : str or Path, optional
-        A YAML file with some inputs, SI, and perhaps a ``setup``, that override the calibrated ones; or a
-        calibrated file, with ``inputs`` and ``ensemble``, that replaces them.
+        A YAML file with some inputs, SI, and perhaps a ``setup``, that override the calibrated
+        ones; or a calibrated file, with ``inputs`` and ``ensemble``, that replaces them.
     setup : Setup or dict, optional
-        Materials and density of the oil, where they are known otherwise than from the file.  By default those
-        of the paper, steel, and an oil of 850 kg/m3.
+        Materials and density of the oil, where they are known otherwise than from the file.  By
+        default those of the paper, steel, and an oil of 850 kg/m3.
     **inputs : float, str or quantity
         Inputs by the field names of ``Parameters``, SI or quantities; they override the file.
 
     Returns
     -------
     Ensemble
-        The best set of inputs and the other members, SI.  What the file and ``inputs`` have is known: all
-        members have it.
+        The best set of inputs and the other members, SI.  What the file and ``inputs`` have is
+        known: all members have it.
 
     Raises
     ------

@@ -116,16 +116,17 @@ def column_name(variable: str) -> str:
 
 
 def indexed(table: pd.DataFrame, index: pd.Index | None, points: ArrayLike) -> pd.DataFrame:
-    """A table whose rows belong to ``points``, flat indices into an array with the rows of ``index``
-    along its last axis, with the labels of these rows; unchanged if ``index`` is None."""
+    """A table whose rows belong to ``points``, flat indices into an array with the rows of
+    ``index`` along its last axis, with the labels of these rows; unchanged if ``index`` is None."""
     if index is None:
         return table
     return table.set_index(index.take(np.asarray(points, int) % max(len(index), 1)))
 
 
 def _with_rows(dataset, index):
-    """A dataset with the ``index`` of the points along its last dimension as a coordinate, one for each level, of
-    its name or else ``row``; as text where netCDF has no such type.  Unchanged if ``index`` is None."""
+    """A dataset with the ``index`` of the points along its last dimension as a coordinate, one for
+    each level, of its name or else ``row``; as text where netCDF has no such type.  Unchanged if
+    ``index`` is None."""
     if index is None:
         return dataset
     dimension, size = [*dataset.sizes.items()][-1]
@@ -140,7 +141,9 @@ def _with_rows(dataset, index):
 
 
 def _dimensions(shape, conditions) -> list[str]:
-    """A name for each axis of the points: the condition, if only one varies along it and along no other."""
+    """A name for each axis of the points: the condition, if only one varies along it and along no
+    other.
+    """
     varying = [
         [name for name, values in conditions.items() if axis in _axes(np.shape(values), shape)]
         for axis in range(-len(shape), 0)

@@ -73,9 +73,10 @@ Dataset: TypeAlias = Union[PlainDataset, "xr.Dataset"]  # functions accept eithe
 
 
 def write_dataset(dataset: Dataset, path: str | PathLike) -> None:
-    """Write a dataset as NetCDF-4: ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing values, and unsolved
-    points stay nan.  Raises ``OSError`` if the disk is full or not writable."""
-    # smallest size, within 0.2 %, that every NetCDF-4 library reads; level 9 takes 50 % longer to write
+    """Write a dataset as NetCDF-4: ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing values, and
+    unsolved points stay nan.  Raises ``OSError`` if the disk is full or not writable."""
+    # smallest size, within 0.2 %, that every NetCDF-4 library reads; level 9 takes 50 % longer to
+    # write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     storage = {
         str(name): compressed | {"chunksizes": variable.values.shape}
@@ -123,8 +124,8 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
 
 
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
-    """Read a NetCDF file, with packed numbers decoded and nan for their fill values; ``OSError`` in one
-    line if it is missing, damaged, or lacks ``needed`` variables."""
+    """Read a NetCDF file, with packed numbers decoded and nan for their fill values; ``OSError`` in
+    one line if it is missing, damaged, or lacks ``needed`` variables."""
     coordinates: set[str] = set()
     variables: dict[str, Variable] = {}
     try:

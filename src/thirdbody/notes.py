@@ -1,4 +1,5 @@
-"""What an answer rests on, in sentences: the sizes of the particles, A_n, the speed and the range."""
+"""What an answer rests on, in sentences: the sizes of the particles, A_n, the speed and the
+range."""
 
 from statistics import NormalDist
 
@@ -19,8 +20,10 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
     mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
     return (
-        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average and at most "
-        f"{1e9 * largest:.4g} nm, which carry load at separations d below {1e9 * layer.reach[0]:.4g} nm"
+        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average and "
+        "at most "
+        f"{1e9 * largest:.4g} nm, which carry load at separations d below "
+        f"{1e9 * layer.reach[0]:.4g} nm"
     )
 
 
@@ -41,7 +44,8 @@ def speed_notes(ensemble: Ensemble) -> list[str]:
     density = ensemble.setup.oil_density_kg_per_m3
     if density is None:
         return []
-    note = f"with an oil of {density:.4g} kg/m3, U/nu is for an entrainment speed of {ensemble.speed:.3g} m/s"
+    speed = f"an entrainment speed of {ensemble.speed:.3g} m/s"
+    note = f"with an oil of {density:.4g} kg/m3, U/nu is for {speed}"
     return [note]
 
 
@@ -50,4 +54,5 @@ def range_note(ensemble: Ensemble) -> str:
     count = len(ensemble.members)
     if count == 1:
         return "no range: these inputs have no ensemble"
-    return f"ranges are 5 to 95 % over {count} sets of inputs that explain the paper about equally well"
+    explain = "explain the paper about equally well"
+    return f"ranges are 5 to 95 % over {count} sets of inputs that {explain}"

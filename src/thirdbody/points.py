@@ -44,10 +44,11 @@ def solve(
 ) -> Solution:
     """Contact state of the interface at each point, by Equations 1 to 10.
 
-    Each of the five conditions is given once, under one of its two names, and they broadcast against each other.
-    The speed is by default that of ``parameters``.  A condition is a number or an array of numpy, a list of numbers,
-    a column of pandas, an array of xarray or a quantity of pint.  Numbers are in the unit of the name; quantities,
-    and arrays of xarray with the attribute ``units``, are converted.
+    Each of the five conditions is given once, under one of its two names, and they broadcast
+    against each other. The speed is by default that of ``parameters``.  A condition is a number or
+    an array of numpy, a list of numbers, a column of pandas, an array of xarray or a quantity of
+    pint.  Numbers are in the unit of the name; quantities, and arrays of xarray with the attribute
+    ``units``, are converted.
 
     Parameters
     ----------
@@ -55,11 +56,11 @@ def solve(
     parameters : Parameters or Ensemble, optional
         Materials, geometry and interpretations of the model, by default the calibrated ones.
     members : bool
-        Whether all members of an ensemble are solved; by default its best set alone, as a range takes as
-        many times longer as there are members.
+        Whether all members of an ensemble are solved; by default its best set alone, as a range
+        takes as many times longer as there are members.
     rtol : float
-        Requested relative error of every variable [1], from 1e-11 to 1e-2.  A larger one saves little time
-        here, much in ``grid``.
+        Requested relative error of every variable [1], from 1e-11 to 1e-2.  A larger one saves
+        little time here, much in ``grid``.
     variables : str or collection of str, optional
         Names of the variables to keep, by default all those of ``Solution``.
     progress : bool
@@ -68,19 +69,20 @@ def solve(
     Returns
     -------
     Solution
-        Arrays of the broadcast shape.  Arrays of xarray broadcast by the names of their dimensions, and give
-        such arrays.  Columns of pandas, which must have equal indexes, give tables with that index.  With
-        ``members`` the first dimension is ``member``, the best first; a range is ``.quantile("member")`` of a
-        variable of ``Solution.to_dataset()``.
+        Arrays of the broadcast shape.  Arrays of xarray broadcast by the names of their dimensions,
+        and give such arrays.  Columns of pandas, which must have equal indexes, give tables with
+        that index.  With ``members`` the first dimension is ``member``, the best first; a range is
+        ``.quantile("member")`` of a variable of ``Solution.to_dataset()``.
 
     Raises
     ------
     ValueError
-        For a condition of another kind, one that is missing or given twice, a negative, infinite or missing number,
-        a load or roughness of 0, a quantity of another dimension, and shapes that do not broadcast; for a roughness
-        outside 1e-30 to 1e30 m or one whose summits ``parameters`` lift too high, and for particles so soft that
-        the ``elastic_factor`` of ``parameters`` is above 1; and for a speed with ``Parameters``, of which the
-        density of the oil is unknown.
+        For a condition of another kind, one that is missing or given twice, a negative, infinite or
+        missing number, a load or roughness of 0, a quantity of another dimension, and shapes that
+        do not broadcast; for a roughness outside 1e-30 to 1e30 m or one whose summits
+        ``parameters`` lift too high, and for particles so soft that the ``elastic_factor`` of
+        ``parameters`` is above 1; and for a speed with ``Parameters``, of which the density of the
+        oil is unknown.
 
     Warns
     -----
@@ -90,11 +92,11 @@ def solve(
 
     Notes
     -----
-    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The diameter is the mean of the paper: with a
-    ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The speed of a disc under a ball that
-    does not turn is twice the entrainment speed (u_1 + u_2)/2.  The density of the oil is in the ``setup`` of an
-    ensemble: that given to ``thirdbody.bearing``, or else 850 kg/m3.  A load in newtons is the same load for all
-    members, though their A_n differ.
+    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The diameter is the mean of the paper:
+    with a ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The speed of a
+    disc under a ball that does not turn is twice the entrainment speed (u_1 + u_2)/2.  The density
+    of the oil is in the ``setup`` of an ensemble: that given to ``thirdbody.bearing``, or else 850
+    kg/m3.  A load in newtons is the same load for all members, though their A_n differ.
 
     Examples
     --------
@@ -162,7 +164,8 @@ def _stacked(arrays: list[NDArray], members: bool) -> NDArray:
 
 
 class Variables:
-    """The variables of a ``Solution``, for type checkers and editors: arrays of numpy or of xarray."""
+    """The variables of a ``Solution``, for type checkers and editors: arrays of numpy or of
+    xarray."""
 
     total_contact_area: Any
     particle_contact_area_ratio: Any
@@ -182,14 +185,16 @@ class Variables:
 class Solution(Variables):
     """Solved points: what ``solve`` returns.
 
-    Every variable is an attribute, an array of the broadcast shape of the conditions (of xarray if one of them
-    is).  Points without solution hold nan, and ``without_values`` for regime and mode.  In a full film hardly
-    anything touches, and the mode says little: the printed form and tables have none.
+    Every variable is an attribute, an array of the broadcast shape of the conditions (of xarray if
+    one of them is).  Points without solution hold nan, and ``without_values`` for regime and mode.
+    In a full film hardly anything touches, and the mode says little: the printed form and tables
+    have none.
 
     Regime, mode and status are ``LubricationRegime``, ``ContactMode`` and ``SolutionStatus`` of
-    ``thirdbody.core.regimes``, integers that are equal to their names: ``solution.contact_mode == "hybrid"``.
-    ``error_bound`` is the change of loads and areas between two separations at which the forces are too large
-    and too small, plus rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
+    ``thirdbody.core.regimes``, integers that are equal to their names: ``solution.contact_mode ==
+    "hybrid"``. ``error_bound`` is the change of loads and areas between two separations at which
+    the forces are too large and too small, plus rounding.  Above the requested ``rtol`` the status
+    is ``not_converged``; the values are kept.
 
     Attributes
     ----------
@@ -197,11 +202,11 @@ class Solution(Variables):
     variables : mapping
         Those that were requested, by name.
     conditions : mapping
-        The conditions by name, SI: arrays that broadcast to the shape.  A load that was given in newtons is F_t*
-        of the best set, also with members.
+        The conditions by name, SI: arrays that broadcast to the shape.  A load that was given in
+        newtons is F_t* of the best set, also with members.
     keys : mapping
-        The name of each condition in tables: the one it was given by, for a quantity the one with an
-        engineering unit.
+        The name of each condition in tables: the one it was given by, for a quantity the one with
+        an engineering unit.
     parameters : Ensemble
         The inputs.
     has_members : bool
@@ -237,9 +242,9 @@ class Solution(Variables):
             The requested variables; flags are integers with ``flag_values`` and ``flag_meanings``.
             The conditions and ``normal_load`` [N] are coordinates.  A dimension is named after the
             condition if only one varies along it, otherwise ``point``; arrays of xarray keep their
-            dimensions and coordinates.  The index of columns of a table is a coordinate of its name, or
-            ``row``.  With members the first dimension is ``member``.  Where their loads were given in newtons, the
-            coordinate ``load`` is F_t* of the best.
+            dimensions and coordinates.  The index of columns of a table is a coordinate of its
+            name, or ``row``.  With members the first dimension is ``member``.  Where their loads
+            were given in newtons, the coordinate ``load`` is F_t* of the best.
 
         Examples
         --------
@@ -269,10 +274,10 @@ class Solution(Variables):
         Returns
         -------
         pandas.DataFrame
-            Conditions have the names by which they were given, such as ``load_N``, variables those of
-            ``Solution``, with the SI unit behind them if they have one: ``separation_m``.  Flags are categories
-            by name, nan where a point has none.  ``attrs["notes"]`` has A_n.  The index is that of the columns of a table, if conditions
-            are such.
+            Conditions have the names by which they were given, such as ``load_N``, variables those
+            of ``Solution``, with the SI unit behind them if they have one: ``separation_m``.  Flags
+            are categories by name, nan where a point has none.  ``attrs["notes"]`` has A_n.  The
+            index is that of the columns of a table, if conditions are such.
 
         Examples
         --------

@@ -63,14 +63,16 @@ def find(
     Parameters
     ----------
     variable : str
-        A number of ``Solution``, except its ``error_bound``: ``solid_load_fraction``, ``total_contact_area``, ...
+        A number of ``Solution``, except its ``error_bound``: ``solid_load_fraction``,
+        ``total_contact_area``, ...
     level : array_like
-        Its value, in SI, or a column of pandas; ``thirdbody.core.regimes`` has the limits between regimes and modes.
+        Its value, in SI, or a column of pandas; ``thirdbody.core.regimes`` has the limits between
+        regimes and modes.
     along : str
         The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float
-        Ends of the search in the unit of ``along``, or quantities.  By default 0.01 to 1000 N, 1 to 1000 cSt, 10 to
-        10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
+        Ends of the search in the unit of ``along``, or quantities.  By default 0.01 to 1000 N, 1 to
+        1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of sampled values, 2 or more.
     parameters, members, rtol, progress, **conditions
@@ -79,19 +81,19 @@ def find(
     Returns
     -------
     pandas.DataFrame
-        A row for each crossing, by query and then by value.  The index is that of columns of pandas, or
-        ``query``, the flat index into the broadcast shape; with ``members`` its first level is ``member``, the best
-        first.  The columns are the conditions, as they were given,
-        and the level; the place of the crossing, called ``along``; the bound ``error`` on its error; whether the
-        variable ``rises`` there; and the ``solution_status``.  At the distance ``error`` on both sides the
-        variable is above and below the level by more than its ``error_bound``; it is infinite if float64
-        cannot decide that.
+        A row for each crossing, by query and then by value.  The index is that of columns of
+        pandas, or ``query``, the flat index into the broadcast shape; with ``members`` its first
+        level is ``member``, the best first.  The columns are the conditions, as they were given,
+        and the level; the place of the crossing, called ``along``; the bound ``error`` on its
+        error; whether the variable ``rises`` there; and the ``solution_status``.  At the distance
+        ``error`` on both sides the variable is above and below the level by more than its
+        ``error_bound``; it is infinite if float64 cannot decide that.
 
     Raises
     ------
     ValueError
-        For an impossible level, ends that are not positive and increasing, a ``count`` below 2, and where
-        ``solve`` does.
+        For an impossible level, ends that are not positive and increasing, a ``count`` below 2, and
+        where ``solve`` does.
 
     Notes
     -----
@@ -152,14 +154,14 @@ def transitions(
 ) -> pd.DataFrame:
     """Find where lubrication regime and contact mode change along one of the five axes.
 
-    Arguments, search and errors are those of ``thirdbody.find``.  Changes of the contact mode in a full film,
-    where hardly anything touches, are left out.
+    Arguments, search and errors are those of ``thirdbody.find``.  Changes of the contact mode in a
+    full film, where hardly anything touches, are left out.
 
     Returns
     -------
     pandas.DataFrame
-        A row for each change, as in ``find``.  In place of level and direction it has the ``flag`` that
-        changes, and its states ``before`` and ``after``, at smaller and larger values.
+        A row for each change, as in ``find``.  In place of level and direction it has the ``flag``
+        that changes, and its states ``before`` and ``after``, at smaller and larger values.
 
     Examples
     --------
@@ -229,11 +231,12 @@ def turning_point(
     Returns
     -------
     pandas.DataFrame
-        A row for each curve, with the index of columns of pandas, or ``query``.  The columns are the conditions,
-        as they were given; whether the turning point ``exists``; F_TPCA as ``load`` [1] and ``load_N``,
-        ``load_error``, a bound on the error of ``load``; ``peak_ratio``, A_sa,t* [1]; ``solid_load_fraction``;
-        ``separation_m``; ``prominence`` [1]; and ``is_cut``, whether A_sa,t* rises by the prominence that is
-        needed, but does not fall by as much before the last load, so that it may turn beyond.
+        A row for each curve, with the index of columns of pandas, or ``query``.  The columns are
+        the conditions, as they were given; whether the turning point ``exists``; F_TPCA as ``load``
+        [1] and ``load_N``, ``load_error``, a bound on the error of ``load``; ``peak_ratio``,
+        A_sa,t* [1]; ``solid_load_fraction``; ``separation_m``; ``prominence`` [1]; and ``is_cut``,
+        whether A_sa,t* rises by the prominence that is needed, but does not fall by as much before
+        the last load, so that it may turn beyond.
 
     Raises
     ------
@@ -298,8 +301,8 @@ def turning_window(
     Returns
     -------
     pandas.DataFrame
-        A row for each pair of conditions, with the ends ``low`` and ``high`` [1] of the range and bounds on their
-        errors, nan if there is no such range.
+        A row for each pair of conditions, with the ends ``low`` and ``high`` [1] of the range and
+        bounds on their errors, nan if there is no such range.
 
     Examples
     --------
@@ -345,8 +348,8 @@ WINDOW_COLUMNS = ["low", "low_error", "high", "high_error"]
 class Queries:
     """The combinations of conditions along whose remaining axis is searched.
 
-    ``columns`` are conditions [SI] and other numbers by name, flat; ``keys`` the names of the conditions in
-    tables, and ``index`` that of columns of pandas.
+    ``columns`` are conditions [SI] and other numbers by name, flat; ``keys`` the names of the
+    conditions in tables, and ``index`` that of columns of pandas.
     """
 
     columns: dict[str, NDArray]
@@ -355,7 +358,9 @@ class Queries:
 
     @classmethod
     def of(cls, read: Conditions, parameters: Parameters, **others: Any) -> Queries:
-        """The combinations of ``others`` and of the conditions, with the load F_t* of ``parameters``."""
+        """The combinations of ``others`` and of the conditions, with the load F_t* of
+        ``parameters``.
+        """
         if read.labelled:
             names = ", ".join(read.labelled)
             raise ValueError(f"{names} have named dimensions; allowed: their .values")
@@ -383,7 +388,9 @@ class Queries:
 def _of_members(
     search: Callable[[Ensemble], pd.DataFrame], ensemble: Ensemble, members: bool
 ) -> pd.DataFrame:
-    """The table of the best set, or those of all members one below the other, with their number as first index."""
+    """The table of the best set, or those of all members one below the other, with their number as
+    first index.
+    """
     if not members:
         return search(ensemble)
     tables = dict(enumerate(map(search, ensemble)))

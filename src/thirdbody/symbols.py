@@ -1,8 +1,9 @@
-"""How symbols, units and powers of ten are written: in HTML, LaTeX, mathtext of matplotlib, Unicode.
+"""How symbols, units and powers of ten are written: in HTML, LaTeX, mathtext of matplotlib,
+Unicode.
 
-A text has symbols in ASCII, ``A_sa,t*``, ``sigma``, ``5.96e-5``, ``m-2``, or with the small letters and
-digits of Unicode, ``Aₛₐ,ₜ*``, ``10⁻⁵``; both give the same.  With ``is_symbol`` any single letter is a
-symbol: ``U/nu``.
+A text has symbols in ASCII, ``A_sa,t*``, ``sigma``, ``5.96e-5``, ``m-2``, or with the small letters
+and digits of Unicode, ``Aₛₐ,ₜ*``, ``10⁻⁵``; both give the same.  With ``is_symbol`` any single
+letter is a symbol: ``U/nu``.
 """
 
 import re

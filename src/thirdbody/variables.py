@@ -1,7 +1,8 @@
-"""The table of variables: what conditions and results are called, with symbols, units and equations.
+"""The table of variables: what conditions and results are called, with symbols, units and
+equations.
 
-Datasets, tables, figures, answers, the command and the page read their names here.  Symbols are those of
-the paper; units are SI as UDUNITS writes them.
+Datasets, tables, figures, answers, the command and the page read their names here.  Symbols are
+those of the paper; units are SI as UDUNITS writes them.
 """
 
 import inspect
@@ -67,8 +68,8 @@ class Variable:
         return FLAG_MEANINGS.get(self.name, ())
 
     def to_si(self, values: ArrayLike) -> NDArray | float:
-        """``values`` [``shown_unit``] in SI, a number as a float: the floats nearest to the decimal result, 300 nm is
-        3e-07 m."""
+        """``values`` [``shown_unit``] in SI, a number as a float: the floats nearest to the decimal
+        result, 300 nm is 3e-07 m."""
         numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
         return numbers if numbers.ndim else numbers.item()
 
@@ -86,13 +87,15 @@ class Axis(Variable):
     alias : str
         Its name as an argument in engineering units.
     alias_unit : str
-        The unit of the alias, which is ``scale`` in SI; for the load N, which depends on the inputs.
+        The unit of the alias, which is ``scale`` in SI; for the load N, which depends on the
+        inputs.
     column : str
         Its column in tables of the workflow.
     searched : pair of float
         Ends of searches [``alias_unit``]: those of the paper (Table 2) and a decade beyond.
     usual : pair of float
-        Range of usual values [SI], far wider than in the paper, so that a number in another unit is outside.
+        Range of usual values [SI], far wider than in the paper, so that a number in another unit is
+        outside.
     """
 
     alias: str
@@ -278,11 +281,14 @@ QUANTITIES = _by_name(
 STATUS = names.SOLUTION_STATUS  # the flag that qualifies all other variables
 STATUS_MEANINGS = {
     "converged": "the equations hold to the error asked for",
-    "outside_film_formula": "the film carries more than a thousandth of the load where Eq. 7 has no meaning: "
-    "it would grow with falling viscosity, is thicker than a hundredth of the ball's radius, or presses harder "
+    "outside_film_formula": "the film carries more than a thousandth of the load where Eq. 7 has "
+    "no meaning: "
+    "it would grow with falling viscosity, is thicker than a hundredth of the ball's radius, or "
+    "presses harder "
     "on the interface than the softer surface is",
     "coverage_exceeded": "particles would cover the whole interface in Eq. 4",
-    "not_converged": "float64 does not promise the error asked for, and error_bound says what the values are good for",
+    "not_converged": "float64 does not promise the error asked for, and error_bound says what the "
+    "values are good for",
     "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
     "load_exceeded": "the load is more than what is carried at any separation of zero or more",
 }
@@ -349,7 +355,8 @@ Documented = TypeVar("Documented", bound=Callable)
 
 
 def with_table(documented: Documented) -> Documented:
-    """The same function or class, with rows of this table for ``{conditions}`` or ``{variables}`` in its docstring.
+    """The same function or class, with rows of this table for ``{conditions}`` or ``{variables}``
+    in its docstring.
 
     The signature of a function that takes ``**conditions`` shows their names.
     """

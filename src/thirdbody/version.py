@@ -1,8 +1,9 @@
 """The version of this software, as git knows it.
 
-In a repository git is asked when it is needed, so that an editable installation says the commit that runs.  Elsewhere
-``version.json`` says it: ``git archive`` fills in the commit, and whoever builds a wheel, an sdist or a release
-writes the version.  hatchling reads the version here too, so this module imports only the standard library.
+In a repository git is asked when it is needed, so that an editable installation says the commit
+that runs.  Elsewhere ``version.json`` says it: ``git archive`` fills in the commit, and whoever
+builds a wheel, an sdist or a release writes the version.  hatchling reads the version here too, so
+this module imports only the standard library.
 """
 
 import json
@@ -20,7 +21,9 @@ ELSEWHERE = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE")  # what a hook of git
 
 
 class Version(NamedTuple):
-    """The version (PEP 440), date (ISO 8601) and hash of a commit; the last two are empty if they are unknown."""
+    """The version (PEP 440), date (ISO 8601) and hash of a commit; the last two are empty if they
+    are unknown.
+    """
 
     text: str
     date: str = ""
@@ -56,7 +59,9 @@ def _of_repository() -> Version | None:
 
 
 def _version_of(commit: str, edited: str) -> str:
-    """The version of a commit of the repository; one without a number if a shallow clone has no tag."""
+    """The version of a commit of the repository; one without a number if a shallow clone has no
+    tag.
+    """
     tags = ("--tags", "--match=v[0-9]*", "--exclude=*[!v0-9.]*")  # v0.1.0
     try:
         return _numbered(_git("describe", "--long", *tags, commit), 0, commit, edited)

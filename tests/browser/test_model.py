@@ -64,7 +64,9 @@ def has_summits(inputs, roughness):
 
 @pytest.fixture(scope="module")
 def points(defaults):
-    """Inputs, conditions and loads, every combination of words in turn, without and with a mean of the sizes."""
+    """Inputs, conditions and loads, every combination of words in turn, without and with a mean of
+    the sizes.
+    """
     random = np.random.default_rng(20240507)
     combinations = itertools.cycle(itertools.product((False, True), *WORDS.values()))
     found = []

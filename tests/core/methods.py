@@ -1,4 +1,6 @@
-"""A point in SI and engineering units, and both methods by which the summits under points are evaluated, chosen for tests."""
+"""A point in SI and engineering units, and both methods by which the summits under points are
+evaluated, chosen for tests.
+"""
 
 from contextlib import contextmanager
 from importlib import import_module

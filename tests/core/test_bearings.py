@@ -100,7 +100,10 @@ def test_a_bearing_that_cannot_be_is_refused(defaults, arguments):
 
 
 def test_a_ball_smaller_than_the_interface_is_refused_wherever_it_is_given(defaults):
-    message = f"apparent_area is {defaults.apparent_area:g}; allowed: at most 7.85e-07 m2, the cross-section of a ball"
+    message = (
+        f"apparent_area is {defaults.apparent_area:g}; allowed: at most 7.85e-07 m2, "
+        "the cross-section of a ball"
+    )
     with pytest.raises(ValueError, match=message):
         tb.bearing(defaults, ball_radius_mm=0.5)
     with pytest.raises(ValueError, match=message):

@@ -45,7 +45,9 @@ REFUSED = [  # a command, and what its refusal names
 
 
 def run(text):
-    """The exit code of a command, which argparse ends itself for help and for options that it refuses."""
+    """The exit code of a command, which argparse ends itself for help and for options that it
+    refuses.
+    """
     try:
         return main(shlex.split(text))
     except SystemExit as ended:

@@ -1,4 +1,6 @@
-"""What users give: numbers of every kind become SI; what would be a wrong number in silence is refused."""
+"""What users give: numbers of every kind become SI; what would be a wrong number in silence is
+refused.
+"""
 
 import warnings
 from concurrent.futures import ThreadPoolExecutor
@@ -344,7 +346,9 @@ def test_what_interfaces_have_is_solved_without_a_word(solve):
 
 
 def test_threads_keep_their_warnings():
-    """Members are solved without a word on what has been checked; other threads are warned as before."""
+    """Members are solved without a word on what has been checked; other threads are warned as
+    before.
+    """
     inputs = tb.load_parameters()
     few = replace(inputs, members=inputs.members[:2])
 

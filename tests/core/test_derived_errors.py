@@ -1,4 +1,6 @@
-"""Turning points, windows and transitions: the error made is at most the error asked for, on few loads too."""
+"""Turning points, windows and transitions: the error made is at most the error asked for, on few
+loads too.
+"""
 
 from functools import cache
 

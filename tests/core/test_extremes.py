@@ -1,7 +1,7 @@
 """The extremes at which models of this kind break.
 
-``tests/golden/extremes.csv`` has values by mpmath; its ``origin`` says whether a row is known by the equations as
-they stand, by a limit of them, or by an argument where there is no solution.
+``tests/golden/extremes.csv`` has values by mpmath; its ``origin`` says whether a row is known by
+the equations as they stand, by a limit of them, or by an argument where there is no solution.
 """
 
 import re

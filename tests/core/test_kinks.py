@@ -1,7 +1,7 @@
 """Points whose separation lies next to a kink of F_s(d): they came back wrong, and as converged.
 
-A last Newton step that crossed the kink was not looked at again.  The inputs are those of the default of
-then, centred sizes about the plane of the surfaces; the right values are from mpmath.
+A last Newton step that crossed the kink was not looked at again.  The inputs are those of the
+default of then, centred sizes about the plane of the surfaces; the right values are from mpmath.
 """
 
 from dataclasses import replace

@@ -1,5 +1,5 @@
-"""Particles of nearly one size: the load of solids falls steeply within their sizes, and is the same to
-within rounding wherever all of them are elastic."""
+"""Particles of nearly one size: the load of solids falls steeply within their sizes, and is the
+same to within rounding wherever all of them are elastic."""
 
 from dataclasses import replace
 
@@ -51,7 +51,9 @@ def test_a_load_of_which_rounding_tells_no_separation_is_not_converged(
 
 
 def test_where_rounding_tells_nothing_beyond_the_film_that_is_said(narrow, method):
-    """A film under the total load that lies on a plateau as high as the load, or higher by rounding."""
+    """A film under the total load that lies on a plateau as high as the load, or higher by
+    rounding.
+    """
     inputs = replace(narrow, film_load="total", elastic_depth_ratio=0.3)
     plateau = borne(inputs, [1.15 * DIAMETER])[0]
     log_parameter = log_load_parameter(np.log(plateau), inputs)
@@ -66,7 +68,8 @@ def test_where_rounding_tells_nothing_beyond_the_film_that_is_said(narrow, metho
 
 
 def test_a_film_on_a_plateau_below_the_load_keeps_its_separation(narrow, method):
-    """Under the total load: whatever the solids leave, at every separation of the plateau the same."""
+    """Under the total load: whatever the solids leave, at every separation of the plateau the
+    same."""
     inputs = replace(narrow, film_load="total", elastic_depth_ratio=0.3)
     load, oils = 2.0 * borne(inputs, [1.15 * DIAMETER]), np.geomspace(1e-6, 1e-1, 500)
     film = Film.of(oils, ROUGHNESS, inputs).thickness(log_load_parameter(np.log(load), inputs))[0]

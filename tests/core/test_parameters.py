@@ -1,4 +1,6 @@
-"""The inputs and the interpretations of the paper: what follows from them, and how they are written down."""
+"""The inputs and the interpretations of the paper: what follows from them, and how they are written
+down.
+"""
 
 import json
 import math

@@ -1,4 +1,5 @@
-"""Random points over the physical domain and all interpretations: the equations hold at every one."""
+"""Random points over the physical domain and all interpretations: the equations hold at every
+one."""
 
 from dataclasses import replace
 

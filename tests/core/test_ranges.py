@@ -1,4 +1,6 @@
-"""Ranges: what is given is known, members come with the inputs, and the default lies within its range."""
+"""Ranges: what is given is known, members come with the inputs, and the default lies within its
+range.
+"""
 
 import pickle
 import warnings

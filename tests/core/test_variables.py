@@ -1,4 +1,5 @@
-"""The five axes: names, keys and units agree wherever they stand, and units turn into SI exactly."""
+"""The five axes: names, keys and units agree wherever they stand, and units turn into SI
+exactly."""
 
 import inspect
 from typing import get_type_hints

@@ -1,4 +1,5 @@
-"""The library beside the extended-precision oracle: whole domain, all interpretations of the equations.
+"""The library beside the extended-precision oracle: whole domain, all interpretations of the
+equations.
 
 Tests hold it to what is found here; ``benchmarks.oracle`` counts it.
 """
@@ -27,7 +28,8 @@ BEYOND_BOUND = "beyond its bound"
 
 
 class Drawn(NamedTuple):
-    """Numbers and conditions of all points, the inputs of each surface, and what the oracle finds."""
+    """Numbers and conditions of all points, the inputs of each surface, and what the oracle
+    finds."""
 
     model: dict
     conditions: dict
@@ -101,7 +103,8 @@ def _exists(expected):
 
 
 def _decided(oracle, drawn, places):
-    """Those of ``places`` where there also is a separation, or none, under loads apart by rounding."""
+    """Those of ``places`` where there also is a separation, or none, under loads apart by
+    rounding."""
     model, conditions = (
         {name: values[places] for name, values in given.items()}
         for given in (drawn.model, drawn.conditions)

@@ -1,6 +1,7 @@
 """The model in extended precision: compiles ``contact.c`` and hands arrays to it.
 
-``Oracle(folder).solve(model, **conditions)`` finds the separation that balances the forces, in x86's long double (64 bits, numpy.longdouble).  It needs a C compiler and an x86 processor;
+``Oracle(folder).solve(model, **conditions)`` finds the separation that balances the forces, in
+x86's long double (64 bits, numpy.longdouble).  It needs a C compiler and an x86 processor;
 ``why_not()`` says in a line why it cannot run here, or gives None.
 """
 
@@ -72,8 +73,8 @@ class Oracle:
     def solve(self, model, **conditions):
         """The separation that balances the forces, at each of n points.
 
-        ``model`` has the keys of the attribute ``model_parameters``, ``conditions`` are F_t* and the
-        rest in SI units; all may be arrays, and broadcast.
+        ``model`` has the keys of the attribute ``model_parameters``, ``conditions`` are F_t* and
+        the rest in SI units; all may be arrays, and broadcast.
         """
         numbers, interpretations = arrays_of({**model, **conditions})
         n = len(numbers)

@@ -114,8 +114,8 @@ class Interface:
         return any(abs(h - kink) < h * mpf("1e-6") for kink in kinks)
 
     def at(self, h, fluid):
-        """The load, the film's thickness and the areas at the separation ``h``, where the film bears
-        ``fluid``."""
+        """The load, the film's thickness and the areas at the separation ``h``, where the film
+        bears ``fluid``."""
         total = self.given["film_load"] == "total"
         film = self.film(self.load if total else fluid) if self.viscosity and fluid else h
         particles = self.particles(h)

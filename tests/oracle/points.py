@@ -24,9 +24,9 @@ PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not prin
 def draw(n, seed, combinations=None):
     """A model whose numbers and interpretations are arrays of n, and conditions to go with them.
 
-    ``combinations`` are n of ``COMBINATIONS``, by default random ones: half of the sizes have no mean.
-    In a quarter of the materials E/H is low, with an elastic factor up to 1; a part of the surfaces
-    and sizes is extreme; coverage by all particles stays below 2.
+    ``combinations`` are n of ``COMBINATIONS``, by default random ones: half of the sizes have no
+    mean. In a quarter of the materials E/H is low, with an elastic factor up to 1; a part of the
+    surfaces and sizes is extreme; coverage by all particles stays below 2.
     """
     rng = np.random.default_rng(seed)
 
@@ -90,7 +90,8 @@ def covered_by_one(diameter, model):
 
 def draw_for_library(surfaces, points, seed):
     """What ``draw`` gives, with ``points`` points in turn on each of so many surfaces that the
-    library knows, of which any 8 in turn have all ``COMBINATIONS``; and the surfaces' ``Parameters``.
+    library knows, of which any 8 in turn have all ``COMBINATIONS``; and the surfaces'
+    ``Parameters``.
     """
     every = itertools.islice(itertools.cycle(COMBINATIONS), surfaces)
     combinations = [one for one in every for _ in range(points)]
@@ -130,10 +131,11 @@ def one(index, model, conditions):
 def move_to_kinks(model, conditions, oracle, seed):
     """The conditions, with loads that bring the surfaces next to a kink of F_s(d).
 
-    Kinks are where the largest particles lose touch, and where the elastic ones end; each separation
-    lies between 1e-14 and 3e-2 of one, on either side.  A film of the total load stands there under that
-    load, where it is more than the solids bear; else these bear all.  ``model`` and ``conditions`` are
-    those of ``draw_for_library``; what bears next to nothing or too much keeps its load.
+    Kinks are where the largest particles lose touch, and where the elastic ones end; each
+    separation lies between 1e-14 and 3e-2 of one, on either side.  A film of the total load stands
+    there under that load, where it is more than the solids bear; else these bear all.  ``model``
+    and ``conditions`` are those of ``draw_for_library``; what bears next to nothing or too much
+    keeps its load.
     """
     rng = np.random.default_rng(seed)
     n, sigma = conditions["load"].size, conditions["roughness"]

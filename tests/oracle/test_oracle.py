@@ -14,9 +14,9 @@ from tests.oracle.points import PUBLISHED, draw, one
 GOLDEN = Path(__file__).parents[1] / "golden"
 pytestmark = pytest.mark.skipif(why_not() is not None, reason=str(why_not()))
 
-# Load and area of Gaussian summits, computed elsewhere, to five digits: for k = 0.4, omega_2 = 54 omega_1,
-# eta_s R sigma_s = 0.05 and H/E = 5/112, by the plasticity index psi = (E/H) sqrt(sigma_s/R), F/(A_n E) and
-# A/A_n at d/sigma_s of 0, 1, 2 and 3 from the plane of the summits
+# Load and area of Gaussian summits, computed elsewhere, to five digits: for k = 0.4, omega_2 = 54
+# omega_1, eta_s R sigma_s = 0.05 and H/E = 5/112, by the plasticity index psi = (E/H)
+# sqrt(sigma_s/R), F/(A_n E) and A/A_n at d/sigma_s of 0, 1, 2 and 3 from the plane of the summits
 LOADS = {
     0.5: (6.3989e-4, 1.1260e-4, 9.8931e-6, 3.9281e-7),
     1.0: (1.1904e-3, 2.1671e-4, 1.9414e-5, 7.7860e-7),

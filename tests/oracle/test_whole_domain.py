@@ -1,8 +1,9 @@
-"""The library against the extended-precision oracle over the whole domain, in all interpretations of the
-equations: no value with a good status is wrong, and no bound is exceeded.
+"""The library against the extended-precision oracle over the whole domain, in all interpretations
+of the equations: no value with a good status is wrong, and no bound is exceeded.
 
-THIRDBODY_POINTS sets the number of points, THIRDBODY_SEED which are drawn: as many anywhere as next to kinks.
-2,000 of each take 20 seconds of a core, `make test-survival` has 12,000.  For a million, run seeds one after the other.
+THIRDBODY_POINTS sets the number of points, THIRDBODY_SEED which are drawn: as many anywhere as next
+to kinks. 2,000 of each take 20 seconds of a core, `make test-survival` has 12,000.  For a million,
+run seeds one after the other.
 """
 
 import itertools

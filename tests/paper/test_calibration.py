@@ -131,7 +131,8 @@ def test_an_interpretation_searches_what_it_does_not_fix(name):
 
 
 def spoilt_number(published):
-    """The field ``published`` of a statement with other content of its kind; none for one without."""
+    """The field ``published`` of a statement with other content of its kind; none for one
+    without."""
     if published is None:
         return {}
     if isinstance(published, float):
@@ -317,7 +318,8 @@ CURVE["particle_density_per_m2"] = 0
 
 
 def said(name, figure, made=Value, **fields):
-    """A statement on a figure; one of a value prints 2, unless it is given what is ``published``."""
+    """A statement on a figure; one of a value prints 2, unless it is given what is
+    ``published``."""
     fields = {
         "conditions": CURVE,
         "statement": "",
@@ -368,7 +370,9 @@ def test_the_excess_has_the_standard_error_of_the_differences_by_figure():
 
 
 class Told:
-    """Judges statements by what is told of them in the inputs: the distance of each, and its number."""
+    """Judges statements by what is told of them in the inputs: the distance of each, and its
+    number.
+    """
 
     claims = tuple(said(f"in {figure}", figure) for figure in (4, 5, 6))
     newtons = 0.04, 80.0
@@ -431,7 +435,8 @@ CONTENTS = [
 
 
 def test_interpretations_within_one_standard_error_of_the_least_loss_are_equal(told):
-    """Of equals the closest to the printed numbers is the first; the others follow by their loss."""
+    """Of equals the closest to the printed numbers is the first; the others follow by their
+    loss."""
     table = ranked(told, CONTENTS)
     assert list(table.index) == ["near", "least", "far", "farther", "unseen"]
     assert table["equal"].tolist() == [True, True, False, False, False]

@@ -31,7 +31,8 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
 
 
 def make_claim(kind, quantity="", published=None, size=0.1, relative=False, given=None, **fields):
-    """A claim on a dry curve of 300 nm particles and roughness, unless ``given`` conditions differ."""
+    """A claim on a dry curve of 300 nm particles and roughness, unless ``given`` conditions
+    differ."""
     usual = dict.fromkeys(CONDITION_KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
     fields |= {"quantity": quantity} if quantity else {}
     fields |= {} if published is None else {"published": published}

@@ -1,4 +1,5 @@
-"""Tables 1 and 2 as printed, each derived entry from the others, and the printed numbers as rows."""
+"""Tables 1 and 2 as printed, each derived entry from the others, and the printed numbers as
+rows."""
 
 from pathlib import Path
 

@@ -31,7 +31,9 @@ def solved_state(given, parameters):
 
 
 def heights(section, x, size):
-    """Heights of a particle that rests on the lower surface, and that hangs from the upper, as drawn."""
+    """Heights of a particle that rests on the lower surface, and that hangs from the upper, as
+    drawn.
+    """
     across = (section["position"] - x) / STRETCH
     inside = np.abs(across) <= max(0.5 * size, np.abs(across).min())
     half_chord = np.sqrt(np.maximum((0.5 * size) ** 2 - across[inside] ** 2, 0.0))

@@ -1,4 +1,6 @@
-"""Tables and pages of the verdicts: words, counts, ranges and departures, mostly on made-up verdicts."""
+"""Tables and pages of the verdicts: words, counts, ranges and departures, mostly on made-up
+verdicts.
+"""
 
 import json
 from dataclasses import replace

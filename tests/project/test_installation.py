@@ -1,5 +1,5 @@
-"""The library as it is installed: a wheel beside the packages that it requires, and no others; and without the
-package of the paper."""
+"""The library as it is installed: a wheel beside the packages that it requires, and no others; and
+without the package of the paper."""
 
 import os
 import re
@@ -37,7 +37,8 @@ layer = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2
 tb.stream("points.nc", load_N=[1, 10], viscosity_cSt=90, **layer)
 print(repr(tb.load_parameters()), tb.__version__)
 """
-# the library where the package of the paper cannot be imported, and no file of it or of its configuration be read
+# the library where the package of the paper cannot be imported, and no file of it or of its
+# configuration be read
 ALONE = """
 import sys
 from pathlib import Path

@@ -65,7 +65,8 @@ def test_uncertain_inputs(page):
 
 
 def test_oils_and_debris(page):
-    """The sizes of the inputs have a mean cube of their own: that of a normal cut at 0 and X_max."""
+    """The sizes of the inputs have a mean cube of their own: that of a normal cut at 0 and
+    X_max."""
     viscosity = page["viscosity_cSt"]
     assert viscosity(80, {40: 47.2, 100: 6.9}) == pytest.approx(11.29593159)
     assert viscosity(80, {40: 46, 100: 6.643921353}) == pytest.approx(10.895591868)

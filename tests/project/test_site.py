@@ -43,7 +43,9 @@ def test_one_point_by_hand_is_that_of_the_library(site):
 
 
 def test_tables_of_results_are_computed(site):
-    """Printed numbers with their deviations, statements that fail, and what each departure is worth."""
+    """Printed numbers with their deviations, statements that fail, and what each departure is
+    worth.
+    """
     page = site / "results.html"
     (numbers,) = pd.read_html(page, match="fig11a-turning-point-load-dry")
     row = numbers.set_index("id").loc["fig11a-turning-point-load-dry"]

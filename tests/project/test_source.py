@@ -1,5 +1,5 @@
-"""Tools keep the rule of imports (contracts in pyproject.toml) and the style of source and rules; the workflow is
-plain Snakemake."""
+"""Tools keep the rule of imports (contracts in pyproject.toml) and the style of source and rules;
+the workflow is plain Snakemake."""
 
 import os
 import re
@@ -53,7 +53,8 @@ def test_the_users_file_has_every_public_name():
 
 
 def test_snakemake_asks_for_nothing_but_environments():
-    """All is in the environment of Snakemake, which reads the configuration with the same library."""
+    """All is in the environment of Snakemake, which reads the configuration with the same
+    library."""
     snakemake = Path(sys.executable).with_name("snakemake")
     library = {"PYTHONPATH": str(ROOT / "src")}
     done = subprocess.run(
@@ -98,6 +99,7 @@ IMPORTING = [*ROOT.glob("workflow/scripts/*.py"), *ROOT.glob("src/chenhorng/**/*
 
 @pytest.mark.parametrize("path", IMPORTING, ids=lambda path: path.name)
 def test_jobs_import_modules_of_the_library_not_its_lazy_names(path):
-    """A job depends on the modules that its script imports; behind ``tb.solve`` no import is seen."""
+    """A job depends on the modules that its script imports; behind ``tb.solve`` no import is
+    seen."""
     text = path.read_text(encoding="utf-8")
     assert not re.search(r"^ *(import thirdbody\b(?!\.)|from thirdbody import)", text, re.MULTILINE)

@@ -15,9 +15,9 @@ PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 PROJECT = PYPROJECT["project"]
 EXTRAS = PROJECT["optional-dependencies"]
 PYTHON = "Programming Language :: Python :: 3."
-# imports every module of the library except those of matplotlib, cma, which imports that, and emcee,
-# which imports h5py: they write or run when imported (a cache of fonts, uname);
-# and prints what was run, reached or written
+# imports every module of the library except those of matplotlib, cma, which imports that, and
+# emcee, which imports h5py: they write or run when imported (a cache of fonts, uname); and prints
+# what was run, reached or written
 IMPORT_ALL = """
 import importlib, os, pkgutil, sys
 sys.dont_write_bytecode = True

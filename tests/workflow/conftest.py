@@ -31,8 +31,8 @@ def sources(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def made_once(sources, tmp_path_factory, worker_id):
-    """Function that gives what ``make`` makes of a copy of the repository, the same for all processes
-    that test; not to be written to."""
+    """Function that gives what ``make`` makes of a copy of the repository, the same for all
+    processes that test; not to be written to."""
     own = tmp_path_factory.getbasetemp()
     shared = own if worker_id == "master" else own.parent
 

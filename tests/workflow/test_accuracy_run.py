@@ -1,4 +1,5 @@
-"""`snakemake accuracy` on few points: every table, what each says, and that times are taken alone."""
+"""`snakemake accuracy` on few points: every table, what each says, and that times are taken
+alone."""
 
 import pytest
 import yaml

@@ -1,6 +1,7 @@
 """Bad configuration is refused in one line, before any job starts, and harms nothing.
 
-What else is refused is in ``tests/paper/test_settings.py``, which reads files as the Snakefile does.
+What else is refused is in ``tests/paper/test_settings.py``, which reads files as the Snakefile
+does.
 """
 
 import pytest
@@ -10,7 +11,8 @@ TARGET = "results/extracted/table1/all.csv"  # what a run makes that is not refu
 # what Snakemake says of its own settings before it reads the workflow
 ANNOUNCED = ("Using workflow specific profile", "Config file config/")
 SECOND, CHANGES = ("--configfile", "mine.yaml"), ("--config", "changes=mine.yaml")
-# a file, what stands at its end, arguments, and what the one line must say: key or file, value, allowed
+# a file, what stands at its end, arguments, and what the one line must say: key or file, value,
+# allowed
 CASES = {
     "key twice": (CONFIG, b"rtol: 1.0e-8\n", (), (CONFIG, "duplicate key 'rtol'")),
     "second file": (

@@ -1,4 +1,5 @@
-"""`snakemake calibrate` for real, with a small budget: same seeds, same files; nothing done twice."""
+"""`snakemake calibrate` for real, with a small budget: same seeds, same files; nothing done
+twice."""
 
 import csv
 import json

@@ -181,7 +181,8 @@ def test_statements_of_ones_own_are_judged_apart_from_those_of_the_paper(workspa
   quote: our notebook
   kind: value
   quantity: solid_load_fraction
-  conditions: {viscosity_cSt: 90, particle_diameter_nm: 500, roughness_nm: 300, particle_density_per_m2: 1.0e+11, load: 1.62e-5}
+  conditions: {viscosity_cSt: 90, particle_diameter_nm: 500, roughness_nm: 300,
+    particle_density_per_m2: 1.0e+11, load: 1.62e-5}
   published: 0.75
   tolerance: {absolute: 0.05, reason: scatter of the measurements}
 """

@@ -32,7 +32,8 @@ def released(finished, tmp_path_factory, needs_git):
 
 
 def verified(released):
-    """Exit code and output of the verification, which leaves the datasets to the tests of products."""
+    """Exit code and output of the verification, which leaves the datasets to the tests of
+    products."""
     program = ROOT / "verification" / "verify.py"
     command = [sys.executable, program, released, "--sums", "--packed"]
     done = subprocess.run(command, capture_output=True, text=True)

@@ -80,7 +80,8 @@ class Workspace:
         return Workspace(root)
 
     def execute(self, *command) -> subprocess.CompletedProcess:
-        """Run a command at the root; ``thirdbody`` is that of ``packages``, whichever is installed."""
+        """Run a command at the root; ``thirdbody`` is that of ``packages``, whichever is
+        installed."""
         library = {"PYTHONPATH": os.pathsep.join(map(str, self.packages))}
         return subprocess.run(
             command,

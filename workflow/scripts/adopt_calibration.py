@@ -1,4 +1,6 @@
-"""Copy the calibrated inputs of the best interpretations to where the default run and the library read them."""
+"""Copy the calibrated inputs of the best interpretations to where the default run and the library
+read them.
+"""
 
 import json
 from pathlib import Path

@@ -1,4 +1,5 @@
-"""Printed numbers beside computed ones, and the verdicts with departures from the print taken back."""
+"""Printed numbers beside computed ones, and the verdicts with departures from the print taken
+back."""
 
 import json
 
@@ -23,5 +24,6 @@ with job(snakemake) as output:
     output.verdicts.write_text(json.dumps(words, indent=1) + "\n", encoding="utf-8")
     sizes = deviations["deviation"].abs()
     print(
-        f"deviation of {len(sizes)} printed numbers: median {sizes.median():.2%}, mean {sizes.mean():.2%}"
+        f"deviation of {len(sizes)} printed numbers: median {sizes.median():.2%}, mean "
+        f"{sizes.mean():.2%}"
     )

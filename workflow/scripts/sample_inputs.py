@@ -1,4 +1,6 @@
-"""Sample the inputs that explain about as much as the best ones of one interpretation, from one seed."""
+"""Sample the inputs that explain about as much as the best ones of one interpretation, from one
+seed.
+"""
 
 import numpy as np
 

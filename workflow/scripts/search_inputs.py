@@ -1,4 +1,6 @@
-"""Search the unprinted inputs of one interpretation, over all statements or without those of a fold."""
+"""Search the unprinted inputs of one interpretation, over all statements or without those of a
+fold.
+"""
 
 import numpy as np
 

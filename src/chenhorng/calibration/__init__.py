@@ -1,1 +1,3 @@
-"""The unprinted inputs, found from the statements of the paper: ``search``, ``results``, ``choice`` and ``adoption``."""
+"""The unprinted inputs, found from the statements of the paper: ``search``, ``results``, ``choice``
+and ``adoption``.
+"""

@@ -1,4 +1,6 @@
-"""The files that a calibration replaces: those of ``config/calibrated/``, and the inputs of the library."""
+"""The files that a calibration replaces: those of ``config/calibrated/``, and the inputs of the
+library.
+"""
 
 from collections.abc import Mapping
 from typing import Any
@@ -22,7 +24,9 @@ def calibrated_text(content: Mapping[str, Any]) -> str:
 
 
 def library_text(content: Mapping[str, Any]) -> str:
-    """The text of ``src/thirdbody/calibrated.yaml``, from the content of a file of ``config/calibrated/``."""
+    """The text of ``src/thirdbody/calibrated.yaml``, from the content of a file of
+    ``config/calibrated/``.
+    """
     return OF_LIBRARY + _text({key: content[key] for key in KEPT_BY_LIBRARY})
 
 

@@ -1,8 +1,8 @@
 """Calibration of the unprinted inputs as an inverse problem.
 
-An *interpretation* of the printed equations fixes some inputs and leaves others unknown, as defined in
-``config/calibration.yaml``.  The search works on *positions*: the value of each unknown between its
-bounds, scaled to 0 to 1, linearly or logarithmically.
+An *interpretation* of the printed equations fixes some inputs and leaves others unknown, as defined
+in ``config/calibration.yaml``.  The search works on *positions*: the value of each unknown between
+its bounds, scaled to 0 to 1, linearly or logarithmically.
 """
 
 from __future__ import annotations
@@ -48,7 +48,9 @@ class Unknown:
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """Squared distance of a value from the usual range, in decades or in widths of the range [1]."""
+        """Squared distance of a value from the usual range, in decades or in widths of the range
+        [1].
+        """
         low, high = self.usual
         if self.logarithmic:
             return max(0.0, np.log10(low / value), np.log10(value / high)) ** 2
@@ -57,7 +59,9 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of positions."""
+    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of
+    positions.
+    """
 
     name: str
     fixed: dict[str, Any]
@@ -91,7 +95,9 @@ class Interpretation:
 
 @dataclass(frozen=True)
 class Objective:
-    """The objective of a calibration [1]: weighted losses of statements and penalties for unusual inputs."""
+    """The objective of a calibration [1]: weighted losses of statements and penalties for unusual
+    inputs.
+    """
 
     judge: Judge
     weights: NDArray
@@ -100,8 +106,8 @@ class Objective:
     def of(
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
-        """The objective over ``claims`` that are not set aside, with the weight of their kind divided among the
-        statements of a cluster; ``base`` has all other inputs."""
+        """The objective over ``claims`` that are not set aside, with the weight of their kind
+        divided among the statements of a cluster; ``base`` has all other inputs."""
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
         weights = [
@@ -115,7 +121,9 @@ class Objective:
         return self.judge.claims
 
     def scores(self, interpretation: Interpretation, inputs: Mapping[str, Any]) -> NDArray:
-        """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these inputs."""
+        """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these
+        inputs.
+        """
         try:
             verdicts = self.judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
         except ValueError:
@@ -143,14 +151,15 @@ class Objective:
 
 
 def loss(score: NDArray) -> NDArray:
-    """Loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1]: steepest at the tolerance, and nearly
-    flat far away, so that a statement that cannot hold does not outweigh the others."""
+    """Loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1]: steepest at the tolerance,
+    and nearly flat far away, so that a statement that cannot hold does not outweigh the others."""
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
 class Fold(NamedTuple):
-    """One fold of the cross-validation: statements of some figures are ``left_out`` and judged with the result
-    of a search over those ``fitted``, which neither refer to these figures nor repeat or contradict them."""
+    """One fold of the cross-validation: statements of some figures are ``left_out`` and judged with
+    the result of a search over those ``fitted``, which neither refer to these figures nor repeat or
+    contradict them."""
 
     left_out: tuple[Claim, ...]
     fitted: tuple[Claim, ...]

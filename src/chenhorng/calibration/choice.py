@@ -1,11 +1,15 @@
-"""The rule that chooses the default among calibrated interpretations, and the ensemble of its equals.
+"""The rule that chooses the default among calibrated interpretations, and the ensemble of its
+equals.
 
-1. The loss of what was left out: that of the objective, over the statements of each fold, for the inputs
+1. The loss of what was left out: that of the objective, over the statements of each fold, for the
+   inputs
    that were found without them.
-2. Interpretations are equal if their loss is above the least by no more than one standard error of the
-   difference, from the differences by figure (Breiman et al. 1984, Classification and Regression Trees;
-   Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning, section 7.10).
-3. Of equals, the least mean deviation of the printed numbers; then the fewest unknowns; then the least
+2. Interpretations are equal if their loss is above the least by no more than one standard error of
+   the
+   difference, from the differences by figure (Breiman et al. 1984, Classification and Regression
+   Trees; Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning, section 7.10).
+3. Of equals, the least mean deviation of the printed numbers; then the fewest unknowns; then the
+   least
    penalty.
 """
 
@@ -24,9 +28,9 @@ from chenhorng.claims.judge import Judge, Verdicts, count_once
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """An interpretation that may be the default: the ``content`` of its calibrated file, the ``verdicts`` for its
-    inputs, those ``predicted``, of each statement for the inputs found in the fold that leaves it out, and
-    the statements left out of each of the ``folds``."""
+    """An interpretation that may be the default: the ``content`` of its calibrated file, the
+    ``verdicts`` for its inputs, those ``predicted``, of each statement for the inputs found in the
+    fold that leaves it out, and the statements left out of each of the ``folds``."""
 
     content: Mapping[str, Any]
     verdicts: Verdicts
@@ -35,7 +39,9 @@ class Candidate:
 
     @classmethod
     def of(cls, judge: Judge, content: Mapping[str, Any], verdicts: Verdicts | None = None) -> Self:
-        """Evaluate all statements for a calibrated file; ``verdicts`` are those for its inputs, if known."""
+        """Evaluate all statements for a calibrated file; ``verdicts`` are those for its inputs, if
+        known.
+        """
         entries = content.get("folds", ())
         folds: list[Sequence[Claim]] = []
         predicted: Verdicts = {}
@@ -58,8 +64,8 @@ class Candidate:
 
 
 def left_out_losses(objective: Objective, predicted: Verdicts) -> pd.Series:
-    """Loss [1] of the statements ``predicted`` without their figures, by the figure of a statement; empty if
-    there are none."""
+    """Loss [1] of the statements ``predicted`` without their figures, by the figure of a statement;
+    empty if there are none."""
     claims = [claim for claim in objective.claims if claim.id in predicted]
     figures = [min(claim.all_figures) for claim in claims]
     losses = objective.losses([predicted[claim.id].score for claim in claims], claims)
@@ -67,7 +73,9 @@ def left_out_losses(objective: Objective, predicted: Verdicts) -> pd.Series:
 
 
 def excess_over(losses: pd.Series, least: pd.Series) -> tuple[float, float]:
-    """Sum of the differences of two ``left_out_losses`` [1], and its standard error from those by figure."""
+    """Sum of the differences of two ``left_out_losses`` [1], and its standard error from those by
+    figure.
+    """
     differences = losses - least
     return differences.sum(), math.sqrt(len(differences)) * differences.std()
 
@@ -75,8 +83,8 @@ def excess_over(losses: pd.Series, least: pd.Series) -> tuple[float, float]:
 def printed_numbers(
     claims: Iterable[Claim], verdicts: Verdicts, ids: Sequence[str]
 ) -> pd.DataFrame:
-    """Each number that the statements ``ids`` print, the computed one, and the relative deviation of the
-    latter; -1 where the model has no such number."""
+    """Each number that the statements ``ids`` print, the computed one, and the relative deviation
+    of the latter; -1 where the model has no such number."""
     rows: list[dict[str, Any]] = []
     for claim in claims:
         if claim.id not in ids or claim.published is None or isinstance(claim.published, str):
@@ -96,8 +104,9 @@ def printed_numbers(
 def rank_interpretations(
     judge: Judge, candidates: Iterable[Candidate], settings: Mapping[str, Any]
 ) -> pd.DataFrame:
-    """Compare the interpretations, in the order of the rule: a row for each, with the loss of what was left out,
-    by how much that is above the least, the standard error of the excess, and whether it is ``equal``."""
+    """Compare the interpretations, in the order of the rule: a row for each, with the loss of what
+    was left out, by how much that is above the least, the standard error of the excess, and whether
+    it is ``equal``."""
     objective = Objective.of(judge.claims, settings, judge.base)
     candidates = list(candidates)
     losses = {each.name: left_out_losses(objective, each.predicted) for each in candidates}
@@ -159,8 +168,8 @@ def largest_summit_parameter(inputs: Mapping[str, Any], settings: Mapping[str, A
 def choose_default(
     judge: Judge, contents: Sequence[Mapping[str, Any]], settings: Mapping[str, Any]
 ) -> tuple[dict[str, Any], pd.DataFrame]:
-    """What the calibrated file of the default has beside its own content, and all interpretations in the
-    order of the rule, from the ``contents`` of their calibrated files."""
+    """What the calibrated file of the default has beside its own content, and all interpretations
+    in the order of the rule, from the ``contents`` of their calibrated files."""
     candidates = {each["interpretation"]: Candidate.of(judge, each) for each in contents}
     table = rank_interpretations(judge, candidates.values(), settings)
     equals = table.loc[table["equal"], "interpretation"]
@@ -178,8 +187,8 @@ def choose_default(
 def equal_ensemble(
     contents: Sequence[Mapping[str, Any]], least: int
 ) -> tuple[list[dict[str, Any]], list[str]]:
-    """The inputs of an ensemble of at least ``least`` members, SI, and the interpretation of each: as many from
-    each of the calibrated files, evenly among theirs, those of the default first."""
+    """The inputs of an ensemble of at least ``least`` members, SI, and the interpretation of each:
+    as many from each of the calibrated files, evenly among theirs, those of the default first."""
     members, names = [], []
     count = math.ceil(least / len(contents))
     for content in contents:

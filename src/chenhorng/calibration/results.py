@@ -26,9 +26,9 @@ def summary(
     claims: Sequence[Claim],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """The content of the calibrated file of an interpretation, SI, from positions and objectives, shape
-    (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist.  ``claims`` are all
-    statements."""
+    """The content of the calibrated file of an interpretation, SI, from positions and objectives,
+    shape (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist.
+    ``claims`` are all statements."""
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]

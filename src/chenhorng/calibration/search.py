@@ -1,4 +1,5 @@
-"""Search for the inputs that explain most of the paper, and samples of those that explain about as much.
+"""Search for the inputs that explain most of the paper, and samples of those that explain about as
+much.
 
 The objective has many narrow valleys.  A search therefore goes from scattered sets of inputs to the
 nearest valleys by least squares, first with a loss that has a slope far from a statement too.  From
@@ -31,8 +32,8 @@ MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
 
 def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray:
-    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns); every second one has
-    summits of at least ``budget["elastic_radius"]``."""
+    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns); every second one
+    has summits of at least ``budget["elastic_radius"]``."""
     unknowns = interpretation.unknowns
     places = LatinHypercube(len(unknowns), rng=np.random.default_rng(0)).random(budget["scattered"])
     for column, unknown in enumerate(unknowns):
@@ -43,8 +44,8 @@ def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArra
 
 
 def nearby_starts(interpretation: Interpretation, other: Interpretation, rows: NDArray) -> NDArray:
-    """The start of a search near to the best inputs of the ``other`` interpretation, from ``rows`` of its
-    positions and objectives: shape (1, unknowns)."""
+    """The start of a search near to the best inputs of the ``other`` interpretation, from ``rows``
+    of its positions and objectives: shape (1, unknowns)."""
     known = other.fixed | other.values(best_of(rows)[:-1])
     return interpretation.positions(known)[None]
 
@@ -56,9 +57,9 @@ def scattered_starts(
     settings: Mapping[str, Any],
     seeds: Sequence[int],
 ) -> NDArray:
-    """The starts of ``seeds`` among scattered positions, shape (starts, unknowns): the best for ``objective``,
-    from ``rows`` of positions and the scores of all statements, those of ``every``.  Each seed of the
-    ``settings`` has starts of its own."""
+    """The starts of ``seeds`` among scattered positions, shape (starts, unknowns): the best for
+    ``objective``, from ``rows`` of positions and the scores of all statements, those of ``every``.
+    Each seed of the ``settings`` has starts of its own."""
     places, scores = np.split(rows, [-len(every.claims)], axis=1)
     ranking = rank_starts(objective, objective.take(every, scores))
     among, most = settings["seeds"], settings["budget"]["starts"]
@@ -74,11 +75,12 @@ def find_inputs(
     hops: int,
     seed: int,
 ) -> NDArray:
-    """Search the unknowns for the least objective from several ``starts``, shape (starts, unknowns): all
-    positions with the objective [1] in the last column.
+    """Search the unknowns for the least objective from several ``starts``, shape (starts,
+    unknowns): all positions with the objective [1] in the last column.
 
-    Least squares descend from every start, and from the best ``budget["descents"]`` of what they find; then
-    from ``hops`` random steps away from the best so far.  Two evolutions follow from the best of all.
+    Least squares descend from every start, and from the best ``budget["descents"]`` of what they
+    find; then from ``hops`` random steps away from the best so far.  Two evolutions follow from the
+    best of all.
     """
     rows, most = [], budget["iterations"]
     descent, hopping = (np.minimum(each, most).tolist() for each in (DESCENT, HOPPING))
@@ -100,7 +102,8 @@ def find_inputs(
 
 
 def _descend_twice(interpretation, objective, start, iterations):
-    """Least squares with the wide loss, then with that of the objective: rows as from ``descend``."""
+    """Least squares with the wide loss, then with that of the objective: rows as from
+    ``descend``."""
     first = descend(interpretation, objective, start, iterations[0], _wide_loss, DIFFERENCES[0])
     place = best_of(first)[:-1]
     second = descend(interpretation, objective, place, iterations[1], _loss, DIFFERENCES[1])
@@ -125,8 +128,8 @@ def descend(
     loss_of: Callable[[NDArray], NDArray],
     difference: float,
 ) -> NDArray:
-    """Least squares of the scores from ``start``: all positions with the objective [1] in the last column.
-    ``loss_of`` gives the loss and its first two derivatives over the squared scores."""
+    """Least squares of the scores from ``start``: all positions with the objective [1] in the last
+    column. ``loss_of`` gives the loss and its first two derivatives over the squared scores."""
     rows = []
 
     def scores(positions):
@@ -176,9 +179,9 @@ def search(
     seed: int,
     first_step: float = FIRST_STEPS[0],
 ) -> NDArray:
-    """Search the unknowns, at least two, for the least objective, by a CMA evolution strategy with a quadratic
-    surrogate (Hansen 2019, doi:10.1145/3321707.3321842): all positions with the objective [1] in the last
-    column."""
+    """Search the unknowns, at least two, for the least objective, by a CMA evolution strategy with
+    a quadratic surrogate (Hansen 2019, doi:10.1145/3321707.3321842): all positions with the
+    objective [1] in the last column."""
     rows = []
 
     def function(positions):
@@ -207,9 +210,9 @@ def posterior_sample(
     budget: Mapping[str, int],
     seed: int,
 ) -> NDArray:
-    """Sample sets of inputs with the density exp(-objective) by walkers that start from the best of a
-    search: rows as from ``search``, without the first quarter of the steps (Foreman-Mackey et al. 2013,
-    doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9)."""
+    """Sample sets of inputs with the density exp(-objective) by walkers that start from the best of
+    a search: rows as from ``search``, without the first quarter of the steps (Foreman-Mackey et al.
+    2013, doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9)."""
 
     def log_density(positions):
         if ((positions < 0.0) | (positions > 1.0)).any():

@@ -23,7 +23,8 @@ class Searches:
         return [name for name, entry in self.entries.items() if "nearby" not in entry]
 
     def nearby(self, name: str) -> list[str]:
-        """The interpretation from whose best inputs that of ``name`` is searched, if there is one."""
+        """The interpretation from whose best inputs that of ``name`` is searched, if there is
+        one."""
         return [self.entries[name]["nearby"]] if "nearby" in self.entries[name] else []
 
     def settings_of(self, name: str) -> dict[str, Any]:

@@ -16,13 +16,16 @@ BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
 
 
 def crossings(load: NDArray, areas: NDArray) -> NDArray:
-    """Loads F_t* [1] above which A_t* increases from each curve to the next; shape (curves - 1,)."""
+    """Loads F_t* [1] above which A_t* increases from each curve to the next; shape (curves -
+    1,)."""
     gaps = np.diff(logarithm(areas), axis=0)
     return np.array([first_fall(load[::-1], gap[::-1]) for gap in gaps])
 
 
 def bend_load(load: NDArray, slope: NDArray, reference: NDArray) -> float:
-    """The load F_t* [1] at which the ``slope`` of A_t* has fallen by ``BEND`` below that of the reference."""
+    """The load F_t* [1] at which the ``slope`` of A_t* has fallen by ``BEND`` below that of the
+    reference.
+    """
     return first_fall(load, BEND - (reference - slope))
 
 
@@ -32,7 +35,8 @@ def reversal_load(claim: "Claim", evidence: "Evidence") -> list[float]:
 
 
 def bend_loads(claim: "Claim", evidence: "Evidence") -> list[float]:
-    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below that of the reference."""
+    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below that of the
+    reference."""
     slope = "total_contact_area_slope"
     pairs = claim.pairs(evidence)
     return [bend_load(curve["load"], curve[slope], other[slope]) for other, curve in pairs]
@@ -46,8 +50,9 @@ def mixed_loads(claim: "Claim", evidence: "Evidence") -> list[float]:
 
 
 def departure_sharpness(claim: "Claim", evidence: "Evidence") -> list[float]:
-    """Sharpness of the departure of H_c from the reference [1]: the largest change of the slope of their
-    ratio on logarithmic axes within a tenth of a decade, over the largest slope; 1 at a kink."""
+    """Sharpness of the departure of H_c from the reference [1]: the largest change of the slope of
+    their ratio on logarithmic axes within a tenth of a decade, over the largest slope; 1 at a kink.
+    """
     found = []
     for dry, wet in claim.pairs(evidence):
         log_load = np.log(wet["load"])

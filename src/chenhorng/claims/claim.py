@@ -1,7 +1,8 @@
-"""One statement of the paper, called a *claim*, and its verdict: what all kinds of claims have in common.
+"""One statement of the paper, called a *claim*, and its verdict: what all kinds of claims have in
+common.
 
-A claim has conditions, the statement of the paper on them, and a tolerance.  It is checked on curves solved
-by ``chenhorng.claims.evidence``, and holds if it is off by at most one tolerance.
+A claim has conditions, the statement of the paper on them, and a tolerance.  It is checked on
+curves solved by ``chenhorng.claims.evidence``, and holds if it is off by at most one tolerance.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -49,11 +50,13 @@ CONDITION_KEYS = tuple(axis.alias for axis in CONDITION_AXES)  # they distinguis
 
 
 class Verdict(NamedTuple):
-    """Result of checking a claim: the result of the model as text, its distance from the published value in
-    tolerances [1], and the largest deviation, computed minus published, relative [1] if the tolerance is.
+    """Result of checking a claim: the result of the model as text, its distance from the published
+    value in tolerances [1], and the largest deviation, computed minus published, relative [1] if
+    the tolerance is.
 
-    ``numbers`` are those compared [unit of the quantity], ``worst`` the index of that with the deviation.
-    A claim is ``tested`` if the model reaches its condition within the loads.  ``finding`` is a sentence.
+    ``numbers`` are those compared [unit of the quantity], ``worst`` the index of that with the
+    deviation. A claim is ``tested`` if the model reaches its condition within the loads.
+    ``finding`` is a sentence.
     """
 
     computed: str
@@ -66,8 +69,8 @@ class Verdict(NamedTuple):
 
     @property
     def score(self) -> float:
-        """The distance, 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one large
-        miss does not outweigh the rest."""
+        """The distance, 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one
+        large miss does not outweigh the rest."""
         if np.isnan(self.distance):
             return MISSING_SCORE
         growth = float(np.log(max(self.distance, 1.0)))
@@ -166,8 +169,8 @@ class Claim:
     aside: str = ""
     cluster: str = ""
 
-    # fields of some kinds: what the other kinds have in their place; annotations would make them fields of all.
-    # A kind that must have one says so by field(), or this would be its default.
+    # fields of some kinds: what the other kinds have in their place; annotations would make them
+    # fields of all. A kind that must have one says so by field(), or this would be its default.
     quantity = direction = along = extreme = ""
     against = "load"
     published = None  # type: Any
@@ -178,7 +181,8 @@ class Claim:
         low, high = TOLERANCES[self.tolerance_kind]
         if not low < self.tolerance < high:
             raise ValueError(
-                f"the {self.tolerance_kind} tolerance is {self.tolerance:g}; allowed: between {low:g} and {high:g}"
+                f"the {self.tolerance_kind} tolerance is {self.tolerance:g}; allowed: between "
+                f"{low:g} and {high:g}"
             )
         # a window is that of a surface, all else is that of a curve
         required = ("roughness_nm",) if self.source == "window" else CONDITION_KEYS
@@ -212,7 +216,9 @@ class Claim:
                 distance=distance,
                 deviation=np.nan,
                 tested=self.must_be_reached,
-                finding=f"No load of the paper meets {condition}; the nearest misses it by {lack:.3g}.",
+                finding=(
+                    f"No load of the paper meets {condition}; the nearest misses it by {lack:.3g}."
+                ),
             )
         return self._if_visible(found, evidence) if self.source == "turning_point" else found
 
@@ -297,7 +303,9 @@ class Claim:
 
     @property
     def step(self) -> float:
-        """The tolerance [unit of the quantity]; the logarithm of its upper end [1] if logarithms are compared."""
+        """The tolerance [unit of the quantity]; the logarithm of its upper end [1] if logarithms
+        are compared.
+        """
         return float(np.log(self.interval(1.0)[1])) if self.relative else self.tolerance
 
     def interval(self, value: float) -> tuple[float, float]:
@@ -335,7 +343,8 @@ class Claim:
         return [curve / reference - 1.0 for reference, curve in tables]
 
     def gaps(self, evidence: "Evidence") -> Iterator[NDArray]:
-        """Excess of each curve over its reference, or over the curve before it, scaled as ``step``."""
+        """Excess of each curve over its reference, or over the curve before it, scaled as
+        ``step``."""
         pairs = zip(self.references, self.curves, strict=True)
         for group in pairs if self.references else [self.curves]:
             yield from np.diff(self.scaled(self.table(evidence, group, self.quantity)[1]), axis=0)
@@ -350,8 +359,8 @@ class Claim:
         deviation = np.ravel(computed - published)
         distance = np.abs(deviation) / self.tolerance
         if self.relative:
-            # A ratio of logarithms, 1 at both ends of the tolerance: it keeps growing where a quantity
-            # is far too small, so that a calibration has a slope.
+            # A ratio of logarithms, 1 at both ends of the tolerance: it keeps growing where a
+            # quantity is far too small, so that a calibration has a slope.
             ratio = np.maximum(np.ravel(computed / published), TINY)
             deviation = ratio - 1.0
             low, high = self.interval(1.0)
@@ -380,7 +389,8 @@ class Claim:
 def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
     """The ``conditions`` that distinguish curves, as text: ``nu = 0, 90 cSt``."""
     return [
-        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.alias_unit}"
+        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} "
+        f"{axis.alias_unit}"
         for axis in CONDITION_AXES
         if (given := conditions.get(axis.alias)) is not None
     ]

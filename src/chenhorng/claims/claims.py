@@ -1,5 +1,5 @@
-"""The statements of the paper in ``config/claims.yaml``: read, with the curves that they need, and their
-printed numbers as a table."""
+"""The statements of the paper in ``config/claims.yaml``: read, with the curves that they need, and
+their printed numbers as a table."""
 
 from collections.abc import Iterable, Sequence
 from itertools import product
@@ -29,8 +29,8 @@ class Head(BaseModel):
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order; ``ValueError`` in one line for one without a field of its kind,
-    with another, with a value that is not allowed, or with the id of another."""
+    """Read the statements of the paper, in order; ``ValueError`` in one line for one without a
+    field of its kind, with another, with a value that is not allowed, or with the id of another."""
     claims: dict[str, Claim] = {}
     for number, entry in enumerate(read_yaml(path, list), 1):
         name = entry.get("id", number) if isinstance(entry, dict) else number
@@ -57,8 +57,8 @@ def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
 
 
 def printed_rows(claims: Iterable[Claim]) -> list[dict]:
-    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves; none for a
-    change from a reference, which is not a point of a figure."""
+    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves;
+    none for a change from a reference, which is not a point of a figure."""
     rows = []
     for claim in claims:
         number = FIGURE.match(claim.place)

@@ -1,4 +1,6 @@
-"""Courses of a quantity, and sequences of states: how far a course is from the one that a claim names."""
+"""Courses of a quantity, and sequences of states: how far a course is from the one that a claim
+names.
+"""
 
 from collections.abc import Sequence
 from itertools import groupby
@@ -36,8 +38,8 @@ def peak_height(values: NDArray) -> float:
 
 
 def peak_miss(values: NDArray, step: float) -> float:
-    """Shortfall of a course of ratios from an interior maximum of two steps; without a maximum also its
-    distance from turning, by the slope of ln(v/(1 - v)), so that a calibration has a slope."""
+    """Shortfall of a course of ratios from an interior maximum of two steps; without a maximum also
+    its distance from turning, by the slope of ln(v/(1 - v)), so that a calibration has a slope."""
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
     odds = np.copysign(np.log(size[free] / (1.0 - size[free])), values[free])
@@ -64,9 +66,9 @@ COURSES = {
 def sequence_miss(
     curve: SolvedCurve, published: Sequence[str], tolerance: float, open_end: bool
 ) -> float:
-    """Largest excursion of a curve from the ``published`` sequence of states, if its points are assigned to
-    the steps in order so that it is minimal.  Each step must have a point that is inside by the ``tolerance``,
-    except with ``open_end`` the last."""
+    """Largest excursion of a curve from the ``published`` sequence of states, if its points are
+    assigned to the steps in order so that it is minimal.  Each step must have a point that is
+    inside by the ``tolerance``, except with ``open_end`` the last."""
     excursions = np.array([_excursion(curve, step) for step in published])
     if np.isnan(excursions).any():
         return np.nan
@@ -81,7 +83,8 @@ def sequence_miss(
 
 
 def _excursion(curve, step):
-    """Distance of each point outside a step, such as "mixed hybrid or full_film"; negative inside."""
+    """Distance of each point outside a step, such as "mixed hybrid or full_film"; negative
+    inside."""
     excursions = []
     for alternative in step.split(" or "):
         outside = []

@@ -1,8 +1,8 @@
 """What carries the agreement with the paper: verdicts with departures from its print taken back.
 
-The calibrated inputs depart from the words of the paper, and from the simplest values, in several places.
-Each departure is taken back alone.  The baseline has all inputs as the text words them; and inputs drawn at
-random from their usual ranges show what no search at all gives.
+The calibrated inputs depart from the words of the paper, and from the simplest values, in several
+places. Each departure is taken back alone.  The baseline has all inputs as the text words them; and
+inputs drawn at random from their usual ranges show what no search at all gives.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,8 +20,9 @@ from chenhorng.claims.judge import Judge, Verdicts, count_once, outcome
 def departure_words(
     judge: Judge, settings: Mapping[str, Any], found: Sequence[Verdicts]
 ) -> list[dict[str, Any]]:
-    """Of each of the ``departures`` of ``settings`` (the content of ``config/calibration.yaml``) its ``name``, its
-    ``inputs`` and, by the id of a statement, the verdict ``found`` with it taken back, as a word."""
+    """Of each of the ``departures`` of ``settings`` (the content of ``config/calibration.yaml``)
+    its ``name``, its ``inputs`` and, by the id of a statement, the verdict ``found`` with it taken
+    back, as a word."""
     return [
         dict(departure)
         | {"verdicts": {claim.id: outcome(claim, verdicts[claim.id]) for claim in judge.claims}}
@@ -32,8 +33,9 @@ def departure_words(
 def departure_rows(
     judge: Judge, settings: Mapping[str, Any], default: Verdicts, found: Sequence[Verdicts]
 ) -> list[dict[str, Any]]:
-    """Rows of the table ``departures``: the inputs of ``judge`` as they are, with the verdicts ``default``; those
-    ``found`` with each departure taken back; and the worst and the best of random inputs."""
+    """Rows of the table ``departures``: the inputs of ``judge`` as they are, with the verdicts
+    ``default``; those ``found`` with each departure taken back; and the worst and the best of
+    random inputs."""
     departures = [{"name": "as it is", "inputs": {}}, *settings["departures"]]
     rows = [
         _row(judge, settings, *each) for each in zip(departures, [default, *found], strict=True)

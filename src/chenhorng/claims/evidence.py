@@ -63,8 +63,9 @@ def solve_evidence(
     newtons: tuple[float, float],
     effort: Effort = FULL_EFFORT,
 ) -> Evidence:
-    """Solve the conditions ``asked``, from ``referenced_conditions``, between the first and last normal load
-    [N]; quantities are nan without values, or with an error bound above ``LARGEST_ERROR``."""
+    """Solve the conditions ``asked``, from ``referenced_conditions``, between the first and last
+    normal load [N]; quantities are nan without values, or with an error bound above
+    ``LARGEST_ERROR``."""
     first, last = (force / parameters.newtons_per_load for force in newtons)
     loads = np.geomspace(first, last, effort.loads)
     shared = {"load": loads, "normal_load": loads * parameters.newtons_per_load}

@@ -1,4 +1,6 @@
-"""What the fields of a statement may be: quantities, states, and the conditions of its curves and loads."""
+"""What the fields of a statement may be: quantities, states, and the conditions of its curves and
+loads.
+"""
 
 import re
 from typing import Annotated, Any
@@ -43,7 +45,9 @@ Curves = Field(min_length=1, max_length=100)
 
 
 class Conditions(BaseModel):
-    """The conditions of the curves; the load, or the level of a quantity at which it is; bounds of the loads."""
+    """The conditions of the curves; the load, or the level of a quantity at which it is; bounds of
+    the loads.
+    """
 
     model_config = ConfigDict(extra="allow", strict=True, allow_inf_nan=False)
     __pydantic_extra__: dict[str, float]
@@ -59,7 +63,8 @@ class Conditions(BaseModel):
         others = self.__pydantic_extra__.keys()
         if unknown := sorted(others - {*CURVE_QUANTITIES, *RANGE_KEYS}):
             raise ValueError(
-                f"{unknown[0]!r:.60} is no condition; allowed: {', '.join(type(self).model_fields)}, "
+                f"{unknown[0]!r:.60} is no condition; allowed: "
+                f"{', '.join(type(self).model_fields)}, "
                 "a quantity, and a quantity with _min or _max"
             )
         if len(levels := sorted(others & {*CURVE_QUANTITIES})) > 1:

@@ -28,8 +28,9 @@ class Judge:
         effort: Effort = FULL_EFFORT,
         claims: Sequence[Claim] | None = None,
     ) -> dict[str, Verdict]:
-        """Evaluate all statements, or some ``claims``, for ``inputs``, fields of ``Parameters`` in SI:
-        verdicts by the ids of the statements, in order.  Unphysical inputs raise ``ValueError``."""
+        """Evaluate all statements, or some ``claims``, for ``inputs``, fields of ``Parameters`` in
+        SI: verdicts by the ids of the statements, in order.  Unphysical inputs raise
+        ``ValueError``."""
         some = self.claims if claims is None else claims
         parameters = Parameters(**{**self.base, **inputs})
         evidence = solve_evidence(parameters, referenced_conditions(some), self.newtons, effort)
@@ -37,7 +38,9 @@ class Judge:
 
 
 def claim_columns(claim: Claim, verdict: Verdict) -> dict[str, Any]:
-    """The columns of the table ``claims`` that follow from a statement and its verdict alone, among its fields."""
+    """The columns of the table ``claims`` that follow from a statement and its verdict alone, among
+    its fields.
+    """
     return {
         **vars(claim),
         **verdict._asdict(),
@@ -60,7 +63,8 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
 
 
 def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
-    """Numbers of statements that hold and are tested; a cluster holds once, if all tested in it do."""
+    """Numbers of statements that hold and are tested; a cluster holds once, if all tested in it
+    do."""
     held: dict[str, bool] = {}
     for claim in claims:
         word = outcome(claim, verdicts[claim.id]) if claim.id in verdicts else NOT_TESTED

@@ -34,8 +34,8 @@ ROUNDING = 1e-9  # of the solver: curves that lie against an order by less are i
 
 @dataclass(frozen=True, kw_only=True)
 class NumberClaim(Claim):
-    """A claim on one number of each curve: at a load, the ``extreme`` over loads, or where curves part; or on
-    its relative change from the ``reference``."""
+    """A claim on one number of each curve: at a load, the ``extreme`` over loads, or where curves
+    part; or on its relative change from the ``reference``."""
 
     quantity: Quantity = Field()
     extreme: Literal["", "minimum", "maximum"] = ""
@@ -51,7 +51,8 @@ class NumberClaim(Claim):
         is_number = self.along != "load" and self.quantity in CURVE_QUANTITIES
         if is_number and not self.extreme and not is_level:
             raise ValueError(
-                f"{self.quantity} of a whole curve; allowed: a condition with the load or with a level, "
+                f"{self.quantity} of a whole curve; allowed: a condition with the load or with a "
+                "level, "
                 "or extreme: minimum or maximum"
             )
 
@@ -71,7 +72,8 @@ class NumberClaim(Claim):
         return np.array([extreme(course) for course in self.courses(evidence)])
 
     def texts_of(self, evidence: "Evidence", values: NDArray) -> list[str]:
-        """Numbers as texts; a load beyond the computed ones is written ``> last`` or ``< first``."""
+        """Numbers as texts; a load beyond the computed ones is written ``> last`` or ``<
+        first``."""
         texts = [f"{value:.4g}" for value in values]
         if self.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
             first, last = evidence.curves[self.curves[0]]["load"][[0, -1]]
@@ -86,7 +88,9 @@ class NumberClaim(Claim):
         return sentence(f"{start} {listed(texts)}", published and f"{published} is printed")
 
     def is_tested(self, evidence: "Evidence") -> bool:
-        """Whether a claim on loads is decided: a load beyond the last one is only known to be larger."""
+        """Whether a claim on loads is decided: a load beyond the last one is only known to be
+        larger.
+        """
         if self.quantity not in ("load", *LOADS_BETWEEN_CURVES):
             return True
         last = evidence.curves[self.curves[0]]["load"][-1]
@@ -95,7 +99,9 @@ class NumberClaim(Claim):
         return bool(self.is_decided(self.numbers(evidence), last))
 
     def is_decided(self, loads: NDArray, last: float) -> bool:
-        """Whether the claim on ``loads`` is decided, if those beyond the ``last`` are only known to be so."""
+        """Whether the claim on ``loads`` is decided, if those beyond the ``last`` are only known to
+        be so.
+        """
         raise NotImplementedError
 
 
@@ -209,8 +215,8 @@ class Window(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Ordering(Claim):
-    """Neighbouring curves, in the order listed, or each curve and its reference, are nowhere against
-    the ``direction`` by more than the tolerance, and somewhere apart by it."""
+    """Neighbouring curves, in the order listed, or each curve and its reference, are nowhere
+    against the ``direction`` by more than the tolerance, and somewhere apart by it."""
 
     quantity: CurveQuantity = Field()
     direction: Literal["increasing", "decreasing"] = Field()
@@ -227,7 +233,8 @@ class Ordering(Claim):
         against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
         text = f"in order, apart by up to {apart:.3g}"
         distance = size(max(apart, 0.0), self.relative)
-        finding = f"neighbouring curves of {NAMES[self.quantity]} are up to {distance} apart in this order"
+        name = NAMES[self.quantity]
+        finding = f"neighbouring curves of {name} are up to {distance} apart in this order"
         if against > ROUNDING:
             text = (
                 f"with the order by up to {max(apart, 0.0):.3g}, against it by up to {against:.3g}"
@@ -238,8 +245,8 @@ class Ordering(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Coincidence(Claim):
-    """Curves and their references nowhere differ by more than the tolerance, ``against`` the load or
-    another quantity."""
+    """Curves and their references nowhere differ by more than the tolerance, ``against`` the load
+    or another quantity."""
 
     quantity: CurveQuantity = Field()
     reference: Annotated[Mapping[str, float], Field(min_length=1), checked(Reference)] = Field()
@@ -332,9 +339,9 @@ class Absence(CourseClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class StateSequence(Claim):
-    """Exactly these regimes, modes or both occur in order on each curve, or with ``any_curve`` on one; with
-    ``open_end`` the last may lie beyond the loads.  Excursions from them are within the tolerance;
-    a step may name a regime and a mode, and alternatives with "or"."""
+    """Exactly these regimes, modes or both occur in order on each curve, or with ``any_curve`` on
+    one; with ``open_end`` the last may lie beyond the loads.  Excursions from them are within the
+    tolerance; a step may name a regime and a mode, and alternatives with "or"."""
 
     published: Annotated[Sequence[State], Field(min_length=1)] = Field()
     any_curve: bool = False

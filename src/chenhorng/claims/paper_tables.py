@@ -36,8 +36,8 @@ RECOMPUTED = {
 
 
 def paper_table(rows: Sequence[Mapping], inputs: Parameters) -> list[dict]:
-    """Rows of the table ``paper_table``: the ``rows`` of a table in ``config/paper_tables.yaml``, in the same
-    order, with derived entries recomputed from ``inputs``."""
+    """Rows of the table ``paper_table``: the ``rows`` of a table in ``config/paper_tables.yaml``,
+    in the same order, with derived entries recomputed from ``inputs``."""
     printed = {row["symbol"]: row["printed"] for row in rows}
     return [_with_recomputed(row, printed, inputs) for row in rows]
 

@@ -46,10 +46,10 @@ NO_RANGE = (np.nan, np.nan)
 class Report:
     """All statements, evaluated for all sets of inputs.
 
-    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file,
-    with the ``inputs`` of the run, which ``verdicts`` are for.  ``predicted`` has the statements whose figure
-    was left out of the search for these inputs; it is empty for inputs that no search found.
-    ``comparison`` is the table from ``rank_interpretations``.
+    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated
+    file, with the ``inputs`` of the run, which ``verdicts`` are for.  ``predicted`` has the
+    statements whose figure was left out of the search for these inputs; it is empty for inputs that
+    no search found. ``comparison`` is the table from ``rank_interpretations``.
     """
 
     claims: Sequence[Claim]
@@ -72,9 +72,9 @@ class Report:
         inputs: Mapping[str, Any],
         ensemble: Sequence[Mapping[str, Any]],
     ) -> Self:
-        """Evaluate all statements for all sets of inputs: ``default`` and ``contents`` are the calibrated files
-        of the default and of all interpretations, ``inputs`` and ``ensemble`` those of the run.  What a search
-        said of its inputs is left out if the run has others."""
+        """Evaluate all statements for all sets of inputs: ``default`` and ``contents`` are the
+        calibrated files of the default and of all interpretations, ``inputs`` and ``ensemble``
+        those of the run.  What a search said of its inputs is left out if the run has others."""
         every = {**judge.base, **inputs}
 
         def is_of_the_run(content):
@@ -102,7 +102,9 @@ class Report:
 
     @cached_property
     def table(self) -> pd.DataFrame:
-        """The table ``claims`` of ``chenhorng.tables``: a row for each statement, in the order of the paper."""
+        """The table ``claims`` of ``chenhorng.tables``: a row for each statement, in the order of
+        the paper.
+        """
         rows, others = [], self.interpretations.values()
         for claim in self.claims:
             verdict, predicted = self.verdicts[claim.id], self.predicted.get(claim.id)
@@ -150,7 +152,9 @@ def _range_text(report: Report, id: str) -> str:
 
 
 def number_ranges(report: Report, id: str) -> np.ndarray:
-    """Range, 5 to 95 %, of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
+    """Range, 5 to 95 %, of the ensemble for each number of a statement, nan without it: shape
+    (numbers, 2).
+    """
     members = [each[id].numbers for each in report.members if each[id].numbers]
     if not members:
         return np.full((len(report.verdicts[id].numbers), 2), np.nan)
@@ -190,7 +194,9 @@ def claims_markdown(report: Report) -> str:
 
 
 def claims_html(report: Report) -> str:
-    """The statements and their verdicts as an HTML table, by figure, of which a verdict can be chosen."""
+    """The statements and their verdicts as an HTML table, by figure, of which a verdict can be
+    chosen.
+    """
     score = score_sentence(report).replace("**", "")
     parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
@@ -204,9 +210,10 @@ def claims_html(report: Report) -> str:
 
 
 def claims_json(report: Report) -> str:
-    """The same data for programs, as JSON: statements have the columns of the table ``claims``, lists and
-    objects instead of texts, the part of the paper, a sentence on what was found, the ensemble range of each number,
-    the reason of the tolerance, and ``verdicts_of``, the verdict with the inputs of each interpretation."""
+    """The same data for programs, as JSON: statements have the columns of the table ``claims``,
+    lists and objects instead of texts, the part of the paper, a sentence on what was found, the
+    ensemble range of each number, the reason of the tolerance, and ``verdicts_of``, the verdict
+    with the inputs of each interpretation."""
     held, of = count_once(report.claims, report.verdicts)
     predicted, predicted_of = count_once(report.claims, report.predicted)
     rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")

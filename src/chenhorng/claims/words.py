@@ -1,4 +1,6 @@
-"""The words of verdicts, and what a check has found as a sentence beside the statement of the paper."""
+"""The words of verdicts, and what a check has found as a sentence beside the statement of the
+paper.
+"""
 
 from collections.abc import Mapping, Sequence
 
@@ -23,7 +25,8 @@ BEGINNINGS = {
     "turning_point_load": "The turning point is at",
     "bend_load": "The slope falls at",
     "total_contact_area_reversal_load": "The order reverses at",
-    "bend_load_over_mixed_load": "Over the load at which mixed lubrication begins that of the bend is",
+    "bend_load_over_mixed_load": "Over the load at which mixed lubrication begins that of the "
+    "bend is",
     "departure_sharpness": "The sharpness of the departure is",
     "window_low": "Turning points begin at x_a/sigma of",
     "window_high": "Turning points end at x_a/sigma of",
@@ -44,7 +47,9 @@ def sentence(text: str, *others: str) -> str:
 
 
 def beginning(quantity: str, extreme: str, limits: Mapping[str, float], is_change: bool) -> str:
-    """The beginning of a sentence whose object is a number; ``limits`` have the level at which a load is found."""
+    """The beginning of a sentence whose object is a number; ``limits`` have the level at which a
+    load is found.
+    """
     if is_change:
         return f"{NAMES[quantity]} changes by"
     if quantity == "load":

@@ -1,4 +1,5 @@
-"""The inputs of a run: those of a calibrated file, with others of the configuration laid over them."""
+"""The inputs of a run: those of a calibrated file, with others of the configuration laid over
+them."""
 
 import math
 from collections.abc import Mapping
@@ -14,7 +15,9 @@ Values = dict[str, float | str]
 
 
 def uncalibrated_values(folder: Path | None = None) -> Values:
-    """The inputs that no search finds, SI, from ``inputs.yaml`` in a folder, by default ``config/``."""
+    """The inputs that no search finds, SI, from ``inputs.yaml`` in a folder, by default
+    ``config/``.
+    """
     entries = read_yaml((folder or config_directory()) / "inputs.yaml")
     return {name: entry["value"] for name, entry in entries.items() if "value" in entry}
 
@@ -24,9 +27,10 @@ def choose_inputs(
 ) -> dict[str, Any]:
     """The inputs of a run, checked.
 
-    ``laid_over``, inputs or a file of them, overrides those of the file ``calibrated``, or is a calibrated file
-    that replaces it.  Returns ``parameters``, the value of each input, SI; ``calibrated``, the path of the
-    calibrated file; ``ensemble``, of each of its members what differs from these values; and ``inputs``, the overrides.
+    ``laid_over``, inputs or a file of them, overrides those of the file ``calibrated``, or is a
+    calibrated file that replaces it.  Returns ``parameters``, the value of each input, SI;
+    ``calibrated``, the path of the calibrated file; ``ensemble``, of each of its members what
+    differs from these values; and ``inputs``, the overrides.
     """
     if isinstance(laid_over, Mapping):
         changes, place = laid_over, "inputs"
@@ -59,11 +63,14 @@ def _differing(inputs: Values, base: Values) -> Values:
 
 
 def _check_printed(values: Values, ensemble: Ensemble, calibrated: str | Path) -> None:
-    """Raise ``ValueError`` for a value of ``inputs.yaml`` that the calibrated file was not found with."""
+    """Raise ``ValueError`` for a value of ``inputs.yaml`` that the calibrated file was not found
+    with.
+    """
     for name, value in values.items():
         used = getattr(ensemble.best, name)
         if not math.isclose(float(value), used, rel_tol=1e-12):
             raise ValueError(
-                f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, with which {calibrated} was found "
+                f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, with which {calibrated} was "
+                "found "
                 "(inputs in config.yaml override it)"
             )

@@ -1,4 +1,5 @@
-"""What config.yaml and scenes.yaml may say: a class for each mapping, a field for each key, with its bounds.
+"""What config.yaml and scenes.yaml may say: a class for each mapping, a field for each key, with
+its bounds.
 
 The classes are closed, so that a misspelt key is an error, and numbers are numbers, not texts.
 """
@@ -35,7 +36,8 @@ LONGEST = 60  # characters of a value in a message
 
 @dataclass(frozen=True)
 class Allowed:
-    """A check of a value, and what is allowed in words, for the message and for the documentation."""
+    """A check of a value, and what is allowed in words, for the message and for the
+    documentation."""
 
     is_allowed: Callable[[Any], bool]
     words: str
@@ -132,7 +134,9 @@ class LoadAxis(Closed):
 
 
 class Layer(Closed):
-    """Conditions with particles that lie side by side: the area fraction pi/4 x_a^2 eta_a cannot exceed 1."""
+    """Conditions with particles that lie side by side: the area fraction pi/4 x_a^2 eta_a cannot
+    exceed 1.
+    """
 
     @model_validator(mode="after")
     def _particles_fit(self):
@@ -143,7 +147,8 @@ class Layer(Closed):
         covered = 0.25 * math.pi * (1e-9 * diameter) ** 2 * most["particle_density_per_m2"]
         if covered > 1.0:
             raise ValueError(
-                f"particles of {diameter:g} nm cover {covered:.3g} of the interface; allowed: at most 1"
+                f"particles of {diameter:g} nm cover {covered:.3g} of the interface; allowed: at "
+                "most 1"
             )
         return self
 
@@ -223,7 +228,8 @@ class Schematics(Closed):
 
 
 class Atlas(Closed):
-    """The conditions that ``snakemake atlas`` solves: every combination, a file for each roughness."""
+    """The conditions that ``snakemake atlas`` solves: every combination, a file for each
+    roughness."""
 
     load_N: Annotated[list[Load], Some, Increasing]
     viscosity_cSt: Annotated[list[Viscosity], Some, Increasing]
@@ -283,7 +289,9 @@ class Configuration(Closed):
 
 
 def check(content: Any, name: str) -> None:
-    """Raise ``ValueError``, in one line with the key, its value and what is allowed, for the first fault."""
+    """Raise ``ValueError``, in one line with the key, its value and what is allowed, for the first
+    fault.
+    """
     try:
         Configuration.model_validate(content)
     except ValidationError as error:

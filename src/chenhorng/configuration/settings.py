@@ -30,10 +30,11 @@ def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> di
     """All settings of a run of the workflow, checked before anything is computed.
 
     ``config`` is the configuration read by Snakemake from, among others, the files ``given`` on the
-    command line: missing keys have the values of the paper, the files in ``folder``, and ``changes``
-    is the path of a file that overrides all of them.  Returns the result of ``workflow_settings``,
-    with ``run``, the name of the run or None; ``config``, the merged configuration; and
-    ``is_paper``, whether it is that of the paper.  ``ValueError`` in one line for any fault.
+    command line: missing keys have the values of the paper, the files in ``folder``, and
+    ``changes`` is the path of a file that overrides all of them.  Returns the result of
+    ``workflow_settings``, with ``run``, the name of the run or None; ``config``, the merged
+    configuration; and ``is_paper``, whether it is that of the paper.  ``ValueError`` in one line
+    for any fault.
     """
     paper = read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
     for path in given:
@@ -114,7 +115,8 @@ def _check_size(name: str, scene: Mapping) -> None:
     points = scene["load_axis"]["count"] * diameters * prod(others)
     if points > MOST_POINTS:
         raise ValueError(
-            f"scenes.{name}: the curves and loads have {points:.3g} combinations; allowed: at most {MOST_POINTS:.3g}"
+            f"scenes.{name}: the curves and loads have {points:.3g} combinations; allowed: at most "
+            f"{MOST_POINTS:.3g}"
         )
 
 
@@ -132,14 +134,15 @@ def _check_figure(name: str, scene: Mapping) -> None:
     panels = len(combinations) * len(variables_over_load(levels))
     if panels > MOST_PANELS:
         raise ValueError(
-            f"scenes.{name}: the figure has {panels} panels, for each combination of {', '.join(varied)}; "
+            f"scenes.{name}: the figure has {panels} panels, for each combination of "
+            f"{', '.join(varied)}; "
             f"allowed: at most {MOST_PANELS}"
         )
 
 
 def _check_surfaces(config: Mapping, chosen: Mapping) -> None:
-    """Raise ``ValueError`` for inputs that are not of hard particles, or that have no surface of one of
-    the roughnesses that are solved."""
+    """Raise ``ValueError`` for inputs that are not of hard particles, or that have no surface of
+    one of the roughnesses that are solved."""
     groups = [group for scene in config["scenes"].values() for group in scene["curves"]]
     solved = [
         *groups,

@@ -1,4 +1,5 @@
-"""The figures of the paper, and the other figures of the workflow, drawn with ``thirdbody.plotting``.
+"""The figures of the paper, and the other figures of the workflow, drawn with
+``thirdbody.plotting``.
 
 Datasets and tables are drawn; nothing is solved here.
 """

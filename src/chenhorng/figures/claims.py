@@ -1,4 +1,6 @@
-"""Overview of the verdicts: a bar for each figure of the paper, then what does not hold, in whole sentences."""
+"""Overview of the verdicts: a bar for each figure of the paper, then what does not hold, in whole
+sentences.
+"""
 
 import textwrap
 from collections.abc import Mapping, Sequence
@@ -27,8 +29,8 @@ COLOURS = {
 
 
 def plot(rows: Sequence[Mapping]) -> Drawing:
-    """The number of statements with each verdict, a bar for each part of the paper, and the statements that do
-    not hold, from rows of the table ``claims``."""
+    """The number of statements with each verdict, a bar for each part of the paper, and the
+    statements that do not hold, from rows of the table ``claims``."""
     parts = list(dict.fromkeys(part_of_paper(row["place"]) for row in rows))
     sentences = [(row, _sentence(row)) for row in rows if row["verdict"] != "holds"]
     lines = sum(len(each) + GAP for _, each in sentences)

@@ -162,8 +162,8 @@ def _lacks_ordinate(row, x, y, rows) -> bool:
 
 
 def _along_x(row, curves=()) -> Series:
-    """A number printed along x alone, across the panel between the ends of its tolerance; one for all
-    surfaces has a line of its own."""
+    """A number printed along x alone, across the panel between the ends of its tolerance; one for
+    all surfaces has a line of its own."""
     kind = ALONG_X if row["id"].startswith(row["figure"] or "none") else OF_ALL
     nothing = np.full(2, np.nan)
     return Series(
@@ -238,7 +238,9 @@ def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None
 
 
 def _load_of(curve, row) -> float:
-    """The load of the number in ``row``: given, or where the curve has a level, an extreme or its turning point."""
+    """The load of the number in ``row``: given, or where the curve has a level, an extreme or its
+    turning point.
+    """
     if row["at_quantity"] == "load":
         return row["at_level"]
     if row["at_quantity"]:

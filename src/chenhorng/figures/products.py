@@ -26,8 +26,8 @@ DIGITS = 5  # of the coordinates of printed numbers in a record
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
-    """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as .csv,
-    the caption as .md, and the record of the figure as .json."""
+    """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as
+    .csv, the caption as .md, and the record of the figure as .json."""
     if engine := drawing.get_layout_engine():
         engine.execute(drawing)
         drawing.set_layout_engine(None)  # once for all formats
@@ -45,8 +45,8 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
 
 
 def figure_record(panels: Iterable[Panel], caption: Caption) -> dict[str, Any]:
-    """What the index and the explorer need of a figure: its caption, and for each panel the conditions of its
-    curves [SI] and the numbers that the paper prints there."""
+    """What the index and the explorer need of a figure: its caption, and for each panel the
+    conditions of its curves [SI] and the numbers that the paper prints there."""
     further = {"heading": caption.heading, "panels": [*map(_panel_record, panels)]}
     return asdict(caption) | further
 
@@ -69,8 +69,8 @@ def _panel_record(panel):
 
 
 def _mark(series):
-    """The printed number of a series: its first point, with both ends of its tolerance; y is None for a number
-    along x alone."""
+    """The printed number of a series: its first point, with both ends of its tolerance; y is None
+    for a number along x alone."""
     points = [(series.x[0], series.y[0]), *zip(*series.tolerance)]
     at, *ends = ([_rounded(each) for each in point] for point in points)
     return {"id": series.name, "at": at, "ends": ends}
@@ -97,8 +97,9 @@ def _rows(panel, kind, name, x, y):
 
 
 def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:
-    """Write the curves of all panels side by side, for spreadsheets: a shared column x if the curves of a
-    panel have the same x, and a column for each curve, with names and SI units in the headings."""
+    """Write the curves of all panels side by side, for spreadsheets: a shared column x if the
+    curves of a panel have the same x, and a column for each curve, with names and SI units in the
+    headings."""
     columns = {}
     for panel in panels:
         curves = panel.of_kind(CURVE)

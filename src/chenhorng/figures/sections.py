@@ -1,11 +1,11 @@
 """Sections through the three-body interface, for the drawings of Figures 1 and 2.
 
-Two surfaces of a fixed shape, as rough as the condition says, lie at the solved separation.  At fixed
-places they are raised until summits touch, or a particle touches both, as the contact mode says.
-Lengths are as in the model; on paper heights are stretched, and particles, which are drawn round,
-touch the surfaces as they are drawn.  A section is a mapping: its state, which has the condition and
-the solution, ``elastic_depth`` h_e, ``position`` along it, and by the names of ``LINES`` and
-``PARTICLES`` [m].
+Two surfaces of a fixed shape, as rough as the condition says, lie at the solved separation.  At
+fixed places they are raised until summits touch, or a particle touches both, as the contact mode
+says. Lengths are as in the model; on paper heights are stretched, and particles, which are drawn
+round, touch the surfaces as they are drawn.  A section is a mapping: its state, which has the
+condition and the solution, ``elastic_depth`` h_e, ``position`` along it, and by the names of
+``LINES`` and ``PARTICLES`` [m].
 """
 
 from collections.abc import Mapping, Sequence
@@ -56,8 +56,8 @@ PARTICLES = ("particle_position", "particle_height", "particle_size", "particle_
 def state_of(
     condition: Condition, load_N: float, variables: Mapping[str, NDArray]
 ) -> dict[str, Any]:
-    """The state of an interface from the variables of a point at ``load_N`` [N]; ``ValueError`` if it
-    has no solution."""
+    """The state of an interface from the variables of a point at ``load_N`` [N]; ``ValueError`` if
+    it has no solution."""
     if not np.isfinite(variables["separation"]):
         raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
     numbers = {name: float(variables[name]) for name in NUMBERS}
@@ -76,8 +76,8 @@ def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> 
 
 
 def section_through(state: Section, parameters: Parameters, length: float) -> Section:
-    """The section of this ``length`` [m] through the contacts that carry the load in the mode of the
-    ``state``: summits, particles, or both."""
+    """The section of this ``length`` [m] through the contacts that carry the load in the mode of
+    the ``state``: summits, particles, or both."""
     summits, held = TOUCHING[CONTACT_MODES[state["contact_mode"]]]
     separation, sigma = state["separation"], state["roughness"]
     depth = parameters.elastic_depth_ratio * state["particle_diameter"]
@@ -113,8 +113,9 @@ def _waves(surface, place) -> NDArray:
 
 
 def _particles(state, parameters, position, lower, upper, held) -> dict[str, NDArray]:
-    """Particles that touch both surfaces at the places ``held``, and others that rest on the lower surface
-    where they fit.  They carry load if they touch both, or are large enough by Eqs. 4 and 5."""
+    """Particles that touch both surfaces at the places ``held``, and others that rest on the lower
+    surface where they fit.  They carry load if they touch both, or are large enough by Eqs. 4 and
+    5."""
     length, diameter = position[-1], state["particle_diameter"]
     summit_offset = parameters.surface(state["roughness"]).summit_offset
     plane = parameters.particle_plane_height(summit_offset)
@@ -151,8 +152,8 @@ def _clearance(size, x, position, lower, upper) -> float:
 
 
 def _heights(x, size, position, lower, upper) -> tuple[float, float]:
-    """Heights of a particle of this ``size`` at ``x`` that rests on the lower surface, and of a particle
-    that hangs from the upper, as they are drawn."""
+    """Heights of a particle of this ``size`` at ``x`` that rests on the lower surface, and of a
+    particle that hangs from the upper, as they are drawn."""
     radius, across = 0.5 * size, np.abs(position - x) / STRETCH
     near = across <= max(radius, across.min())
     half_chord = np.sqrt(np.maximum(radius**2 - across[near] ** 2, 0.0))

@@ -27,8 +27,8 @@ NUMBERS = "no", "one", "two", "three", "four", "five", "six", "seven", "eight", 
 
 
 def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
-    """Elasticities of results over inputs, from rows of the table ``sensitivity``; inputs have ``symbols`` in
-    ASCII, and a row if they have an elasticity that is not negligible."""
+    """Elasticities of results over inputs, from rows of the table ``sensitivity``; inputs have
+    ``symbols`` in ASCII, and a row if they have an elasticity that is not negligible."""
     missing = dict.fromkeys(result_name(row) for row in rows if not row["input"])
     rows = [row for row in rows if row["elasticity"] is not None]
     weights = _weights(rows)

@@ -18,7 +18,8 @@ FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
 NODES = 48  # of the integrals computed in the page
-# what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a plain text
+# what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a
+# plain text
 MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\\text\s*\{([^}]*)\}": r"\1",
     r"\\(sigma|nu|eta)(?![a-z])": lambda found: symbols.GREEK[found[1]],
@@ -50,13 +51,14 @@ def page_content(
     """Collect the data of the page as plain values for JSON.
 
     ``figures`` are the records of the figures of curves, by name;
-    ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each
-    departure from the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml``
-    with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
-    ``ensemble`` has the inputs of each member that differ from the default, ``ranges`` the first and last value of
-    each condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from materials, speed and
-    oil: ``materials``, the inputs of each combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C;
-    ``usual_density`` of an oil; and the least and most of each number that a reader gives.
+    ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the
+    ``verdicts`` of each departure from the print that is taken back.  ``inputs`` are entries of
+    ``config/inputs.yaml`` with the ``value`` in the run and, if it was searched, ``bounds`` and
+    ``scale``. ``ensemble`` has the inputs of each member that differ from the default, ``ranges``
+    the first and last value of each condition in the paper, by symbol, in engineering units.
+    ``rig`` has what follows from materials, speed and oil: ``materials``, the inputs of each
+    combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C; ``usual_density`` of
+    an oil; and the least and most of each number that a reader gives.
     """
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     return {
@@ -95,7 +97,9 @@ def page_content(
 
 
 def _variable(variable):
-    """What the page calls a variable, and how it shows its values: in a unit, as a multiple of that in SI."""
+    """What the page calls a variable, and how it shows its values: in a unit, as a multiple of that
+    in SI.
+    """
     unit = symbols.unicode(variable.shown_unit)
     factor = {} if variable.scale == 1.0 else {"factor": float(f"{1.0 / variable.scale:.12g}")}
     names = {"symbol": variable.symbol, "words": variable.title, "unit": unit}
@@ -124,8 +128,8 @@ def plain_text(quote: str) -> str:
 
 
 def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
-    """What the page shows of a figure, from its ``record``: all ``curves`` once, and in each of the ``panels``
-    their indices."""
+    """What the page shows of a figure, from its ``record``: all ``curves`` once, and in each of the
+    ``panels`` their indices."""
     curves: list[dict] = []
     for panel in record["panels"]:
         curves += [curve for curve in panel["curves"] if curve not in curves]

@@ -6,10 +6,10 @@ has eta_s summits per square metre, with normally distributed heights z (first h
 
     F_ss/A_n = eta_s * integral of F(omega) phi(z),   A_ss/A_n = eta_s * integral of A(omega) phi(z)
 
-over all z above d - y_s, with omega = z - (d - y_s): z is measured from the plane of the summits, which
-lies y_s above the mean plane, and d is the separation of the mean planes.  Scaled by the standard
-deviation of the heights, both depend on t = (d - y_s)/sigma_s alone, and the interference is
-w = omega/sigma_s.
+over all z above d - y_s, with omega = z - (d - y_s): z is measured from the plane of the summits,
+which lies y_s above the mean plane, and d is the separation of the mean planes.  Scaled by the
+standard deviation of the heights, both depend on t = (d - y_s)/sigma_s alone, and the interference
+is w = omega/sigma_s.
 """
 
 from __future__ import annotations
@@ -64,10 +64,10 @@ ELASTIC, ELASTOPLASTIC, PLASTIC = range(3)  # places of the three kinds of summi
 class _Nodes(NamedTuple):
     """Summits at the quadrature nodes, in arrays of shape (..., 3, nodes), but ``above`` max(t, 0).
 
-    A summit at the height t + w, with the interference w, has the density e^(-above^2/2) e^(-v (above + v/2)) of Eq. 6,
-    with ``v`` = w + min(t, 0).  ``area`` is A/(pi R sigma_s) times the second factor and the quadrature
-    weight, and ``pressure`` F/(A H), all [1].  The first factor is left
-    out, so that the tail keeps its digits where float64 would underflow.
+    A summit at the height t + w, with the interference w, has the density e^(-above^2/2) e^(-v
+    (above + v/2)) of Eq. 6, with ``v`` = w + min(t, 0).  ``area`` is A/(pi R sigma_s) times the
+    second factor and the quadrature weight, and ``pressure`` F/(A H), all [1].  The first factor is
+    left out, so that the tail keeps its digits where float64 would underflow.
     """
 
     above: NDArray
@@ -80,8 +80,8 @@ class _Nodes(NamedTuple):
 class SummitPopulation:
     """Load and area of a Gaussian population of equal summits, per apparent area.
 
-    Elastic, elastoplastic and plastic summits are each integrated by Gauss-Legendre quadrature.  The
-    fields, all [1], are scalars, or arrays with an element per point.
+    Elastic, elastoplastic and plastic summits are each integrated by Gauss-Legendre quadrature.
+    The fields, all [1], are scalars, or arrays with an element per point.
 
     Examples
     --------
@@ -169,8 +169,8 @@ class SummitPopulation:
         return _Nodes(above=above, v=v, area=area, pressure=pressure)
 
     def _logarithm(self, nodes, terms, unit):
-        """ln of the sum of ``terms`` times pi eta_s R sigma_s times ``unit``, H/E_ss of a load and 1 of an area, and two
-        derivatives."""
+        """ln of the sum of ``terms`` times pi eta_s R sigma_s times ``unit``, H/E_ss of a load and
+        1 of an area, and two derivatives."""
         # on a single axis, so that the sum at a point does not depend on other points
         above, shape = nodes.above, (*nodes.above.shape, 3 * NODES.size)
         terms, v = terms.reshape(shape), nodes.v.reshape(shape)

@@ -21,9 +21,9 @@ class Forces(NamedTuple):
     """Forces of solids and film at separations d [m]: arrays of the shape of d.
 
     ``log_solid`` and ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1].  ``excess`` is
-    ln((F_s + F_f)/F_t) [1], which is 0 where the forces balance; ln(F_s/F_t) in dry contact, and where F_t alone
-    gives the film.  The noise in ``errors`` is that of the excess, ``solid_noise`` [1] that of ``log_solid``.
-    ``solids`` has the areas.
+    ln((F_s + F_f)/F_t) [1], which is 0 where the forces balance; ln(F_s/F_t) in dry contact, and
+    where F_t alone gives the film.  The noise in ``errors`` is that of the excess, ``solid_noise``
+    [1] that of ``log_solid``. ``solids`` has the areas.
     """
 
     separation: NDArray
@@ -61,8 +61,8 @@ class Points:
     def of(
         cls, conditions: Mapping[str, NDArray], parameters: Parameters, table_rtol: float | None
     ) -> Points:
-        """The points at five ``conditions`` by name, 1-D and SI.  All have particles, and a film, if the
-        first point has; ``table_rtol`` is as in ``Contact.of``."""
+        """The points at five ``conditions`` by name, 1-D and SI.  All have particles, and a film,
+        if the first point has; ``table_rtol`` is as in ``Contact.of``."""
         solids = {name: conditions[name] for name in SOLIDS}
         contact = Contact.of(**solids, parameters=parameters, table_rtol=table_rtol)
         film, viscosity = None, conditions["viscosity"]
@@ -90,8 +90,8 @@ class Points:
         )
 
     def forces(self, separation: NDArray, with_areas: bool = False) -> Forces:
-        """Eq. 1 at ``separation`` d [m]: F_s (Eqs. 2 and 4) and, where films share the load, F_f of a
-        film of thickness d (Eqs. 7 and 8)."""
+        """Eq. 1 at ``separation`` d [m]: F_s (Eqs. 2 and 4) and, where films share the load, F_f of
+        a film of thickness d (Eqs. 7 and 8)."""
         solids, table_error = self.contact.at(separation, with_areas), self.contact.summits.error
         log_solid = solids.log_load._replace(value=solids.log_load.value - self.log_total)
         rounding_of_load = 2.0 * EPSILON * np.abs(self.log_total)
@@ -132,8 +132,8 @@ class Points:
         return WithSlope(value=log_fluid, slope=slope / separation), noise + INVERSE_ERROR
 
     def film_separation(self) -> tuple[NDArray, NDArray]:
-        """d = R_x H_c [m] of films that carry all of F_t (Eqs. 7 and 8), and its relative rounding; 0
-        when dry."""
+        """d = R_x H_c [m] of films that carry all of F_t (Eqs. 7 and 8), and its relative rounding;
+        0 when dry."""
         if self.film is None:
             nothing = np.zeros(self.log_total.shape)
             return nothing, nothing

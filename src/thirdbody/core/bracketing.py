@@ -1,7 +1,7 @@
 """Bracketed root finding without derivatives, vectorized over points.
 
-``scipy.optimize.elementwise.find_root`` has the same method, but one tolerance for all points; it leaves
-out solved points, so that each function would need the indices of the others.
+``scipy.optimize.elementwise.find_root`` has the same method, but one tolerance for all points; it
+leaves out solved points, so that each function would need the indices of the others.
 """
 
 from collections.abc import Callable

@@ -33,7 +33,9 @@ class Brackets(NamedTuple):
 
 
 class FilmAlone(NamedTuple):
-    """Separation [m] at which the film carries all of F_t, and the ends that rounding leaves; 0 when dry."""
+    """Separation [m] at which the film carries all of F_t, and the ends that rounding leaves; 0
+    when dry.
+    """
 
     separation: NDArray
     low: NDArray

@@ -20,15 +20,16 @@ from thirdbody.core.summits import Summits
 
 FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
 NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* below which the area underflows too
-# rounding of ln F_ss*, in EPSILON: a constant, one per size of the logarithm, and one per change with d
+# rounding of ln F_ss*, in EPSILON: a constant, one per size of the logarithm, and one per change
+# with d
 ROUNDINGS, ROUNDINGS_PER_SIZE, ROUNDINGS_OF_D = 24.0, 4.0, 2.0
 
 
 class ErrorTerms(NamedTuple):
     """How far loads and areas at a separation d may be wrong: arrays of its shape.
 
-    Loads and areas are sums of contributions v of summits and particles; those that are zero in float64 do not
-    count.  Errors of d are not included.
+    Loads and areas are sums of contributions v of summits and particles; those that are zero in
+    float64 do not count.  Errors of d are not included.
 
     Attributes
     ----------
@@ -93,8 +94,9 @@ class Contact:
         parameters: Parameters,
         table_rtol: float | None = None,
     ) -> Contact:
-        """The solids at points with x_a [m], sigma [m] and eta_a [m-2], 1-D and of one length, all with or all without
-        particles.  ``table_rtol`` is the relative error of tables of the summits, which by default are integrated."""
+        """The solids at points with x_a [m], sigma [m] and eta_a [m-2], 1-D and of one length, all
+        with or all without particles.  ``table_rtol`` is the relative error of tables of the
+        summits, which by default are integrated."""
         particles = None
         if has_particles(particle_diameter[0], particle_density[0]):
             particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
@@ -107,8 +109,8 @@ class Contact:
         return replace(self, summits=self.summits.take(chosen), particles=particles)
 
     def at(self, separation: NDArray, with_areas: bool = False) -> SolidState:
-        """Loads of summits and particles (Eqs. 2 and 4), the area of the particles, and if requested that of
-        the summits (Eq. 5)."""
+        """Loads of summits and particles (Eqs. 2 and 4), the area of the particles, and if
+        requested that of the summits (Eq. 5)."""
         log_load, log_area = self._summits_alone(separation, with_areas)
         rounding_of_d = np.abs(log_load.slope) * (separation + self.summits.offset)
         size = ROUNDINGS_PER_SIZE * np.abs(log_load.value)
@@ -133,7 +135,8 @@ class Contact:
         )
 
     def _with_particles(self, particles, separation, log_load, log_area, rounding):
-        """The state with ``particles``, which take load and area from the summits they keep apart."""
+        """The state with ``particles``, which take load and area from the summits they keep
+        apart."""
         area, coverage = particles.contact(separation)
         bare_area = log_bare_fraction(coverage)
         # Eq. 4: F_ss-sa is what particles of all sizes leave of F_ss

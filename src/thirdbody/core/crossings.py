@@ -1,8 +1,8 @@
 """Crossings of levels along an axis: sampled, bracketed and refined.
 
-The axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of the level bracket a
-crossing, which is refined to the requested error.  Where a curve has an extremum near the level, the sampling
-is refined ``DEPTH`` times by ``FINER``.
+The axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of the level
+bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near the
+level, the sampling is refined ``DEPTH`` times by ``FINER``.
 """
 
 from __future__ import annotations
@@ -24,12 +24,14 @@ WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
 
 
 class Crossings(NamedTuple):
-    """Where variables cross their levels: arrays with an element per crossing, by query and then by value.
+    """Where variables cross their levels: arrays with an element per crossing, by query and then by
+    value.
 
-    ``limit`` and ``query`` are indices into the limits and the queries; ``value`` is the place on the axis and
-    ``error`` bounds its error, in SI: at this distance on both sides, the variable is above and below the level
-    by more than its ``error_bound``; infinite if float64 cannot decide that.  ``rises`` is whether the variable
-    increases there, and ``solution_status`` the status of the point.
+    ``limit`` and ``query`` are indices into the limits and the queries; ``value`` is the place on
+    the axis and ``error`` bounds its error, in SI: at this distance on both sides, the variable is
+    above and below the level by more than its ``error_bound``; infinite if float64 cannot decide
+    that.  ``rises`` is whether the variable increases there, and ``solution_status`` the status of
+    the point.
     """
 
     limit: NDArray
@@ -82,7 +84,8 @@ def crossings(
 
 @dataclass(frozen=True)
 class _Excess:
-    """Variables minus their levels, by limit and query, along an axis; other conditions by query."""
+    """Variables minus their levels, by limit and query, along an axis; other conditions by
+    query."""
 
     names: list[str]
     levels: NDArray
@@ -120,8 +123,8 @@ class _Excess:
 
 
 def _brackets(excess, samples):
-    """Limit and query of each change of sign, whether the variable rises there, and ln of the axis on
-    both sides."""
+    """Limit and query of each change of sign, whether the variable rises there, and ln of the axis
+    on both sides."""
     limit, query = (indices.ravel() for indices in np.indices(excess.levels.shape))
     values = excess.everywhere(samples)
     log_values = np.broadcast_to(np.log(samples)[:, None], values.shape)
@@ -142,8 +145,8 @@ def _brackets(excess, samples):
 
 
 def _errors(excess, limit, query, root, error):
-    """Distances from ``root`` in ln of the axis, from ``error`` on, at which the signs on both sides are
-    certain and opposite, infinite if there are none; and the status."""
+    """Distances from ``root`` in ln of the axis, from ``error`` on, at which the signs on both
+    sides are certain and opposite, infinite if there are none; and the status."""
     for _ in range(ATTEMPTS):
         sign_above, _ = excess.certain_sign(limit, query, root + error)
         sign_below, status = excess.certain_sign(limit, query, root - error)
@@ -155,7 +158,9 @@ def _errors(excess, limit, query, root, error):
 
 
 def _may_touch(excess):
-    """Whether a curve may touch its level between three neighbouring values, by the index of the first."""
+    """Whether a curve may touch its level between three neighbouring values, by the index of the
+    first.
+    """
     distance, sign = np.abs(excess), np.sign(excess)
     first, middle, last = distance[:-2], distance[1:-1], distance[2:]
     same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])

@@ -25,8 +25,8 @@ from thirdbody.core.interpolation import HermiteTable
 from thirdbody.core.logarithms import EPSILON
 from thirdbody.core.parameters import Number, Parameters
 
-# exponents in the term of the roughness in Eq. 7: of sigma* and V, and of W, U and G with a minus; they are used
-# more than once, the other numbers of Eq. 7 stand in ``Film.of``
+# exponents in the term of the roughness in Eq. 7: of sigma* and V, and of W, U and G with a minus;
+# they are used more than once, the other numbers of Eq. 7 stand in ``Film.of``
 ROUGH_SIGMA, ROUGH_V = 1.248, 0.119
 ROUGH_W, ROUGH_U, ROUGH_G = 0.133, 0.884, 0.977
 THICKEST = 0.01  # largest H_c that still describes a film between two bodies
@@ -50,7 +50,8 @@ def has_film(viscosity: NDArray) -> NDArray:
 def load_of_film(
     separation: NDArray, viscosity: NDArray, roughness: float | NDArray, parameters: Parameters
 ) -> tuple[NDArray, NDArray]:
-    """The load F* [1] whose W gives a film as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
+    """The load F* [1] whose W gives a film as thick as a separation (Eqs. 7 and 8), and d ln F*/dd
+    [m-1].
 
     Parameters
     ----------
@@ -77,12 +78,12 @@ def load_of_film(
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
 
-    The first term is the smooth film, the second the smooth film times the term of the roughness in Eq. 7.
-    ``smooth`` and ``rough`` are s and r, of the shape of the points.  Rounding grows with ``smooth_size``, the sum of the
-    absolute logarithms in s, and ``rough_size``, the sum of those that r adds.  ``exponents`` are a
-    and b.  ``turning_ratio`` is the second term over the first where H_c is least over the speed U.
-    ``greatest_log_W`` is ln W at which the mean film pressure reaches the softer hardness, as Eq. 7
-    assumes elastic bodies.  All are dimensionless.
+    The first term is the smooth film, the second the smooth film times the term of the roughness in
+    Eq. 7. ``smooth`` and ``rough`` are s and r, of the shape of the points.  Rounding grows with
+    ``smooth_size``, the sum of the absolute logarithms in s, and ``rough_size``, the sum of those
+    that r adds.  ``exponents`` are a and b.  ``turning_ratio`` is the second term over the first
+    where H_c is least over the speed U. ``greatest_log_W`` is ln W at which the mean film pressure
+    reaches the softer hardness, as Eq. 7 assumes elastic bodies.  All are dimensionless.
     """
 
     smooth: NDArray

@@ -1,4 +1,6 @@
-"""The limits of float64, and quantities at a separation d that are kept as logarithms because of them."""
+"""The limits of float64, and quantities at a separation d that are kept as logarithms because of
+them.
+"""
 
 from typing import NamedTuple
 
@@ -22,7 +24,9 @@ def log_product(first: WithSlope, second: WithSlope) -> WithSlope:
 
 
 def log_sum(first: WithSlope, second: WithSlope) -> tuple[WithSlope, NDArray]:
-    """ln of the sum of two quantities given as logarithms, and the fraction of the first in the sum."""
+    """ln of the sum of two quantities given as logarithms, and the fraction of the first in the
+    sum.
+    """
     difference = first.value - second.value
     odds = np.exp(-np.abs(difference))  # the smaller over the larger
     fraction = np.where(difference > 0.0, 1.0, odds) / (1.0 + odds)

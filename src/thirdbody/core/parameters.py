@@ -16,8 +16,8 @@ MATERIALS = (  # of which the elastic factor consists
     *("elastic_modulus_surfaces", "elastic_modulus_particle"),
     *("hardness_surface_1", "hardness_surface_2"),
 )
-# ASSUME: what the paper leaves open.  Fixed: X_min is 0, and the film fills the separation of the mean planes.
-# To choose, by these words:
+# ASSUME: what the paper leaves open.  Fixed: X_min is 0, and the film fills the separation of the
+# mean planes. To choose, by these words:
 WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
 MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
 
@@ -41,7 +41,8 @@ class Bounds(NamedTuple):
         return f"a number from {self.least:g} to {self.most:g}{unit}"
 
 
-# within which the model is known to be computed correctly: much wider than real materials and surfaces
+# within which the model is known to be computed correctly: much wider than real materials and
+# surfaces
 BOUNDS = {
     "elastic_modulus_surfaces": Bounds(1e8, 1e13, "Pa"),
     "elastic_modulus_particle": Bounds(1e8, 1e13, "Pa"),
@@ -96,9 +97,9 @@ class Surface:
 class Parameters:
     """One set of all inputs of the model, in SI units.
 
-    ``config/inputs.yaml`` has the symbol, unit and source of each field, ``BOUNDS`` the allowed numbers.
-    Fields that are words select interpretations of the paper.  ``thirdbody.load_parameters`` returns the
-    calibrated sets, an ``Ensemble``.
+    ``config/inputs.yaml`` has the symbol, unit and source of each field, ``BOUNDS`` the allowed
+    numbers. Fields that are words select interpretations of the paper.
+    ``thirdbody.load_parameters`` returns the calibrated sets, an ``Ensemble``.
 
     Raises
     ------
@@ -168,20 +169,21 @@ class Parameters:
 
     @property
     def film_shares_load(self) -> bool:
-        """Whether the load in W of Eq. 8 is F_f, which the film carries beside the solids; or F_t, as printed: then
-        its thickness is known in advance, and the solids carry all the load where they need a larger separation."""
+        """Whether the load in W of Eq. 8 is F_f, which the film carries beside the solids; or F_t,
+        as printed: then its thickness is known in advance, and the solids carry all the load where
+        they need a larger separation."""
         return self.film_load == "fluid"
 
     def total_load(self, solid_load: Number, film_load: Number) -> Number:
-        """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that thickness has the load
-        ``film_load`` F* [1] in W."""
+        """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that
+        thickness has the load ``film_load`` F* [1] in W."""
         combine = np.add if self.film_shares_load else np.maximum
         return combine(solid_load, film_load)
 
     def particle_plane_height(self, summit_offset: float | NDArray) -> float | NDArray:
-        """Height above the mean plane [m] of the plane that particles meet: with "summit" they meet the plane of the
-        summits, at ``summit_offset`` y_s [m], as the paper has one d in both integrals; with "surface" the mean plane,
-        from which d = R_x H_c."""
+        """Height above the mean plane [m] of the plane that particles meet: with "summit" they meet
+        the plane of the summits, at ``summit_offset`` y_s [m], as the paper has one d in both
+        integrals; with "surface" the mean plane, from which d = R_x H_c."""
         of_surface = 0.0 * summit_offset  # of the same shape
         return summit_offset if self.particle_plane == "summit" else of_surface
 
@@ -201,7 +203,8 @@ class Parameters:
         if self.elastic_factor > MOST_ELASTIC_FACTOR:
             materials = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
             raise ValueError(
-                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for {materials}; "
+                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for "
+                f"{materials}; "
                 f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
             )
 

@@ -3,8 +3,8 @@
 Sizes are normally distributed, with mean m and standard deviation S, from X_min = 0 to
 X_max = m + truncation * S.  Their second moment above a size a is
 
-    c_1 (M(alpha) - M(truncation)),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
-    c_1 = m^2 + S^2,   c_2 = 2 m S/c_1,   c_3 = S^2/c_1,
+    c_1 (M(alpha) - M(truncation)),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a -
+    m)/S, c_1 = m^2 + S^2,   c_2 = 2 m S/c_1,   c_3 = S^2/c_1,
 
 with phi and Q the density and upper tail of the standard normal distribution.  The *moment* is that
 over c_1: constant below X_min and zero above X_max.  With the elastic factor e, the area A_sa is
@@ -38,11 +38,12 @@ SHAPE_SAMPLES, GUESSES = np.geomspace(1e-5, 1.0, 199), 1001
 class ParticleLayer:
     """Particles on a surface: one mean diameter and density for each point.
 
-    ``centre`` and ``spread`` are m and S [m] of the size distribution.  If particles meet the plane of the summits,
-    at d - y_s, the centre has y_s added, so that it compares with d.  ``scaled_depth`` is h_e/S [1].
-    ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1] with the ``participation`` p, times the ``moment`` and H_s1 is the
-    coverage (Eqs. 4 and 5), with H_s2 it is A_sa/A_n (Eq. 5).  ``log_bare`` is ln of the fraction that all particles
-    leave bare, the round bracket of Eq. 4.
+    ``centre`` and ``spread`` are m and S [m] of the size distribution.  If particles meet the plane
+    of the summits, at d - y_s, the centre has y_s added, so that it compares with d.
+    ``scaled_depth`` is h_e/S [1]. ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1] with the
+    ``participation`` p, times the ``moment`` and H_s1 is the coverage (Eqs. 4 and 5), with H_s2 it
+    is A_sa/A_n (Eq. 5).  ``log_bare`` is ln of the fraction that all particles leave bare, the
+    round bracket of Eq. 4.
     """
 
     centre: NDArray
@@ -57,8 +58,8 @@ class ParticleLayer:
     def of(
         cls, diameter: NDArray, roughness: float | NDArray, density: NDArray, parameters: Parameters
     ) -> ParticleLayer:
-        """The layer for x_a [m] and eta_a [m-2], positive and of one shape, and sigma [m], a scalar or of
-        the same shape; ``ValueError`` as of ``Parameters.check_particles``.
+        """The layer for x_a [m] and eta_a [m-2], positive and of one shape, and sigma [m], a scalar
+        or of the same shape; ``ValueError`` as of ``Parameters.check_particles``.
 
         Examples
         --------
@@ -104,8 +105,8 @@ class ParticleLayer:
 
     @property
     def reach(self) -> NDArray:
-        """Separation [m] beyond which no particle touches: X_max + h_e, plus y_s if particles meet the
-        separation of the summit planes."""
+        """Separation [m] beyond which no particle touches: X_max + h_e, plus y_s if particles meet
+        the separation of the summit planes."""
         return self.centre + (self.parameters.truncation + self.scaled_depth) * self.spread
 
     @property
@@ -116,7 +117,8 @@ class ParticleLayer:
     def contact(self, separation: NDArray) -> tuple[WithSlope, WithSlope]:
         """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
 
-        Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d [1].
+        Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d
+        [1].
         """
         alpha, elastic = (separation - self.centre) / self.spread, self.parameters.elastic_factor
 
@@ -205,8 +207,8 @@ _moment = lru_cache(maxsize=64)(Moment)
 
 
 def log_bare_fraction(coverage: WithSlope) -> WithSlope:
-    """ln of the bare fraction [1] beside a ``coverage`` [1]; below ``FULL``, with a slope of 0, where
-    particles cover everything."""
+    """ln of the bare fraction [1] beside a ``coverage`` [1]; below ``FULL``, with a slope of 0,
+    where particles cover everything."""
     bare = _bare_fraction(coverage.value)
     slope = np.where(bare == TINY, 0.0, -coverage.slope) / bare
     return WithSlope(value=np.log(bare), slope=slope)
@@ -224,10 +226,11 @@ def has_particles(diameter: NDArray, density: NDArray) -> NDArray:
 
 
 def separation_carrying(log_area: float | NDArray, layer: ParticleLayer) -> NDArray:
-    """Approximate separation d [m] at which particles alone have the area ``log_area``, ln(A_sa/A_n) [1].
+    """Approximate separation d [m] at which particles alone have the area ``log_area``,
+    ln(A_sa/A_n) [1].
 
-    It is the larger of the separations at which the sizes above d, or above d - h_e, alone have this
-    area; minus infinity if all particles together have less.
+    It is the larger of the separations at which the sizes above d, or above d - h_e, alone have
+    this area; minus infinity if all particles together have less.
     """
     elastic = layer.parameters.elastic_factor
     log_moment = log_area - np.log(layer.factor * layer.parameters.hardness_surface_2)

@@ -1,4 +1,6 @@
-"""Lubrication regime and contact mode of an interface (sections 3.1, 3.2), and the status of a solution."""
+"""Lubrication regime and contact mode of an interface (sections 3.1, 3.2), and the status of a
+solution.
+"""
 
 from collections.abc import Mapping
 from enum import IntEnum
@@ -22,7 +24,8 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 
 class State(IntEnum):
-    """A state, equal to its code in data files and to its name; ``ValueError`` for a text that is no name.
+    """A state, equal to its code in data files and to its name; ``ValueError`` for a text that is
+    no name.
 
     Examples
     --------
@@ -79,7 +82,9 @@ class ContactMode(State):
 
 
 class SolutionStatus(State):
-    """Whether the equations hold, in the order of the codes in data files; ``MILDEST_FIRST`` is by gravity."""
+    """Whether the equations hold, in the order of the codes in data files; ``MILDEST_FIRST`` is by
+    gravity.
+    """
 
     converged = 0
     outside_film_formula = 1
@@ -160,8 +165,8 @@ def contact_mode(
 
 
 def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
-    """The codes of the flags among ``variables`` as people read their names: ``NO_FLAG`` for the contact
-    mode in a full film, where hardly anything touches.
+    """The codes of the flags among ``variables`` as people read their names: ``NO_FLAG`` for the
+    contact mode in a full film, where hardly anything touches.
 
     Examples
     --------
@@ -182,7 +187,9 @@ def states_of(name: str, codes: ArrayLike) -> NDArray[np.object_]:
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
-    """Whether points have values, a separation, loads and areas, for indices into ``SOLUTION_STATUSES``."""
+    """Whether points have values, a separation, loads and areas, for indices into
+    ``SOLUTION_STATUSES``.
+    """
     return ~np.isin(solution_status, [SOLUTION_STATUSES.index(name) for name in WITHOUT_VALUES])
 
 

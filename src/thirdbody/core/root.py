@@ -21,15 +21,15 @@ from thirdbody.core.logarithms import EPSILON
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 GROWTH = 4.0  # growth of an interval whose signs rounding hides
 SETTLED = 2.0  # of the noise: an excess below it cannot be halved for certain
-# half widths of the interval, in what the tolerance and the noise allow: wide enough for certain signs, narrow enough
-# for the bound
+# half widths of the interval, in what the tolerance and the noise allow: wide enough for certain
+# signs, narrow enough for the bound
 WIDTH, NOISE_WIDTH = 0.125, 1.2
 
 
 class Balance(NamedTuple):
-    """Solved ``points``, their ``indices`` among those given to ``enclose``, and the ``forces`` at two
-    separations around the root of each, of shape (2, points).  ``certain`` is whether their sum changes
-    its sign despite rounding, or no change is needed."""
+    """Solved ``points``, their ``indices`` among those given to ``enclose``, and the ``forces`` at
+    two separations around the root of each, of shape (2, points).  ``certain`` is whether their sum
+    changes its sign despite rounding, or no change is needed."""
 
     points: Points
     indices: NDArray
@@ -42,8 +42,8 @@ def enclose(
 ) -> Iterator[Balance]:
     """Narrow the brackets by Newton's method until the variables converge to ``tolerance``.
 
-    Yields the points as they are solved.  When the next step would converge, the signs on both sides
-    of it are checked; if rounding could hide them, the interval is widened.  After so many
+    Yields the points as they are solved.  When the next step would converge, the signs on both
+    sides of it are checked; if rounding could hide them, the interval is widened.  After so many
     ``iterations``, the rest is not ``certain``.
     """
     fixed = brackets.held | np.isnan(brackets.low)
@@ -61,7 +61,8 @@ def enclose(
 
 
 def _fixed(points, brackets, indices):
-    """The points at ``indices``, where the film keeps its separation or nothing carries the load."""
+    """The points at ``indices``, where the film keeps its separation or nothing carries the
+    load."""
     chosen = points.take(indices)
     forces = chosen.forces(
         np.stack([brackets.low[indices], brackets.high[indices]]), with_areas=True
@@ -98,10 +99,10 @@ class Interval(NamedTuple):
 class Search:
     """Newton's method at many points; those that are solved leave.
 
-    ``indices`` are those of the points among the ones given to ``enclose``.  The root is between ``low`` and ``high``
-    [m], and forces are next evaluated at ``separation``.  ``previous`` is the size of the excess
-    before the last step, infinite unless it was one of Newton's, and ``widening`` multiplies the width of
-    the interval whose signs are checked.
+    ``indices`` are those of the points among the ones given to ``enclose``.  The root is between
+    ``low`` and ``high`` [m], and forces are next evaluated at ``separation``.  ``previous`` is the
+    size of the excess before the last step, infinite unless it was one of Newton's, and
+    ``widening`` multiplies the width of the interval whose signs are checked.
     """
 
     points: Points
@@ -148,8 +149,8 @@ class Search:
         )
         # the slope of the contribution that changes fastest, over that of the sum of forces
         ratio = steepest / np.abs(slope)
-        # error of the variables after the step, an estimate: the step squared, more where one part changes faster; the
-        # signs at both ends are checked afterwards all the same
+        # error of the variables after the step, an estimate: the step squared, more where one part
+        # changes faster; the signs at both ends are checked afterwards all the same
         left = (size * ratio) ** 2 * (1.0 + ratio)
         converges = is_newton & (settled | (left <= tolerance))
         is_final = (self.high - self.low <= NARROW * self.separation) | is_last
@@ -171,7 +172,8 @@ class Search:
         )
 
     def check(self, interval: Interval) -> Balance:
-        """The points where the sum of forces changes sign in the ``interval``; they leave the search.
+        """The points where the sum of forces changes sign in the ``interval``; they leave the
+        search.
 
         The others go on beyond the interval, or in a wider one.
         """
@@ -195,8 +197,8 @@ class Search:
         return solved
 
     def _look_beyond(self, interval, closer, farther):
-        """Go on next to the ``interval`` where the root is ``closer`` or ``farther``, otherwise in a
-        wider one."""
+        """Go on next to the ``interval`` where the root is ``closer`` or ``farther``, otherwise in
+        a wider one."""
         which, low, high, _ = interval
         self.widening[which[~(closer | farther)]] *= GROWTH
         self.high[which[closer]], self.low[which[farther]] = low[closer], high[farther]

@@ -26,8 +26,8 @@ SUMMIT_ERROR = 1e-7  # relative, of the load and area of summits
 
 
 class TabulatedSolids(NamedTuple):
-    """Solids at separations d, as in ``SolidState``, and the relative errors [1] of F_s, and of areas
-    and their ratios."""
+    """Solids at separations d, as in ``SolidState``, and the relative errors [1] of F_s, and of
+    areas and their ratios."""
 
     log_summit_load: WithSlope
     particle_area: WithSlope
@@ -39,7 +39,8 @@ class TabulatedSolids(NamedTuple):
 class SolidTable:
     """The solids on one surface, with one particle size and density, over ``separations`` d [m].
 
-    ``powers`` are coefficients of cubic polynomials between these, of shape (4, separations - 1, 8).
+    ``powers`` are coefficients of cubic polynomials between these, of shape (4, separations - 1,
+    8).
     """
 
     def __init__(self, separations: NDArray, powers: NDArray):
@@ -106,7 +107,8 @@ def _separations(low, high, roughness, particles, which):
 
 def _parts(contact: Contact, d):
     """ln F_ss, A_sa and ln A_ss of the summits beside the particles, in the order of
-    ``TabulatedSolids``: arrays of the shape (separations, 3); nan where particles cover everything."""
+    ``TabulatedSolids``: arrays of the shape (separations, 3); nan where particles cover everything.
+    """
     state = contact.at(d, with_areas=True)
     parts = state.log_summit_load, state.particle_area, state.log_summit_area
     value, slope = (np.stack(each, axis=1) for each in zip(*parts, strict=True))
@@ -156,8 +158,8 @@ class _Cells(NamedTuple):
 
 
 def _errors(interpolated, true, pressure):
-    """Bounds on the relative error of F_s, and of areas and their ratios, from the values ``interpolated`` and
-    ``true`` midway between separations, as in ``_parts``: shape (cells, 2)."""
+    """Bounds on the relative error of F_s, and of areas and their ratios, from the values
+    ``interpolated`` and ``true`` midway between separations, as in ``_parts``: shape (cells, 2)."""
     log_summits, area, log_summit_area = interpolated.T
     true_log_summits, true_area, true_log_summit_area = true.T
     summits, particles = np.exp(true_log_summits), pressure * true_area

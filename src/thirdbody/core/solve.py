@@ -4,7 +4,8 @@
 2. ``balance.Points.of`` has their summits and particles (``contact``), and their ``film``.
 3. ``brackets.bracket`` finds separations d on both sides of the root of Eq. 1.
 4. ``root.enclose`` narrows them by Newton's method, and checks the signs at both.
-5. ``balance.Points.forces`` evaluates Eq. 1 at a separation: Eqs. 2 and 4 of the ``contact``, Eqs. 7 and 8 of the ``film``.
+5. ``balance.Points.forces`` evaluates Eq. 1 at a separation: Eqs. 2 and 4 of the ``contact``, Eqs.
+   7 and 8 of the ``film``.
 6. ``state.describe`` derives the variables and the bound of their errors.
 """
 
@@ -48,14 +49,14 @@ def solve_points(
 ) -> dict[str, NDArray]:
     """Solve the force balance (Eq. 1) at many points.
 
-    If enough points have the same roughness, its summits are tabulated.  The other points, and those
-    that magnify the table error beyond ``rtol``, are solved by quadrature.
+    If enough points have the same roughness, its summits are tabulated.  The other points, and
+    those that magnify the table error beyond ``rtol``, are solved by quadrature.
 
     Parameters
     ----------
     conditions : mapping of arrays
-        The five ``CONDITIONS`` by name: F_t* [1], nu [m2/s], x_a [m], sigma [m] and eta_a [m-2], float64
-        arrays that broadcast against each other.  None is checked.
+        The five ``CONDITIONS`` by name: F_t* [1], nu [m2/s], x_a [m], sigma [m] and eta_a [m-2],
+        float64 arrays that broadcast against each other.  None is checked.
     parameters : Parameters
         Inputs of the model.
     rtol : float
@@ -68,7 +69,8 @@ def solve_points(
     Returns
     -------
     dict of arrays
-        The variables by name, of the broadcast shape; nan, or -1 for regime and mode, where a point has no values.
+        The variables by name, of the broadcast shape; nan, or -1 for regime and mode, where a point
+        has no values.
     """
     shape = np.broadcast(*(conditions[name] for name in CONDITIONS)).shape
     columns = {name: np.broadcast_to(conditions[name], shape).ravel() for name in CONDITIONS}
@@ -92,7 +94,9 @@ def solve_points(
 
 
 def _doubt_faint_particles(columns, result):
-    """Points with so few or small particles that float64 has too few digits for their area: values without a bound."""
+    """Points with so few or small particles that float64 has too few digits for their area: values
+    without a bound.
+    """
     diameter, density = columns["particle_diameter"], columns["particle_density"]
     coverage = diameter * (diameter * density)
     faint = (coverage < FAINT_COVERAGE) & (diameter > 0.0) & (density > 0.0)
@@ -106,8 +110,9 @@ def _doubt_faint_particles(columns, result):
 
 
 class Attempt(NamedTuple):
-    """How points are solved: from tables of summits with an error ``table_rtol``, or by quadrature if
-    it is None; so many at a time, to a ``tolerance`` of the variables, in at most so many iterations."""
+    """How points are solved: from tables of summits with an error ``table_rtol``, or by quadrature
+    if it is None; so many at a time, to a ``tolerance`` of the variables, in at most so many
+    iterations."""
 
     table_rtol: float | None
     chunk: int
@@ -121,7 +126,8 @@ class Attempt(NamedTuple):
 
 
 def _attempts(rtol):
-    """Attempts at each point, until one succeeds; the first two only where tables are worthwhile."""
+    """Attempts at each point, until one succeeds; the first two only where tables are
+    worthwhile."""
     tables = Attempt(table_rtol=rtol, chunk=CHUNK, tolerance=rtol, iterations=FEW_ITERATIONS)
     quadrature = Attempt(
         table_rtol=None,
@@ -155,7 +161,8 @@ class Kind(IntFlag):
 
 
 def _batches(columns, chosen, most):
-    """Yield indices of ``chosen`` points of one kind, by roughness, at ``most`` so many at a time."""
+    """Yield indices of ``chosen`` points of one kind, by roughness, at ``most`` so many at a
+    time."""
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
     kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):

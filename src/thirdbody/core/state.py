@@ -1,4 +1,6 @@
-"""The variables of solved points: how they follow from the forces (Eqs. 3, 9 and 10), and the bound of their errors."""
+"""The variables of solved points: how they follow from the forces (Eqs. 3, 9 and 10), and the bound
+of their errors.
+"""
 
 from __future__ import annotations
 
@@ -114,7 +116,9 @@ def fractions(log_odds: NDArray) -> tuple[NDArray, NDArray]:
 
 
 def _remove_values(variables, without_values):
-    """Replace the variables of points ``without_values``, except their status, by what stands for none."""
+    """Replace the variables of points ``without_values``, except their status, by what stands for
+    none.
+    """
     if not without_values.any():
         return
     for name, values in variables.items():
@@ -147,8 +151,8 @@ def add_flags(
 
 
 def _error_bound(ends, both):
-    """Largest relative deviation of loads and areas from the mean of both ends, plus rounding; ``both``
-    are the quantities at the ends by name."""
+    """Largest relative deviation of loads and areas from the mean of both ends, plus rounding;
+    ``both`` are the quantities at the ends by name."""
     width = np.diff(ends.separation, axis=0)[0]
     areas = _area_difference(ends.solids, both, width)
     loads, shared = _load_difference(ends, both, width)

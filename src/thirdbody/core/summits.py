@@ -25,8 +25,9 @@ QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 class Summits:
     """The summits at each of many points, in the form that ``thirdbody.core.contact`` needs.
 
-    ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index, for all points
-    or each.  ``table`` has ln F_ss* and ln A_ss* over t for each in turn, or is None for quadrature.
+    ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index, for all
+    points or each.  ``table`` has ln F_ss* and ln A_ss* over t for each in turn, or is None for
+    quadrature.
     """
 
     surfaces: Surface

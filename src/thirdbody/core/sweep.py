@@ -1,8 +1,9 @@
 """Grids to three digits: functions of the separation d alone are tabulated and interpolated.
 
 For a given surface and particles, F_ss, A_ss and A_sa are functions of d alone (Eqs. 2-6),
-independent of load and lubricant.  They are tabulated (``solid_tables``), and Eq. 1 is then solved at all
-loads and viscosities at once, by Newton's method for ln L_f.  Dry contact, and points where the interpolation error exceeds ``rtol``, are solved individually.
+independent of load and lubricant.  They are tabulated (``solid_tables``), and Eq. 1 is then solved
+at all loads and viscosities at once, by Newton's method for ln L_f.  Dry contact, and points where
+the interpolation error exceeds ``rtol``, are solved individually.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
@@ -61,8 +62,9 @@ def sweep(
     Returns
     -------
     dict of arrays
-        The variables by name, with the dimensions in the order of ``axes``.  ``error_bound`` is twice the interpolation error midway between
-        two separations, of the quantity most affected, plus the remaining error of the iteration.
+        The variables by name, with the dimensions in the order of ``axes``.  ``error_bound`` is
+        twice the interpolation error midway between two separations, of the quantity most affected,
+        plus the remaining error of the iteration.
     """
     shape = tuple(axes[name].size for name in ORDER)
     values = {name: np.empty(shape, type_of(name)) for name in variables}
@@ -105,8 +107,8 @@ def _pairs(sizes, densities):
 
 
 class _Solved(NamedTuple):
-    """Variables by name for one particle size and density, ``dry`` (loads) and with ``films`` (films,
-    loads), and which points with films are ``unsure``: those to solve individually."""
+    """Variables by name for one particle size and density, ``dry`` (loads) and with ``films``
+    (films, loads), and which points with films are ``unsure``: those to solve individually."""
 
     dry: dict[str, NDArray]
     films: dict[str, NDArray]
@@ -116,8 +118,8 @@ class _Solved(NamedTuple):
 class _Step(NamedTuple):
     """A step of Newton's method for ln L_f: its ``change``, and what it starts from.
 
-    ``solids`` at the ``separation`` d [m] carry the fraction ``solid`` of F_t; ``fall`` is d ln F_s/dd
-    [m-1], ``widening`` dd/d ln L_f [m] and ``gain`` d ln(F_s + F_f)/d ln L_f [1].
+    ``solids`` at the ``separation`` d [m] carry the fraction ``solid`` of F_t; ``fall`` is d ln
+    F_s/dd [m-1], ``widening`` dd/d ln L_f [m] and ``gain`` d ln(F_s + F_f)/d ln L_f [1].
     """
 
     separation: NDArray
@@ -201,7 +203,8 @@ class _Surface:
         )
 
     def _sharing(self, table, log_film):
-        """Solve Eq. 1 where the film load gives its thickness: two steps of Newton's method for ln L_f.
+        """Solve Eq. 1 where the film load gives its thickness: two steps of Newton's method for ln
+        L_f.
 
         The effect of the last change of d is expanded about the previous d.
         """
@@ -281,8 +284,8 @@ class _Surface:
 
 
 def _error_after(step, change_before, solid):
-    """Relative error [1] after a ``step`` of Newton's method, for the change in the one before and the
-    fraction of F_t that ``solid`` bodies then carry."""
+    """Relative error [1] after a ``step`` of Newton's method, for the change in the one before and
+    the fraction of F_t that ``solid`` bodies then carry."""
     solids = step.solids
     area, slope = solids.particle_area
     steepest = np.where(area > 0.0, np.abs(slope) / area, 0.0)

@@ -33,10 +33,10 @@ def limit_crossings(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
     """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
-    ``separation`` d [m] and ``values`` of the quantities have the shape (loads, curves), at increasing
-    loads, nan where unknown; ``conditions`` (4, curves): viscosity,
-    particle diameter, roughness and particle density, SI.  Returns for each crossing the index of the limit
-    and of the curve, F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
+    ``separation`` d [m] and ``values`` of the quantities have the shape (loads, curves), at
+    increasing loads, nan where unknown; ``conditions`` (4, curves): viscosity, particle diameter,
+    roughness and particle density, SI.  Returns for each crossing the index of the limit and of the
+    curve, F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
     above, solved = excess > 0.0, np.isfinite(excess)

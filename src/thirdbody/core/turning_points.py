@@ -34,11 +34,12 @@ SEPARATION_MARGIN = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class TurningPoints:
-    """The most prominent interior maximum of A_sa,t* of each curve: its turning point if ``exists``.
+    """The most prominent interior maximum of A_sa,t* of each curve: its turning point if
+    ``exists``.
 
-    Arrays of shape (curves,), nan without one: the load F_TPCA* [1] and a bound on its error, A_sa,t*
-    and L_s [1], the separation d* [m], and the ``prominence`` [1]: the excess of A_sa,t* over the least
-    value at smaller or at larger loads, whichever is less.
+    Arrays of shape (curves,), nan without one: the load F_TPCA* [1] and a bound on its error,
+    A_sa,t* and L_s [1], the separation d* [m], and the ``prominence`` [1]: the excess of A_sa,t*
+    over the least value at smaller or at larger loads, whichever is less.
     """
 
     load: NDArray
@@ -65,8 +66,9 @@ def turning_points(
 ) -> TurningPoints:
     """Find the most prominent interior maximum of A_sa,t*(F_t*) on each curve.
 
-    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, nan without
-    solution; they only bracket the maxima.  The conditions have the shape (curves,) [m2/s, m, m, m-2].
+    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, nan
+    without solution; they only bracket the maxima.  The conditions have the shape (curves,) [m2/s,
+    m, m, m-2].
     """
     found = {field.name: np.full(viscosity.shape, np.nan) for field in fields(TurningPoints)}
     three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
@@ -110,10 +112,10 @@ def ratio_maxima(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
     """Find the maxima of A_sa,t* over the separation, to ``rtol`` d.
 
-    ``separation`` d [m], shape (separations, curves), decreases from row to row, nan without solution;
-    ``ends``, shape (curves,), are d [m] at the first and last load.  Returns the curve of each maximum, its
-    d* [m], a bound on the error of d*, and its prominence [1]; outside the curve this is minus the excess
-    over the end, so that it passes through 0 at the end.
+    ``separation`` d [m], shape (separations, curves), decreases from row to row, nan without
+    solution; ``ends``, shape (curves,), are d [m] at the first and last load.  Returns the curve of
+    each maximum, its d* [m], a bound on the error of d*, and its prominence [1]; outside the curve
+    this is minus the excess over the end, so that it passes through 0 at the end.
     """
     falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
@@ -159,8 +161,8 @@ def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
 def load_at(
     solids: Contact, viscosity: NDArray, roughness: NDArray, separation: NDArray
 ) -> tuple[NDArray, NDArray, NDArray]:
-    """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1], and the largest |d ln F/dd| [m-1] of solids and
-    film: arrays of one shape."""
+    """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1], and the largest |d ln F/dd| [m-1] of
+    solids and film: arrays of one shape."""
     inputs, log_solid = solids.parameters, solids.at(separation).log_load
     solid_load = np.exp(log_solid.value)
     film, film_slope = load_of_film(separation, viscosity, roughness, inputs)
@@ -169,8 +171,8 @@ def load_at(
 
 
 def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
-    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd; negative where no particle
-    touches."""
+    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd; negative where no
+    particle touches."""
     state = solids.at(separation, with_areas=True)
     area = state.particle_area
     slope = area.slope - area.value * state.log_summit_area.slope

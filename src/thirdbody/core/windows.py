@@ -19,8 +19,8 @@ from thirdbody.core.turning_points import PROMINENCE, ratio_maxima
 
 @dataclass(frozen=True)
 class Window:
-    """Range of x_a/sigma [1] with a turning point, nan if there is none; the bounds on the errors of its
-    ends are infinite if the sweep ends inside the window."""
+    """Range of x_a/sigma [1] with a turning point, nan if there is none; the bounds on the errors
+    of its ends are infinite if the sweep ends inside the window."""
 
     low: float
     low_error: float
@@ -31,8 +31,9 @@ class Window:
 @dataclass(frozen=True)
 class WindowSearch:
     """Resolution of the search for windows: the sampled x_a/sigma [1], increasing; the number of
-    separations between which maxima are sought, and their least prominence [1]; ``rtol`` of the solved
-    points, and the absolute error of both ends [1], which are interpolated if it is infinite."""
+    separations between which maxima are sought, and their least prominence [1]; ``rtol`` of the
+    solved points, and the absolute error of both ends [1], which are interpolated if it is
+    infinite."""
 
     ratios: NDArray
     separations: int = 60
@@ -48,14 +49,17 @@ def turning_point_windows(
     load_range: tuple[float, float],
     parameters: Parameters,
 ) -> list[Window]:
-    """Find the longest range of x_a/sigma with a turning point in dry contact for each ``roughness``
-    sigma [m], at a ``density`` eta_a [m-2], between the first and last load F_t* [1]."""
+    """Find the longest range of x_a/sigma with a turning point in dry contact for each
+    ``roughness`` sigma [m], at a ``density`` eta_a [m-2], between the first and last load F_t* [1].
+    """
     roughness = np.asarray(roughness)
     if not roughness.size:
         return []
 
     def margin(ratios, surface):
-        """Margin of the largest prominence over the least required; negative without a turning point."""
+        """Margin of the largest prominence over the least required; negative without a turning
+        point.
+        """
         sigma = roughness[surface]
         columns = ratios * sigma, sigma, np.full_like(sigma, density)
         names = "particle_diameter", "roughness", "particle_density"
@@ -88,8 +92,8 @@ def turning_point_windows(
 
 
 def _ends_of_longest_runs(ratios, margins):
-    """The longest run of positive ``margins``: the ratios at its ends, their outer neighbours, and the
-    interpolated zeros between them; shape (2, ...) each."""
+    """The longest run of positive ``margins``: the ratios at its ends, their outer neighbours, and
+    the interpolated zeros between them; shape (2, ...) each."""
     length, longest, last = np.zeros((3, *margins.shape[1:]), int)
     for index, inside in enumerate(margins > 0.0):
         length = (length + 1) * inside
@@ -107,8 +111,8 @@ def _ends_of_longest_runs(ratios, margins):
 
 
 def _margin_over_least(prominence, least):
-    """Signed square root of the prominence, nearly linear in x_a/sigma, minus the root of the least; nan
-    counts as 0."""
+    """Signed square root of the prominence, nearly linear in x_a/sigma, minus the root of the
+    least; nan counts as 0."""
     height = np.where(np.isnan(prominence), 0.0, prominence)
     return np.copysign(np.sqrt(np.abs(height)), height) - np.sqrt(least)
 

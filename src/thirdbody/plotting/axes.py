@@ -17,7 +17,8 @@ def set_scales(
 ) -> Axes | None:
     """Set scales, ticks, labels and limits of axes after all data have been drawn; with
     ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge; a fraction is
-    logarithmic from ``least`` on, if it is given.  Returns the axes with the names of zones, if it has some."""
+    logarithmic from ``least`` on, if it is given.  Returns the axes with the names of zones, if it
+    has some."""
     axes.margins(x=0.02, y=0.04)
     limits = axes.dataLim
     for axis, name, (low, high) in (
@@ -75,7 +76,9 @@ def _in_unit(axis, unit):
 
 
 def _draw_zones(axes, scale, shaded):
-    """The middle regime or mode shaded behind the curves, and the names of all at an edge of their own on the right."""
+    """The middle regime or mode shaded behind the curves, and the names of all at an edge of their
+    own on the right.
+    """
     low, high = axes.get_ylim()
     limits, names = ZONES[scale.zones]
     if shaded:

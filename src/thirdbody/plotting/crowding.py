@@ -1,4 +1,6 @@
-"""What keeps a panel readable: names at the ends of curves, and one mark where several would coincide."""
+"""What keeps a panel readable: names at the ends of curves, and one mark where several would
+coincide.
+"""
 
 from collections.abc import Collection, Mapping, Sequence
 
@@ -27,9 +29,10 @@ def name_ends(
     dry: Collection[Line2D],
     hairlines: Mapping[Line2D, str],
 ) -> float:
-    """Write ``texts`` beside the ends of their lines, where more ends are apart: right of the panel, or left of
-    the curves, in room that the axis gains.  ``dry`` lines share no name with others; ``hairlines`` have one
-    where there is room.  Returns the width taken right of the panel [points]."""
+    """Write ``texts`` beside the ends of their lines, where more ends are apart: right of the
+    panel, or left of the curves, in room that the axis gains.  ``dry`` lines share no name with
+    others; ``hairlines`` have one where there is room.  Returns the width taken right of the panel
+    [points]."""
     right, left = (_groups(axes, texts, end, dry) for end in (-1, 0))
     at_left = len(left) > len(right)
     groups = left if at_left else right
@@ -80,7 +83,9 @@ def name_ends(
 
 
 def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
-    """Lines whose first or last points coincide, from the lowest on: each with its x, and its height in the panel."""
+    """Lines whose first or last points coincide, from the lowest on: each with its x, and its
+    height in the panel.
+    """
     places = []
     for line in texts:
         points = line.get_xydata()
@@ -108,8 +113,8 @@ def _joined(texts) -> str:
 
 
 def _spread(heights) -> NDArray:
-    """Heights of texts, near the increasing ``heights`` and at least a line apart, in the panel: halfway between
-    those that move up alone and those that move down alone."""
+    """Heights of texts, near the increasing ``heights`` and at least a line apart, in the panel:
+    halfway between those that move up alone and those that move down alone."""
     lines = LINE * np.arange(len(heights))
     apart = np.array(heights) - lines
     up, down = np.maximum.accumulate(apart), np.minimum.accumulate(apart[::-1])[::-1]
@@ -130,7 +135,9 @@ def keep_apart(axes: Axes, marks: Sequence[Line2D]) -> None:
 
 
 def hide_bars(axes: Axes, pairs: Sequence[tuple[Line2D, Line2D]]) -> None:
-    """Of pairs of a mark and a bar, hide bars that have no mark that is shown, repeat others or are short."""
+    """Of pairs of a mark and a bar, hide bars that have no mark that is shown, repeat others or are
+    short.
+    """
     shown = {_points(mark) for mark, _ in pairs if mark.get_markevery() in (None, [True])}
     drawn = set()
     for mark, bar in pairs:
@@ -140,7 +147,9 @@ def hide_bars(axes: Axes, pairs: Sequence[tuple[Line2D, Line2D]]) -> None:
 
 
 def hide_repeats(axes: Axes, lines: Sequence[Line2D]) -> None:
-    """Of dashed ``lines`` at the same loads that coincide, show one: dashes of several fill each other's gaps."""
+    """Of dashed ``lines`` at the same loads that coincide, show one: dashes of several fill each
+    other's gaps.
+    """
     nearest = SEEN_APART * axes.figure.dpi / 72.0
     before: list[NDArray] = []
     for line in lines:

@@ -29,7 +29,9 @@ ONE_COLUMN, TWO_COLUMNS = 84.0 / 25.4, 174.0 / 25.4  # widths of figures in jour
 
 
 class Drawing(Figure):
-    """A figure that notebooks display as a picture, with or without pyplot; ``panels`` has its content."""
+    """A figure that notebooks display as a picture, with or without pyplot; ``panels`` has its
+    content.
+    """
 
     panels: Sequence[Panel] = ()
 
@@ -49,8 +51,8 @@ class Drawing(Figure):
 
 
 def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: int = 2) -> Drawing:
-    """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its title and, if there are
-    several, its letter."""
+    """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its title
+    and, if there are several, its letter."""
     if len(panels) > MOST_PANELS:
         raise ValueError(f"the figure has {len(panels)} panels; allowed: at most {MOST_PANELS}")
     figure = Drawing(figsize=size, layout="constrained")
@@ -66,7 +68,9 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:
-    """Write a figure in the format of the suffix of its path; matplotlib refuses what it cannot write."""
+    """Write a figure in the format of the suffix of its path; matplotlib refuses what it cannot
+    write.
+    """
     kind = Path(path).suffix.removeprefix(".")
     with atomic_write(path) as (part,):
         write_figure(figure, part, kind, FORMATS.get(kind, {}))
@@ -75,7 +79,9 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
 def write_figure(
     figure: Figure, path: str | PathLike, kind: str, options: Mapping[str, Any]
 ) -> None:
-    """Draw a figure in memory, then write it: on a full disk matplotlib's writer of PDF hides the error."""
+    """Draw a figure in memory, then write it: on a full disk matplotlib's writer of PDF hides the
+    error.
+    """
     drawn = BytesIO()
     figure.savefig(drawn, format=kind, **options)
     Path(path).write_bytes(drawn.getvalue())

@@ -47,8 +47,9 @@ UNSEEN = 0.1  # height of values below a logarithmic axis, also of 0, in its fir
 def curves_in(
     data: Dataset, turning_points: Iterable[Mapping] = (), ranges: Dataset | None = None
 ) -> list[Curve]:
-    """The curves of ``data``, in the order of its axes, with their ``ranges``; ``turning_points`` have
-    the four conditions.  Areas are also relative to dry two-body contact on the same surface."""
+    """The curves of ``data``, in the order of its axes, with their ``ranges``; ``turning_points``
+    have the four conditions.  Areas are also relative to dry two-body contact on the same surface.
+    """
     found = {
         condition_key(each[name] for name in Condition._fields): each for each in turning_points
     }
@@ -83,8 +84,9 @@ def curves_in(
 class Content:
     """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``.
 
-    ``surface`` is the only one shown, 0 the smoothest and -1 the roughest; with ``locus`` a line joins the
-    turning points; a logarithmic axis of a fraction begins at ``least``; the title ends with the ``remark``.
+    ``surface`` is the only one shown, 0 the smoothest and -1 the roughest; with ``locus`` a line
+    joins the turning points; a logarithmic axis of a fraction begins at ``least``; the title ends
+    with the ``remark``.
     """
 
     y: str
@@ -99,8 +101,9 @@ class Content:
 class CurveFigure:
     """A figure of curves that differ in one ``parameter``.
 
-    Each panel is drawn for every value of the conditions ``each``, with two-body contact.  Without ``two_body``, two-body contact is
-    only the reference of areas.  If levels of the parameter [SI] are ``strong``, the others are hairlines.
+    Each panel is drawn for every value of the conditions ``each``, with two-body contact.  Without
+    ``two_body``, two-body contact is only the reference of areas.  If levels of the parameter [SI]
+    are ``strong``, the others are hairlines.
     """
 
     parameter: str
@@ -121,10 +124,11 @@ class CurveFigure:
     ) -> Figure:
         """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
-        ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``; ``ensemble_range``
-        has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``windows`` are rows of the table
-        ``tpca_windows``.  With ``axes``, the panels are drawn there.  ``further`` gives further series of a
-        panel from its content and curves; ``mark_looks`` are entries of the key, for marks that are drawn.
+        ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``;
+        ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``windows``
+        are rows of the table ``tpca_windows``.  With ``axes``, the panels are drawn there.
+        ``further`` gives further series of a panel from its content and curves; ``mark_looks`` are
+        entries of the key, for marks that are drawn.
         """
         curves = curves_in(data, turning_points, ensemble_range)
         if not self.two_body:
@@ -155,7 +159,9 @@ class CurveFigure:
         return draw_panels(panels, key, title, common, newtons_per_load, axes, mark_looks)
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
-        """The content of each panel with its curves, those of one surface or combination if it has one."""
+        """The content of each panel with its curves, those of one surface or combination if it has
+        one.
+        """
         levels = [
             sorted({getattr(curve.condition, name) for curve in curves} - {0.0})
             for name in self.each
@@ -168,7 +174,9 @@ class CurveFigure:
                 yield content, [curve for curve in shown if _is_of(own, curve.condition)]
 
     def _panel(self, content, series, own) -> Panel:
-        """A panel, whose title has what it shows if others show something else, and its ``own`` conditions."""
+        """A panel, whose title has what it shows if others show something else, and its ``own``
+        conditions.
+        """
         several = len({(each.x, each.y) for each in self.contents}) > 1
         shown = panel_title(content.x, content.y) if several or not own else ""
         return Panel(
@@ -182,7 +190,9 @@ class CurveFigure:
 
 
 def _is_of(own, condition) -> bool:
-    """Whether a panel with its ``own`` conditions has a curve; two-body contact has no particles that differ."""
+    """Whether a panel with its ``own`` conditions has a curve; two-body contact has no particles
+    that differ.
+    """
     differing = [name for name, value in own.items() if getattr(condition, name) != value]
     return not differing or (condition.is_two_body and {*differing} <= {*OF_PARTICLES})
 
@@ -230,9 +240,10 @@ def draw_panels(
     axes: Sequence[Axes] = (),
     mark_looks: Mapping[str, Look] = marks.LOOKS,
 ) -> Figure:
-    """Draw panels of curves, and a key for the groups of ``key`` and for ``mark_looks`` of marks that are
-    drawn; with ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  With ``axes``, one for each
-    panel, they are drawn there, and the key is in the last of them; otherwise on a new figure."""
+    """Draw panels of curves, and a key for the groups of ``key`` and for ``mark_looks`` of marks
+    that are drawn; with ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  With
+    ``axes``, one for each panel, they are drawn there, and the key is in the last of them;
+    otherwise on a new figure."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
     every = [series for panel in panels for series in panel.series]
@@ -302,7 +313,9 @@ def _draw_panel(axes, panel, newtons_per_load):
 
 
 def _draw_uprights(axes, panel):
-    """Draw upright lines, each number once, with the name of their curve and a strip for the tolerance."""
+    """Draw upright lines, each number once, with the name of their curve and a strip for the
+    tolerance.
+    """
     names = {one.curve: _name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Series] = []
     for series in panel.series:

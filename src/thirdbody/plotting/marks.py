@@ -1,4 +1,6 @@
-"""Marks that follow from solved data: turning points (TPCA), slight peaks, windows, ranges and statuses."""
+"""Marks that follow from solved data: turning points (TPCA), slight peaks, windows, ranges and
+statuses.
+"""
 
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
@@ -67,7 +69,9 @@ def read_turning_points(path: str | PathLike) -> list[dict[str, Any]]:
 
 
 def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> Iterator[Series]:
-    """The turning points of ``curves`` in a panel of ``x`` and ``y`` as one series, if there are any."""
+    """The turning points of ``curves`` in a panel of ``x`` and ``y`` as one series, if there are
+    any.
+    """
     marked = [curve for curve in curves if curve.turning_point]
     if marked:
         at_x, at_y = (
@@ -77,8 +81,8 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
 
 
 def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
-    """Peaks of A_sa,t* that are no turning points, in a panel where other curves have some; on a linear axis,
-    without ``least``, those that are apart from its zero."""
+    """Peaks of A_sa,t* that are no turning points, in a panel where other curves have some; on a
+    linear axis, without ``least``, those that are apart from its zero."""
     places = []
     highest = max((np.nanmax(curve.values[RATIO]) for curve in curves), default=0.0)
     for curve in curves if any(curve.turning_point for curve in curves) else ():
@@ -94,7 +98,9 @@ def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """First and last points with a status other than ``converged``, and ends of curves without values."""
+    """First and last points with a status other than ``converged``, and ends of curves without
+    values.
+    """
     for status in STATUSES:
         for curve in curves:
             marked = curve.values[STATUS] == SOLUTION_STATUSES.index(status)
@@ -113,7 +119,8 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
 def range_series(
     name: str, x: NDArray, low: NDArray, high: NDArray, colour: Any, condition: Any = None
 ) -> Series:
-    """The closed outline of a range where it is known: along its low and back along its high end."""
+    """The closed outline of a range where it is known: along its low and back along its high
+    end."""
     known = np.isfinite(low) & np.isfinite(high)
     x, low, high = x[known], low[known], high[known]
     outline = np.append(x, x[::-1]), np.append(low, high[::-1])
@@ -141,7 +148,8 @@ def range_of(curve: Curve, x: str, y: str) -> Iterator[Series]:
 
 
 def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Series]:
-    """The computed ends of the range of x_a/σ with turning points on one surface, if there are any."""
+    """The computed ends of the range of x_a/σ with turning points on one surface, if there are
+    any."""
     ends = np.array([row["diameter_over_roughness"] for row in windows if is_on(row, roughness)])
     ends = ends[np.isfinite(ends)]
     if ends.size:

@@ -16,8 +16,9 @@ LINE, OUTLINE, UPRIGHT = "line", "outline", "upright"  # how a series is drawn
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """One curve of a dataset: its condition; the values of each quantity over the load, shape (loads,);
-    ``load`` and ``peak_ratio`` of its turning point, if it has one; and its line properties."""
+    """One curve of a dataset: its condition; the values of each quantity over the load, shape
+    (loads,); ``load`` and ``peak_ratio`` of its turning point, if it has one; and its line
+    properties."""
 
     condition: Condition
     values: dict[str, NDArray]
@@ -40,11 +41,12 @@ class Curve:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws them.
+    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws
+    them.
 
-    The kind is ``CURVE``, "band", "turning points", "printed", ...  Points are joined by a line, are the
-    outline of an area, or each is an upright line across the panel.  A number may have a ``tolerance``: x and
-    y of both its ends.
+    The kind is ``CURVE``, "band", "turning points", "printed", ...  Points are joined by a line,
+    are the outline of an area, or each is an upright line across the panel.  A number may have a
+    ``tolerance``: x and y of both its ends.
     """
 
     kind: str
@@ -61,7 +63,8 @@ class Series:
 @dataclass(frozen=True, eq=False)
 class Panel:
     """A panel: title, names of the quantities on its axes, series, its letter once drawn, where a
-    logarithmic axis of a fraction begins, 0 for a linear one, and the conditions that no other has."""
+    logarithmic axis of a fraction begins, 0 for a linear one, and the conditions that no other has.
+    """
 
     title: str
     x: str

@@ -52,14 +52,16 @@ def plot(
     Parameters
     ----------
     data : Solution, xarray.Dataset, pandas.DataFrame or path
-        A solution, a dataset of ``grid`` or ``Solution.to_dataset``, the table of such a dataset, or a NetCDF
-        file of ``stream`` or of the workflow.  ``Solution.to_dataframe`` is no such table: its load in newtons
-        does not give F_t*.  Points in a list must be all combinations of their conditions.
+        A solution, a dataset of ``grid`` or ``Solution.to_dataset``, the table of such a dataset,
+        or a NetCDF file of ``stream`` or of the workflow.  ``Solution.to_dataframe`` is no such
+        table: its load in newtons does not give F_t*.  Points in a list must be all combinations of
+        their conditions.
     over : str, optional
-        The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by default
-        the load, in newtons if it was given so, or, where there is one load, the axis with most values.
-        Over the load, one of the conditions that vary has colours, and each combination of the others has
-        panels of its own.  Over another axis, each combination of the others is a curve.
+        The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by
+        default the load, in newtons if it was given so, or, where there is one load, the axis with
+        most values. Over the load, one of the conditions that vary has colours, and each
+        combination of the others has panels of its own.  Over another axis, each combination of the
+        others is a curve.
     variables : str or sequence of str, optional
         Draw only these of the four quantities.
     turning_points : sequence of mapping, or path, optional
@@ -122,7 +124,8 @@ def plot(
 
 
 def _longest(data: xr.Dataset) -> str:
-    """The load, by the name by which it was given, if it varies; or else the axis with most values."""
+    """The load, by the name by which it was given, if it varies; or else the axis with most
+    values."""
     if data.sizes["load"] < 2:
         return max(_dimensions(data), key=lambda name: data.sizes[name])
     in_newtons = GIVEN_AS in data["load"].attrs and NORMAL_LOAD.name in data
@@ -132,7 +135,8 @@ def _longest(data: xr.Dataset) -> str:
 def _plot_over(
     data: xr.Dataset, over: str, variables: Collection[str], axes: Sequence[Axes]
 ) -> Figure:
-    """Panels of ``variables`` over one axis, with a curve for each combination of the other axes."""
+    """Panels of ``variables`` over one axis, with a curve for each combination of the other
+    axes."""
     others = [name for name in _dimensions(data) if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
     common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
@@ -154,8 +158,8 @@ def plot_curve(table: pd.DataFrame, along: str) -> Figure:
     Parameters
     ----------
     table : pandas.DataFrame
-        A column ``along``, one for each of A_sa,t*, A_t*, L_s and H_c [SI], and beside it ``_low`` and ``_high`` if
-        it has a range: as in ``thirdbody.answers.curve``.
+        A column ``along``, one for each of A_sa,t*, A_t*, L_s and H_c [SI], and beside it ``_low``
+        and ``_high`` if it has a range: as in ``thirdbody.answers.curve``.
     along : str
         The condition along x, with its unit: ``load_N``, ``viscosity_cSt``, ...
 
@@ -229,7 +233,9 @@ def _dimensions(data: xr.Dataset) -> list[str]:
 
 
 def _in_si(data: xr.Dataset) -> xr.Dataset:
-    """The same data in the units in which they are drawn; ``ValueError`` for a unit of another dimension."""
+    """The same data in the units in which they are drawn; ``ValueError`` for a unit of another
+    dimension.
+    """
     for name, variable in (CONDITIONS | NUMBERS | {NORMAL_LOAD.name: NORMAL_LOAD}).items():
         unit = data[name].attrs.get("units", variable.unit) if name in data else variable.unit
         if unit == variable.unit:
@@ -243,7 +249,9 @@ def _in_si(data: xr.Dataset) -> xr.Dataset:
 
 
 def _placed_on_axes(name: str, data: xr.Dataset) -> xr.Dataset:
-    """Points along other dimensions on the five axes, if they are all combinations of their conditions."""
+    """Points along other dimensions on the five axes, if they are all combinations of their
+    conditions.
+    """
     table = data.reset_coords().to_dataframe()
     levels = [each for each in table.index.names if each not in table]
     table = table.reset_index(levels).set_index(_dimensions(data))

@@ -1,4 +1,6 @@
-"""Text of numbers and conditions in figures, and the variables of their axes; nothing is drawn here."""
+"""Text of numbers and conditions in figures, and the variables of their axes; nothing is drawn
+here.
+"""
 
 from collections.abc import Sequence
 

@@ -18,8 +18,8 @@ MARKERS_PER_CURVE = 5
 # of the colour map: two-body contact is darker, lighter is faint on white paper
 DARKEST, LIGHTEST = 0.05, 0.59
 BLUE = "#0072B2"  # of a single curve of an interface, or of the model
-# Dry curves are dashes on the lubricated ones, which then are seen below them; black differs from all
-# colours of levels, whatever colours a reader sees.
+# Dry curves are dashes on the lubricated ones, which then are seen below them; black differs from
+# all colours of levels, whatever colours a reader sees.
 DRY = {"color": "black", "linestyle": (0, (4.0, 2.5)), "linewidth": 1.0, "zorder": 2.6}
 DRY_TWO_BODY = {"color": "black", "linestyle": (0, (1.0, 1.6)), "linewidth": 1.6, "zorder": 2.6}
 TWO_BODY = "none (two-body)"  # label of a level
@@ -53,11 +53,11 @@ def _marker(colour, index) -> dict[str, Any]:
 def curve_styles(
     curves: Sequence[Condition], parameter: str, size: int, strong: Sequence[float] = ()
 ) -> tuple[dict[Condition, dict[str, Any]], list[list[Look]]]:
-    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by its
-    level, and the entries of the key, grouped.
+    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled
+    by its level, and the entries of the key, grouped.
 
-    Two-body contact is black; with lubricated contact, dry contact is black and dashed, or dotted without
-    particles.  If some levels are ``strong``, the others are hairlines with one entry.
+    Two-body contact is black; with lubricated contact, dry contact is black and dashed, or dotted
+    without particles.  If some levels are ``strong``, the others are hairlines with one entry.
     """
     media = {each.viscosity for each in curves}
     compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2

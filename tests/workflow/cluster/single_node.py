@@ -1,4 +1,5 @@
-"""A cluster of one node: SLURM without accounting, from Debian's packages, in a temporary folder."""
+"""A cluster of one node: SLURM without accounting, from Debian's packages, in a temporary
+folder."""
 
 import getpass
 import os
@@ -14,7 +15,8 @@ PROGRAMS = ("munged", "slurmctld", "slurmd")
 NODE, PARTITION = "node", "batch"
 # Snakemake's plugin: not beside Snakemake, as it slows every command where no controller answers
 PLUGIN = Path(__file__).resolve().parents[3] / ".venv" / "slurm"
-# the node has a host name and temporary files of its own, and the configuration where clusters have it
+# the node has a host name and temporary files of its own, and the configuration where clusters have
+# it
 ANOTHER_HOST = f"""
 set -e
 hostname {NODE}
@@ -147,7 +149,8 @@ class Cluster:
         return self.ask("squeue", "--noheader", "--format=%A", "--sort=i", wanted).split()
 
     def submitted(self, purpose, but):
-        """How many jobs, all ``but`` those with these numbers, were submitted for a rule or group."""
+        """How many jobs, all ``but`` those with these numbers, were submitted for a rule or
+        group."""
         listed = self.ask("squeue", "--noheader", "--format=%A %k", "--states=all").splitlines()
         jobs = dict(line.split(" ", 1) for line in listed)
         return sum(jobs[job].startswith(f"rule_{purpose}") for job in jobs.keys() - set(but))

@@ -42,7 +42,9 @@ def may_mount() -> bool:
 def test_a_full_disk_is_named_and_the_run_completes_when_it_has_room(
     sources, undisturbed, tmp_path, room, tell
 ):
-    """The disk holds the whole repository: Snakemake's own files do not fit either, which it says itself."""
+    """The disk holds the whole repository: Snakemake's own files do not fit either, which it says
+    itself.
+    """
     disk, kept = tmp_path / "disk", tmp_path / "kept"
     disk.mkdir()
     kept.mkdir()
