@@ -13,7 +13,7 @@ import numpy as np
 import thirdbody as tb
 from benchmarks.points import relative_error
 from tests.oracle.extended import CONDITIONS, QUANTITIES, Oracle, Solved
-from tests.oracle.points import COMBINATIONS, draw_for_library, move_to_kinks
+from tests.oracle.random_points import COMBINATIONS, draw_for_library, move_to_kinks
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.variables import VARIABLES
 

@@ -9,7 +9,7 @@ from mpmath import mp, mpf
 from benchmarks.points import read_rows, relative_error
 from tests.oracle.extended import INTERPRETATIONS, NUMBERS, QUANTITIES, why_not
 from tests.oracle.in_mpmath import Interface
-from tests.oracle.points import PUBLISHED, draw, one
+from tests.oracle.random_points import PUBLISHED, draw, one
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 pytestmark = pytest.mark.skipif(why_not() is not None, reason=str(why_not()))

@@ -7,7 +7,7 @@ import pytest
 
 from benchmarks.baselines import load_plain_model
 from tests.oracle.extended import CONDITIONS, QUANTITIES, SURFACE, why_not
-from tests.oracle.points import COMBINATIONS, PUBLISHED, draw, one
+from tests.oracle.random_points import COMBINATIONS, PUBLISHED, draw, one
 
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),

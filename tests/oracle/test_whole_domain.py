@@ -14,7 +14,7 @@ import pytest
 
 from tests.oracle.comparison import PLACES, ROUND, compare, draw_points
 from tests.oracle.extended import why_not
-from tests.oracle.points import PUBLISHED
+from tests.oracle.random_points import PUBLISHED
 from thirdbody.core.asperity import SummitPopulation
 from thirdbody.core.summits import QUADRATURE_ERROR
 
