@@ -106,6 +106,7 @@ def test_a_place_where_nothing_can_be_written_is_named_before_the_block_runs(
     assert listing(tmp_path) == ["file", "folder"]
 
 
+@pytest.mark.skipif(not os.path.isdir("/proc/self/fd"), reason="open files have no names here")
 def test_a_name_of_an_open_pipe_is_written(tmp_path):
     reader, writer = os.pipe()
     place = tmp_path / "stdout"
@@ -117,6 +118,7 @@ def test_a_name_of_an_open_pipe_is_written(tmp_path):
     os.close(writer)
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes have no names here")
 def test_a_pipe_is_written_and_stays_a_pipe(tmp_path):
     place = tmp_path / "pipe"
     os.mkfifo(place)

@@ -1,7 +1,5 @@
 """The paper's panels for datasets of one's own, however they were made."""
 
-import resource
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -299,6 +297,7 @@ def test_other_units_are_converted_or_refused(name, factor, unit):
 
 @pytest.mark.parametrize("kind", FORMATS)
 def test_want_of_room_names_the_picture_and_leaves_nothing(grid, tmp_path, kind):
+    resource = pytest.importorskip("resource")  # POSIX
     figure = tb.plot(grid())
     usual = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (4096, usual[1]))  # bytes of a file
