@@ -21,8 +21,8 @@ import thirdbody
 from chenhorng.configuration.settings import read_settings
 from chenhorng.scenes import scene_groups
 from thirdbody.core.solve import solve_points
+from thirdbody.files import config_directory
 from thirdbody.grids import crossed
-from thirdbody.plain_yaml import config_directory
 from thirdbody.variables import NUMBERS
 
 ROUNDS = 5

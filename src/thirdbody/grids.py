@@ -31,9 +31,8 @@ from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import type_of
 from thirdbody.core.sweep import is_worthwhile, sweep
 from thirdbody.ensembles import MEMBER, Ensemble
-from thirdbody.files import atomic_write
+from thirdbody.files import atomic_write, format_path, format_value
 from thirdbody.inputs import or_calibrated
-from thirdbody.messages import format_path, format_value
 from thirdbody.netcdf import declare
 from thirdbody.progress import progress_bar
 from thirdbody.variables import CONDITIONS, STATUS, VARIABLES

@@ -20,8 +20,7 @@ from chenhorng.home import config_directory
 from thirdbody.attributes import model_attribute
 from thirdbody.command import BAD_INPUT, main
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters, mccool_summits
-from thirdbody.messages import format_value
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import format_value, read_yaml
 
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]
 CONTRACT = Path(__file__).parents[2] / "verification" / "contract.py"
