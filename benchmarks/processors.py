@@ -19,9 +19,9 @@ from tabulate import tabulate
 
 import thirdbody
 from chenhorng.configuration.settings import read_settings
+from chenhorng.home import config_directory
 from chenhorng.scenes import scene_groups
 from thirdbody.core.solve import solve_points
-from thirdbody.files import config_directory
 from thirdbody.grids import crossed
 from thirdbody.variables import NUMBERS
 
