@@ -8,10 +8,10 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from thirdbody.attributes import coordinate_attributes, variable_attributes
 from thirdbody.conditions import from_si
 from thirdbody.core.regimes import FLAG_MEANINGS, STATES, codes_to_name
 from thirdbody.ensembles import MEMBER, Ensemble
+from thirdbody.netcdf import coordinate_attributes, variable_attributes
 from thirdbody.notes import area_note
 from thirdbody.variables import CONDITIONS, NORMAL_LOAD, VARIABLES, decimal
 
