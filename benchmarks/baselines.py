@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES
-from thirdbody.attributes import model_attribute
+from thirdbody.netcdf import model_attribute
 from thirdbody.variables import DIMENSIONS
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import thirdbody as tb
-from thirdbody.attributes import KEYS
+from thirdbody.netcdf import KEYS
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 VARIABLES = tuple(QUANTITIES)

@@ -19,10 +19,10 @@ from tabulate import tabulate
 
 import thirdbody
 from chenhorng.configuration.settings import read_settings
+from chenhorng.home import config_directory
 from chenhorng.scenes import scene_groups
 from thirdbody.core.solve import solve_points
 from thirdbody.grids import crossed
-from thirdbody.plain_yaml import config_directory
 from thirdbody.variables import NUMBERS
 
 ROUNDS = 5

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from chenhorng.configuration.model import Configuration
 from thirdbody.core.parameters import BOUNDS
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 from thirdbody.symbols import unicode
 
 INPUTS = Path(__file__).resolve().parents[1] / "config" / "inputs.yaml"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import xarray as xr
 
-from thirdbody.attributes import identity
+from thirdbody.netcdf import identity
 
 CHUNKS = "results/atlas/chunks"
 

@@ -7,12 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.attributes import identity
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition, curves_of
 from thirdbody.ensembles import ENDS, range_over_members
-from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable
+from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable, identity
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width

@@ -4,12 +4,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from thirdbody.attributes import described_grid
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.curves import Condition
 from thirdbody.grids import Axes, crossed
-from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset
+from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, described_grid
 from thirdbody.variables import CONDITION_AXES, DIMENSIONS, FLAGS, NUMBERS, decimal
 
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter

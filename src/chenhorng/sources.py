@@ -7,7 +7,7 @@ from pathlib import Path
 
 import grimp
 
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 INPUTS_OF_RULES = ".j2", ".html"  # suffixes of templates
 

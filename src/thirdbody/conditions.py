@@ -307,6 +307,14 @@ def common_index(arguments: Mapping[str, Any]) -> "pd.Index | None":
     return columns[first].index
 
 
+def indexed(table: "pd.DataFrame", index: "pd.Index | None", points: ArrayLike) -> "pd.DataFrame":
+    """A table whose rows belong to ``points``, flat indices into an array with the rows of
+    ``index`` along its last axis, with the labels of these rows; unchanged if ``index`` is None."""
+    if index is None:
+        return table
+    return table.set_index(index.take(np.asarray(points, int) % max(len(index), 1)))
+
+
 # ---- kinds of values
 
 

@@ -1,9 +1,12 @@
-"""Atomic writing of files, the error for damaged files, and the SHA-256 of a file."""
+"""Files: atomic writing, the error for damaged files, the SHA-256, plain YAML (no Python tags, no
+duplicate keys, decimal numbers alone), and values and file names in one-line messages.
+"""
 
 import errno
 import glob
 import hashlib
 import os
+import re
 import secrets
 import shutil
 import stat
@@ -11,8 +14,27 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
-from thirdbody.messages import format_path
+import yaml
+
+LONGEST = 60  # letters of a value in a message
+KINDS: dict[type, str] = {dict: "keys with values", list: "a list"}
+OTHER_BASES = re.compile(r"[-+]?(0[0-9xb_]|.*:)")
+
+
+def format_value(value: Any) -> str:
+    """The ``repr`` of a value on one line, cut if it is long; numbers of numpy as plain numbers."""
+    is_number = type(value).__module__ == "numpy" and getattr(value, "shape", None) == ()
+    value = value.item() if is_number and hasattr(value, "item") else value
+    text = " ".join(repr(value).split())
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
+
+
+def format_path(path: str | PathLike) -> str:
+    """The name of a file, quoted if it is empty or not printable."""
+    name = str(path)
+    return name if name.isprintable() and name else format_value(name)
 
 
 @contextmanager
@@ -111,3 +133,56 @@ def digest(path: str | os.PathLike) -> str:
     """The SHA-256 of a file, in hexadecimal."""
     with open(path, "rb") as content:
         return hashlib.file_digest(content, "sha256").hexdigest()
+
+
+class _KeysOnce(yaml.CSafeLoader):
+    """PyYAML's loader, restricted to unique keys that are strings."""
+
+    def construct_mapping(self, node, deep=False):
+        seen = set()
+        for place, _ in node.value:
+            key = self.construct_object(place, deep=True)
+            if not isinstance(key, str):
+                raise _fault(place, f"key {key!r}; allowed: strings")
+            if key in seen:
+                raise _fault(place, f"duplicate key {key!r}")
+            seen.add(key)
+        return super().construct_mapping(node, deep)
+
+
+def _decimal(loader, node):
+    """An integer as typed: YAML 1.1 reads 0300 as 192, and 1:30 as 90."""
+    if OTHER_BASES.match(node.value):
+        raise _fault(node, f"number {node.value}; allowed: decimal numbers, or text in quotes")
+    construct = getattr(loader, f"construct_yaml_{node.tag.rpartition(':')[2]}")
+    return construct(node)
+
+
+for kind in ("int", "float"):
+    _KeysOnce.add_constructor(f"tag:yaml.org,2002:{kind}", _decimal)
+
+
+def read_yaml(path: str | Path, kind: type = dict) -> Any:
+    """The content of a plain YAML file in UTF-8: a ``dict``, or a ``list`` if this is its ``kind``;
+    ``ValueError`` in one line with the file, the line in it, and the error."""
+    name = format_path(path)
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except OSError as error:
+        raise ValueError(f"{name}: {error.strerror}; allowed: a readable YAML file") from None
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{name}: byte {error.start} is not UTF-8") from None
+    try:
+        content = yaml.load(text, _KeysOnce)
+    except (yaml.YAMLError, ValueError) as error:
+        mark = getattr(error, "problem_mark", None)
+        place = f"line {mark.line + 1}: " if mark else ""
+        problem = " ".join(str(getattr(error, "problem", error)).split())
+        raise ValueError(f"{name}: {place}{problem}") from None
+    if not isinstance(content, kind):
+        raise ValueError(f"{name}: contains {type(content).__name__}; allowed: {KINDS[kind]}")
+    return content
+
+
+def _fault(place: yaml.Node, problem: str) -> yaml.MarkedYAMLError:
+    return yaml.MarkedYAMLError(problem=problem, problem_mark=place.start_mark)

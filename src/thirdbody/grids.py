@@ -18,7 +18,6 @@ import netCDF4
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.attributes import coordinate_attributes, described_grid, identity
 from thirdbody.conditions import (
     ConditionArguments,
     Conditions,
@@ -31,10 +30,9 @@ from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import type_of
 from thirdbody.core.sweep import is_worthwhile, sweep
 from thirdbody.ensembles import MEMBER, Ensemble
-from thirdbody.files import atomic_write
+from thirdbody.files import atomic_write, format_path, format_value
 from thirdbody.inputs import or_calibrated
-from thirdbody.messages import format_path, format_value
-from thirdbody.netcdf import declare
+from thirdbody.netcdf import coordinate_attributes, declare, described_grid, identity
 from thirdbody.progress import progress_bar
 from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
 from thirdbody.version import current

@@ -8,7 +8,7 @@ from typing import Any
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.ensembles import PAPER_SETUP, Ensemble, Setup, as_ensemble
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 CALIBRATED_FILE = Path(__file__).with_name("calibrated.yaml")  # the default
 

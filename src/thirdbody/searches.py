@@ -20,6 +20,7 @@ from thirdbody.conditions import (
     checked_variables,
     common_index,
     from_si,
+    indexed,
     numbers_in,
     read_conditions,
     read_ends,
@@ -33,7 +34,6 @@ from thirdbody.core.turning_points import PROMINENCE, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
-from thirdbody.labels import indexed
 from thirdbody.progress import progress_bar
 from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
 

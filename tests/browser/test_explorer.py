@@ -15,8 +15,8 @@ import pytest
 from chenhorng.home import config_directory
 from thirdbody.bearings import bearing, hertz_contact
 from thirdbody.curves import Condition
+from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
-from thirdbody.plain_yaml import read_yaml
 from thirdbody.points import solve
 
 LARGEST = 3e6  # bytes of the page

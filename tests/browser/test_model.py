@@ -11,7 +11,7 @@ from chenhorng.tables import TABLES, read_csv
 from thirdbody.core.parameters import BOUNDS, WORDS
 from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 from thirdbody.points import solve
 from thirdbody.variables import CONDITION_AXES, QUANTITIES
 

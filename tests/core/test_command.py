@@ -16,7 +16,7 @@ import thirdbody as tb
 from thirdbody import inputs
 from thirdbody.__main__ import run as run_command
 from thirdbody.command import ANSWERED, BAD_INPUT, NONE_FOUND, main
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 COMMANDS = ["state", "transitions", "turning-point", "curve", "compare", "bearing"]
 LAYER = "--roughness-nm 300 --particle-density-per-m2 1e11 --particle-diameter-nm 500"

@@ -11,12 +11,12 @@ from scipy.integrate import IntegrationWarning
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES, relative_error
-from thirdbody.attributes import model_attribute
 from thirdbody.core.asperity import SummitPopulation
 from thirdbody.core.parameters import mccool_summits
 from thirdbody.core.regimes import SOLUTION_STATUSES, has_values
 from thirdbody.core.solve import TABLE_WORTH
 from thirdbody.core.summits import pieces_for
+from thirdbody.netcdf import model_attribute
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),

@@ -10,8 +10,8 @@ import yaml
 from chenhorng.home import config_directory
 from thirdbody.bearings import bearing
 from thirdbody.core.parameters import Parameters
+from thirdbody.files import read_yaml
 from thirdbody.inputs import CALIBRATED_FILE, load_parameters
-from thirdbody.plain_yaml import read_yaml
 
 CALIBRATED = config_directory() / "calibrated"
 

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.attributes import model_attribute
 from thirdbody.core.contact import Contact
 from thirdbody.core.regimes import FILM_COUNTS, SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.netcdf import model_attribute
 from thirdbody.variables import QUANTITIES
 
 pytestmark = [

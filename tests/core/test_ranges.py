@@ -18,7 +18,7 @@ from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, sh
 from chenhorng.home import config_directory
 from thirdbody.core.parameters import WORDS
 from thirdbody.ensembles import BELONGS_TO, CALIBRATED, ENDS, Ensemble
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 CALIBRATED_FILE = config_directory() / "calibrated" / "half_free.yaml"
 

@@ -46,8 +46,8 @@ from chenhorng.claims.kinds import Absence, Value, Window
 from chenhorng.configuration.inputs import uncalibrated_values
 from chenhorng.tables import TABLES
 from thirdbody.core.parameters import Parameters
+from thirdbody.files import read_yaml
 from thirdbody.inputs import CALIBRATED_FILE, load_parameters
-from thirdbody.plain_yaml import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")

@@ -14,7 +14,7 @@ from chenhorng.claims.claim import CONDITION_KEYS, MISSING_SCORE
 from chenhorng.claims.evidence import FULL_EFFORT, curve_of
 from chenhorng.claims.kinds import KINDS
 from thirdbody.core.turning_points import PROMINENCE, TurningPoints
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from thirdbody.core.parameters import Parameters
+from thirdbody.files import read_yaml
 from thirdbody.inputs import ensemble_of
-from thirdbody.plain_yaml import read_yaml
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

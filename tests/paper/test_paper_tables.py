@@ -11,7 +11,7 @@ from chenhorng.claims.claims import load_claims, printed_rows
 from chenhorng.claims.paper_tables import paper_table
 from chenhorng.home import config_directory
 from chenhorng.tables import TABLES, read_csv, write_csv
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 from thirdbody.variables import CONDITION_AXES
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from chenhorng.scenes import scene_groups
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 from thirdbody.variables import CONDITION_AXES
 
 NEWTONS = 7.0e5

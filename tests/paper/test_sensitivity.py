@@ -19,7 +19,7 @@ from chenhorng.sensitivity import (
 )
 from chenhorng.tables import TABLES, read_csv, write_csv
 from thirdbody.core.transitions import LIMITS
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 from thirdbody.points import solve
 
 ROOT = Path(__file__).parents[2]

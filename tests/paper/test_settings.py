@@ -9,8 +9,8 @@ import yaml
 
 from chenhorng.configuration.settings import read_settings, workflow_settings
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
+from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
-from thirdbody.plain_yaml import read_yaml
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

@@ -25,7 +25,7 @@ from chenhorng.claims.verdicts import claims_html, claims_json, claims_markdown
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 from chenhorng.home import config_directory
 from chenhorng.tables import TABLES
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
 CALIBRATED = read_yaml(config_directory() / "config.yaml")["calibrated"]

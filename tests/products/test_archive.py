@@ -10,7 +10,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 from thirdbody.variables import QUANTITIES
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 pytestmark = pytest.mark.results
 

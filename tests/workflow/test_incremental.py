@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 from workspace import ROOT
 
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 DEFAULT = read_yaml(ROOT / "config/config.yaml")["calibrated"]
 FIGURE = ("datasets/{0}.nc", "bands/{0}.nc", "extracted/*/{0}.csv", "figures/{0}[._]*")

@@ -9,7 +9,7 @@ import pandas as pd
 
 from chenhorng.calibration.adoption import calibrated_text, library_text
 from chenhorng.job_log import job
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 PLACE, LIBRARY = Path("config/calibrated"), Path("src/thirdbody/calibrated.yaml")
 

@@ -11,7 +11,7 @@ from thirdbody.bearings import MATERIALS, USUAL_BEARING, bearing
 from thirdbody.conditions import OIL_DENSITY
 from thirdbody.core.parameters import Parameters
 from thirdbody.ensembles import BODIES, PAPER_SETUP, Ensemble
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 
 def rig_content(parameters):

@@ -6,7 +6,7 @@ from chenhorng.calibration.choice import choose_default
 from chenhorng.claims.claims import load_claims
 from chenhorng.claims.judge import Judge
 from chenhorng.job_log import job
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 with job(snakemake) as output:
     settings = snakemake.params.settings

@@ -5,7 +5,7 @@ from chenhorng.claims.judge import Judge
 from chenhorng.claims.verdicts import Report, claims_html, claims_json, claims_markdown
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 with job(snakemake) as output:
     calibrated = snakemake.params.calibrated

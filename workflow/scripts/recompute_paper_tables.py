@@ -4,7 +4,7 @@ from chenhorng.claims.paper_tables import paper_table
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
 from thirdbody.core.parameters import Parameters
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 with job(snakemake) as output:
     inputs = Parameters(**snakemake.params.parameters)

@@ -7,7 +7,7 @@ from chenhorng.figures.products import save
 from chenhorng.figures.sensitivity import plot
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, read_csv
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 with job(snakemake) as output:
     rows = read_csv(snakemake.input.data, TABLES["sensitivity"])

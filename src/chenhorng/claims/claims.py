@@ -15,7 +15,7 @@ from chenhorng.claims.kinds import KINDS
 from chenhorng.configuration.model import first_fault, one_of
 from chenhorng.places import FIGURE
 from chenhorng.sampling import CURVE_QUANTITIES
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 
 
 class Head(BaseModel):

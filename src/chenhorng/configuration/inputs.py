@@ -8,8 +8,8 @@ from typing import Any
 
 from chenhorng.home import config_directory
 from thirdbody.ensembles import Ensemble, checked_inputs
+from thirdbody.files import read_yaml
 from thirdbody.inputs import ensemble_of
-from thirdbody.plain_yaml import read_yaml
 
 Values = dict[str, float | str]
 

@@ -19,8 +19,7 @@ from thirdbody.curves import (
     colours_and_panels,
     variables_over_load,
 )
-from thirdbody.messages import format_value
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import format_value, read_yaml
 
 MOST_POINTS = 3_000_000  # of a scene: while they are solved they fill the memory of a job
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number

@@ -9,7 +9,7 @@ import numpy as np
 from chenhorng.figures import printed
 from chenhorng.markdown import markdown_text
 from thirdbody.curves import Condition
-from thirdbody.plain_yaml import read_yaml
+from thirdbody.files import read_yaml
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel
 from thirdbody.plotting.scales import (

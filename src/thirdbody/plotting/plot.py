@@ -17,10 +17,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from thirdbody.attributes import GIVEN_AS
 from thirdbody.conditions import axis_of, checked_variables, numbers_in, unit_of
 from thirdbody.curves import LUBRICATED
-from thirdbody.netcdf import OF_THE_FILE, read_plain
+from thirdbody.netcdf import GIVEN_AS, OF_THE_FILE, read_plain
 from thirdbody.plotting.drawing import STYLE
 from thirdbody.plotting.load_curves import curve_figure, draw_panels
 from thirdbody.plotting.marks import range_series, read_turning_points
