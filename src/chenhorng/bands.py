@@ -9,9 +9,9 @@ import numpy as np
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
-from thirdbody.curves import Condition, curves_of
+from thirdbody.curves import Condition
 from thirdbody.ensembles import ENDS, range_over_members
-from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable, identity
+from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable, curves_of, identity
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 BAND_RTOL = 1e-4  # for each member: an error far below a line width

@@ -7,8 +7,8 @@ from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import solve_points
 from thirdbody.core.transitions import LIMITS, limit_crossings
 from thirdbody.core.turning_points import turning_points
-from thirdbody.curves import Condition, curves_of
-from thirdbody.netcdf import PlainDataset
+from thirdbody.curves import Condition
+from thirdbody.netcdf import PlainDataset, curves_of
 from thirdbody.variables import STATUS
 
 FOUND = ("load", "load_error", "peak_ratio", "solid_load_fraction")  # of a turning point

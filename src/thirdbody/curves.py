@@ -1,17 +1,15 @@
-"""Curves over the load: their conditions, in tables and keys of the configuration, and those of a
-dataset.
+"""Curves over the load: their conditions, in tables and keys of the configuration, and what a
+figure shows of them.
 """
 
 from collections.abc import Iterable, Mapping, Set
 from typing import NamedTuple, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from thirdbody.core.film import has_film
 from thirdbody.core.particles import has_particles
-from thirdbody.netcdf import FILL_FLAG, Dataset
-from thirdbody.variables import AXES, CONDITION_AXES, STATUS
+from thirdbody.variables import AXES, CONDITION_AXES
 
 OF_PARTICLES = "particle_diameter", "particle_density"
 MOST_PANELS = 26  # of a figure: each has a letter
@@ -82,15 +80,3 @@ def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:
 def row_key(row: Mapping) -> tuple[str, ...]:
     """The ``condition_key`` of the curve in a row of a table."""
     return condition_key(row[axis.column] for axis in CONDITION_AXES)
-
-
-def curves_of(dataset: Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """The curves of a dataset, with at least one point with a status: their conditions, SI, in the
-    order of ``Condition``, shape (4, curves); and their index in a variable after its load axis,
-    ``values[:, index]``."""
-    status = dataset[STATUS].values
-    # nan where xarray has masked points, which it converts to floats
-    shown = (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
-    axes = [dataset[name].values for name in Condition._fields]
-    conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
-    return conditions, shown

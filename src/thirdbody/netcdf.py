@@ -21,7 +21,15 @@ from numpy.typing import NDArray
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import NO_FLAG
 from thirdbody.files import unreadable
-from thirdbody.variables import AXES, DIMENSIONS, NORMAL_LOAD, NUMBERS, STATUS, VARIABLES
+from thirdbody.variables import (
+    AXES,
+    CONDITION_AXES,
+    DIMENSIONS,
+    NORMAL_LOAD,
+    NUMBERS,
+    STATUS,
+    VARIABLES,
+)
 from thirdbody.variables import Variable as Described
 
 if TYPE_CHECKING:
@@ -255,3 +263,15 @@ def described_grid(
     }
     known = {name: value for name, value in attributes.items() if value is not None}
     return PlainDataset(variables, coordinates, known)
+
+
+def curves_of(dataset: Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The curves of a dataset, with at least one point with a status: their conditions, SI, in the
+    order of ``CONDITION_AXES``, shape (4, curves); and their index in a variable after its load
+    axis, ``values[:, index]``."""
+    status = dataset[STATUS].values
+    # nan where xarray has masked points, which it converts to floats
+    shown = (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
+    axes = [dataset[axis.name].values for axis in CONDITION_AXES]
+    conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
+    return conditions, shown

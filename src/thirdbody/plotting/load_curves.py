@@ -15,10 +15,9 @@ from thirdbody.curves import (
     Condition,
     colours_and_panels,
     condition_key,
-    curves_of,
     variables_over_load,
 )
-from thirdbody.netcdf import Dataset
+from thirdbody.netcdf import Dataset, curves_of
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import (
