@@ -24,7 +24,8 @@ def resolved(schema, definitions):
 
 def described(schema):
     """What a value is; for a list what its values are."""
-    return schema.get("description") or schema.get("items", {}).get("description", "")
+    words = schema.get("description") or schema.get("items", {}).get("description", "")
+    return " ".join(words.split())
 
 
 def allowed(schema):
