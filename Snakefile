@@ -8,8 +8,8 @@ from snakemake.utils import min_version
 
 min_version("9.12")
 
-# Optional instructions of numpy, and the kernels of linear algebra, differ in the last bits. Without them all
-# x86-64 processors make the same files, and it takes no longer: python -m benchmarks.processors
+# Optional instructions of numpy, and the kernels of linear algebra, differ in the last bits. Without them
+# x86-64 processors should make the same files, and it takes no longer: python -m benchmarks.processors
 if platform.machine() in ("x86_64", "AMD64"):
     OPTIONAL = numpy.show_config(mode="dicts")["SIMD Extensions"].get("found", [])
     os.environ.setdefault("NPY_DISABLE_CPU_FEATURES", " ".join(OPTIONAL))
