@@ -12,7 +12,7 @@ from chenhorng.calibration.calibration import Interpretation, make_folds
 from chenhorng.claims.claim import Claim
 
 DIGITS = 6  # significant digits of numbers in the file
-IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
+IDENTIFIED = 0.25  # part of its bounds that an identified input may span with acceptable values
 NOTABLE_CORRELATION = 0.6  # smaller coefficients are left out
 QUANTILES = 0.05, 0.5, 0.95  # of the sample of each seed
 PROFILE_BINS = 12  # equal parts of an input's bounds
@@ -26,23 +26,26 @@ def summary(
     claims: Sequence[Claim],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """The content of the calibrated file of an interpretation, SI, from positions and objectives,
-    shape (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist.
-    ``claims`` are all statements."""
+    """The content of the calibrated file of an interpretation, SI.
+
+    ``searches`` and ``samples`` have rows of positions and objectives, shape (rows, unknowns + 1),
+    for each seed; ``folds`` has them for each fold.  Only interpretations on the shortlist have
+    samples and folds.  ``claims`` are all statements.
+    """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]
     drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
     inputs = inputs_of(interpretation, good[0])
     members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
-    best = [found[found[:, -1].argmin()] for found in folds]
+    best = [fold[fold[:, -1].argmin()] for fold in folds]
     figures_of_folds = settings["folds"] if folds else ()
     parts = make_folds(claims, figures_of_folds)
     return {
         "interpretation": interpretation.name,
         "objective": rounded(good[0, -1]),
         "penalty": rounded(interpretation.penalty(inputs)),
-        "objective_of_each_seed": [rounded(each[:, -1].min()) for each in searches],
+        "objective_of_each_seed": [rounded(search[:, -1].min()) for search in searches],
         "evaluations": sum(map(len, searches)),
         "acceptable": len(good),
         "inputs": {**interpretation.fixed, **inputs},
@@ -63,14 +66,15 @@ def summary(
 
 
 def acceptable(rows: NDArray, acceptance: float) -> NDArray:
-    """Unique evaluations with an objective up to ``acceptance`` above the least, best first."""
+    """Unique rows with an objective up to ``acceptance`` above the least objective, best first."""
     ordered = np.unique(rows, axis=0)
     ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
     return ordered[ordered[:, -1] <= ordered[0, -1] + acceptance]
 
 
 def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]:
-    """The shortlisted interpretations, by their least objectives, best first."""
+    """The names of the ``most`` best interpretations ``within`` a distance from the best, from
+    their ``least`` objectives; best first."""
     ranking = sorted(least, key=least.__getitem__)
     return [name for name in ranking if least[name] <= least[ranking[0]] + within][:most]
 
@@ -86,28 +90,31 @@ def rounded(value: float) -> float:
 
 
 def _identification(interpretation, rows, good, samples) -> dict:
-    """For each unknown its acceptable range, sample, and least objective along it."""
+    """For each unknown its acceptable range, its samples, and the least objectives along it."""
     result = {}
     for index, unknown in enumerate(interpretation.unknowns):
-        low, high = good[:, index].min(), good[:, index].max()
-        part = np.minimum((rows[:, index] * PROFILE_BINS).astype(int), PROFILE_BINS - 1)
-        drawn = [
-            [rounded(unknown.value(place)) for place in np.quantile(each[:, index], QUANTILES)]
-            for each in samples
+        first, last = good[:, index].min(), good[:, index].max()
+        bins = np.minimum((rows[:, index] * PROFILE_BINS).astype(int), PROFILE_BINS - 1)
+        quantiles = [
+            [
+                rounded(unknown.value(position))
+                for position in np.quantile(sample[:, index], QUANTILES)
+            ]
+            for sample in samples
         ]
-        least = [rows[part == each, -1].min(initial=np.inf) for each in range(PROFILE_BINS)]
+        least = [rows[bins == number, -1].min(initial=np.inf) for number in range(PROFILE_BINS)]
         result[unknown.name] = {
-            "acceptable": [rounded(unknown.value(low)), rounded(unknown.value(high))],
-            "identified": bool(high - low < IDENTIFIED),
-            "median_of_each_seed": [median for _, median, _ in drawn],
-            "range_of_each_seed": [[first, last] for first, _, last in drawn],
+            "acceptable": [rounded(unknown.value(first)), rounded(unknown.value(last))],
+            "identified": bool(last - first < IDENTIFIED),
+            "median_of_each_seed": [median for _, median, _ in quantiles],
+            "range_of_each_seed": [[low, high] for low, _, high in quantiles],
             "profile": [rounded(value) if np.isfinite(value) else None for value in least],
         }
     return result
 
 
 def _correlations(interpretation, sample) -> list[dict]:
-    """Pairs of unknowns that are correlated in the sample."""
+    """Pairs of unknowns that are correlated in the ``sample``, with their coefficients."""
     names = [unknown.name for unknown in interpretation.unknowns]
     coefficients = pd.DataFrame(sample[:, :-1], columns=names).corr()
     return [

@@ -1,4 +1,4 @@
-"""The searches of a calibration: which there are, and the files from which each starts."""
+"""The list of the searches of a calibration, and the files from which each search starts."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -9,9 +9,10 @@ FOLDER = "<results>/calibration"
 
 
 class Searches:
-    """The searches by the settings of a calibration.
+    """The searches that the settings of a calibration ask for.
 
-    ``shortlist`` returns the path of a file with the names on the shortlist, once it is chosen.
+    ``shortlist`` returns the path of the file with the names on the shortlist, once the shortlist
+    is chosen.
     """
 
     def __init__(self, settings: Mapping[str, Any], shortlist: Callable[[], str]) -> None:
@@ -19,18 +20,19 @@ class Searches:
         self.shortlist = shortlist
 
     def wide(self) -> list[str]:
-        """The interpretations that are not searched from the best inputs of another one."""
+        """The interpretations whose searches start from scattered inputs."""
         return [name for name, entry in self.entries.items() if "nearby" not in entry]
 
     def nearby(self, name: str) -> list[str]:
-        """The interpretation from whose best inputs that of ``name`` is searched, if there is
-        one."""
+        """The interpretation from whose best inputs the searches of ``name`` start; empty if they
+        start from scattered inputs."""
         return [self.entries[name]["nearby"]] if "nearby" in self.entries[name] else []
 
     def settings_of(self, name: str) -> dict[str, Any]:
-        """The settings for one interpretation, independent of the others."""
+        """The settings without the interpretations on which the searches of ``name`` do not
+        depend."""
         names = [name, *self.nearby(name)]
-        return {**self.settings, "interpretations": {each: self.entries[each] for each in names}}
+        return {**self.settings, "interpretations": {key: self.entries[key] for key in names}}
 
     def starts(self, name: str) -> list[str]:
         """The files with the inputs from which a search over all statements starts."""
@@ -39,7 +41,7 @@ class Searches:
         return [f"{FOLDER}/{name}/scattered.csv"]
 
     def starts_of_fold(self, name: str, fold: int | str) -> list[str]:
-        """The files with the inputs from which a search without a fold starts."""
+        """The files with the inputs from which a search starts that leaves out a ``fold``."""
         for other in self.nearby(name):
             return [f"{FOLDER}/{other}/fold{fold}.csv"]
         return [f"{FOLDER}/{name}/scattered.csv"]
@@ -55,7 +57,8 @@ class Searches:
         return json.loads(Path(self.shortlist()).read_text(encoding="utf-8"))
 
     def is_cross_validated(self, name: str) -> bool:
-        """Whether an interpretation, or that from which its searches start, is on the shortlist."""
+        """Whether the shortlist has the interpretation, or the one from whose inputs its searches
+        start."""
         while nearby := self.nearby(name):
             (name,) = nearby
         return name in self.shortlisted()
