@@ -54,8 +54,7 @@ class NumberClaim(Claim):
         if is_number and not self.extreme and not is_level:
             raise ValueError(
                 f"{self.quantity} of a whole curve; allowed: a condition with the load or with a "
-                "level, "
-                "or extreme: minimum or maximum"
+                "level, or extreme: minimum or maximum"
             )
 
     def numbers(self, evidence: "Evidence") -> NDArray:
