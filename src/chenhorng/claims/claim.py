@@ -135,6 +135,10 @@ class Claim:
     cluster : str
         Common name of repeated statements.  They count once, as held if all tested statements among
         them hold.  In the objective of the calibration they share one weight.
+    by_definition : str
+        Why it holds under any inputs: such statements are told apart beside the score.
+    impossible : str
+        Why no inputs can meet it.  It is judged and counted, and no search is fitted to it.
     quantity : str
         A variable of the datasets, or one of the following.  ``solid_load`` is L_s F_t*.
         ``total_contact_area_slope`` is d ln A_t*/d ln F_t*.  ``turning_point_load`` is F_TPCA*;
@@ -172,6 +176,8 @@ class Claim:
     limit: str = ""
     aside: str = ""
     cluster: str = ""
+    by_definition: str = ""
+    impossible: str = ""
 
     # The values of the optional fields for the kinds that lack them.  Annotations would make them
     # fields of all kinds.  A kind that requires such a field declares it by Field(); otherwise

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from chenhorng.sampling import SolvedCurve, area_slope
+from chenhorng.sampling import TINY, SolvedCurve, area_slope
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import has_values
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
@@ -54,9 +54,11 @@ class Evidence:
 def curve_of(solved: SolvedCurve) -> SolvedCurve:
     """The quantities of a curve over the load, from ``QUANTITIES``, ``load`` and ``normal_load``.
     ``film_thickness`` is d/R_x [1], with or without a film."""
+    solid_load = solved["solid_load_fraction"] * solved["load"]
     return {
         **solved,
-        "solid_load": solved["solid_load_fraction"] * solved["load"],
+        "solid_load": solid_load,
+        "real_contact_pressure": solid_load / np.maximum(solved["total_contact_area"], TINY),
         "total_contact_area_slope": area_slope(solved["load"], solved["total_contact_area"]),
     }
 

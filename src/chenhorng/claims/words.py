@@ -13,6 +13,7 @@ CONTRADICTED = "contradicted by the paper itself"
 NAMES = {name: quantity.symbol for name, quantity in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",
     "solid_load": "L_s F_t*",
+    "real_contact_pressure": "L_s F_t*/A_t*",
     "turning_point_ratio": "A_sa,t* at the turning point",
     "turning_point_solid_load_fraction": "L_s at the turning point",
     "turning_point_solid_load": "L_s F_t* at the turning point",
