@@ -94,19 +94,19 @@ def find_inputs(
         rows.append(descend(interpretation, objective, start, *how))
     ends = sorted(map(best_of, rows), key=lambda row: row[-1])
     for end in ends[: budget["descents"]]:
-        rows.append(_descend_twice(interpretation, objective, end[:-1], descent))
+        rows.append(descend_twice(interpretation, objective, end[:-1], descent))
     random = np.random.default_rng(seed)
     for _ in range(hops):
         best = best_of(np.vstack(rows))[:-1]
         start = np.clip(best + HOP * random.normal(size=best.size), 0.0, 1.0)
-        rows.append(_descend_twice(interpretation, objective, start, hopping))
+        rows.append(descend_twice(interpretation, objective, start, hopping))
     for step in FIRST_STEPS:
         best = best_of(np.vstack(rows))[:-1]
         rows.append(search(interpretation, objective, best, budget, seed, step))
     return np.vstack(rows)
 
 
-def _descend_twice(interpretation, objective, start, iterations):
+def descend_twice(interpretation, objective, start, iterations):
     """Least squares with the wide loss, then with the loss of the objective: rows as from
     ``descend``."""
     first = descend(interpretation, objective, start, iterations[0], _wide_loss, DIFFERENCES[0])
