@@ -1,5 +1,4 @@
-"""The rule that chooses the default among calibrated interpretations, and the ensemble of its
-equals.
+"""The rule that chooses the default among calibrated interpretations.
 
 1. Each interpretation has a left-out loss.  It sums the losses of the statements of all folds,
    for the inputs that were found without them.
@@ -7,8 +6,8 @@ equals.
    the difference, from the differences by figure (Breiman et al. 1984, Classification and
    Regression Trees; Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning,
    section 7.10).
-3. The default is the equal with the least mean deviation of the printed numbers; then with the
-   fewest unknowns; then with the least penalty.
+3. The default is the equal with the fewest unknowns: the most parsimonious model within one
+   standard error.  Then the least left-out loss decides, then the least penalty.
 """
 
 import math
@@ -158,7 +157,7 @@ def rank_interpretations(
     table["unequal"] = ~table["equal"]
     # interpretations that are not equal are in the order of their losses
     table["first"] = table["left_out_loss"].where(table["unequal"], 0.0)
-    order = ["unequal", "first", "mean_deviation", "unknowns", "penalty"]
+    order = ["unequal", "first", "unknowns", "left_out_loss", "penalty"]
     return table.sort_values(order, ignore_index=True).drop(columns=["unequal", "first"])
 
 
@@ -172,36 +171,9 @@ def largest_summit_parameter(inputs: Mapping[str, Any], settings: Mapping[str, A
 
 def choose_default(
     judge: Judge, contents: Sequence[Mapping[str, Any]], settings: Mapping[str, Any]
-) -> tuple[dict[str, Any], pd.DataFrame]:
-    """The entries that the choice sets in the calibrated file of the default, and the table of all
-    interpretations in the order of the rule; from the ``contents`` of their calibrated files."""
-    candidates = {content["interpretation"]: Candidate.of(judge, content) for content in contents}
-    table = rank_interpretations(judge, candidates.values(), settings)
-    equals = table.loc[table["equal"], "interpretation"]
-    members, names = equal_ensemble(
-        [candidates[name].content for name in equals], settings["ensemble"]
+) -> pd.DataFrame:
+    """The table of all interpretations in the order of the rule, the default first, from the
+    ``contents`` of their calibrated files."""
+    return rank_interpretations(
+        judge, [Candidate.of(judge, content) for content in contents], settings
     )
-    chosen = {
-        "interpretation": table.loc[0, "interpretation"],
-        "ensemble": members,
-        "ensemble_interpretations": names,
-    }
-    return chosen, table
-
-
-def equal_ensemble(
-    contents: Sequence[Mapping[str, Any]], least: int
-) -> tuple[list[dict[str, Any]], list[str]]:
-    """The inputs of an ensemble of at least ``least`` members, SI, and the interpretation of each.
-
-    All calibrated files contribute equally many members, spaced evenly among their own members.
-    The default is first.
-    """
-    members, names = [], []
-    count = math.ceil(least / len(contents))
-    for content in contents:
-        sets = content["ensemble"]
-        indices = np.linspace(0, len(sets) - 1, count).round().astype(int)
-        members += [{**content["inputs"], **sets[index]} for index in indices]
-        names += [content["interpretation"]] * count
-    return members, names

@@ -47,7 +47,7 @@ def quantity(name: str, inputs: Mapping[str, Any]) -> float:
 
 @dataclass(frozen=True)
 class Held(Interpretation):
-    """An interpretation in which the quantity ``along`` is held at a ``level``: one unknown less."""
+    """An interpretation in which the quantity ``along`` is held at a ``level``."""
 
     along: str
     level: float
@@ -97,9 +97,7 @@ def profile(
     return [rows[level] for level in sorted(rows)]
 
 
-def _led_to(
-    held: Held, passed: Sequence[tuple[float, Mapping[str, Any]]], level: float
-) -> NDArray:
+def _led_to(held: Held, passed: Sequence[tuple[float, Mapping[str, Any]]], level: float) -> NDArray:
     """Positions on the line through the last two fits, at a level."""
     if len(passed) < 2 or passed[-1][0] == passed[-2][0]:
         return held.positions(passed[-1][1])

@@ -50,7 +50,8 @@ class Report:
     calibrated file, with the ``inputs`` of the run; ``verdicts`` are for these inputs.
     ``predicted`` has the verdicts on statements for inputs that were found without their figure; it
     is empty if no search found the inputs of the run.  ``comparison`` is the table from
-    ``rank_interpretations``.
+    ``rank_interpretations``.  ``has_calibrated_inputs`` says whether the inputs of the run are
+    those of the calibrated file.
     """
 
     claims: Sequence[Claim]
@@ -61,6 +62,7 @@ class Report:
     interpretations: dict[str, Verdicts]
     predicted: Verdicts
     comparison: pd.DataFrame
+    has_calibrated_inputs: bool = False
 
     @classmethod
     def of(
@@ -76,15 +78,13 @@ class Report:
         """Evaluate all statements for all sets of inputs.
 
         ``default`` and ``contents`` are the calibrated files of the default and of all
-        interpretations.  ``inputs`` and ``ensemble`` belong to the run.  If the run has other
-        inputs than ``default``, the report has no identification of them.
+        interpretations.  ``inputs`` and ``ensemble`` belong to the run.
         """
         every = {**judge.base, **inputs}
 
         def is_of_the_run(content):
             return judge.base | content["inputs"] == every
 
-        identification: dict[str, Any] = {} if is_of_the_run(default) else {"identification": {}}
         verdicts = judge(every)
         candidates = [
             Candidate.of(judge, content, verdicts if is_of_the_run(content) else None)
@@ -98,12 +98,13 @@ class Report:
         return cls(
             claims=judge.claims,
             settings=settings,
-            default={**default, **identification, "inputs": inputs},
+            default={**default, "inputs": inputs},
             verdicts=verdicts,
             members=tuple(judge({**every, **member}, QUICK_EFFORT) for member in ensemble),
             interpretations={candidate.name: candidate.verdicts for candidate in candidates},
             predicted=predicted.get(default["interpretation"], {}),
             comparison=rank_interpretations(judge, candidates, settings),
+            has_calibrated_inputs=is_of_the_run(default),
         )
 
     @cached_property
@@ -235,7 +236,6 @@ def claims_json(report: Report) -> str:
         "predicted_of": predicted_of,
         "interpretation": report.default["interpretation"],
         "inputs": report.default["inputs"],
-        "identification": report.default["identification"],
         "headline": headline_table(report).to_dict("records"),
         "interpretations": report.comparison.to_dict("records"),
         "statements": [
