@@ -19,15 +19,14 @@ from chenhorng.calibration.calibration import (
 )
 from chenhorng.calibration.choice import (
     Candidate,
-    choose_default,
-    equal_ensemble,
     excess_over,
     largest_summit_parameter,
     left_out_losses,
     printed_numbers,
     rank_interpretations,
 )
-from chenhorng.calibration.results import acceptable, shortlist, summary
+from chenhorng.calibration.profile import Held, mean_square, profile, quantity
+from chenhorng.calibration.results import fold_members, summary
 from chenhorng.calibration.search import (
     _loss,
     _wide_loss,
@@ -249,12 +248,6 @@ def test_losses_of_least_squares_have_their_derivatives(loss_of):
     assert_allclose(_loss(squares)[0], loss(np.sqrt(squares)), rtol=1e-12)
 
 
-def test_the_shortlist_has_the_least_objectives_and_not_too_many():
-    least = {"a": 70.0, "b": 58.0, "c": 61.0, "d": 90.0}
-    assert shortlist(least, 20.0, 2) == ["b", "c"]
-    assert shortlist(least, 5.0, 4) == ["b", "c"]
-
-
 def test_samples_have_the_density_that_the_objective_gives():
     rows = searched()
     drawn = posterior_sample(TWO, valley, rows, BUDGET, 1)
@@ -266,31 +259,92 @@ def test_samples_have_the_density_that_the_objective_gives():
     assert (4.0 * ratio).std() == pytest.approx(np.sqrt(0.5), rel=0.1)
 
 
-def test_acceptable_sets_are_near_the_best_each_once():
-    rows = np.array([[0.1, 3.0], [0.2, 1.0], [0.2, 1.0], [0.3, 2.5], [0.4, 9.0]])
-    assert acceptable(rows, 2.0).tolist() == [[0.2, 1.0], [0.3, 2.5], [0.1, 3.0]]
-
-
-def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path):
+def test_a_summary_is_a_valid_file_with_the_best_of_all_seeds_and_of_each_fold(tmp_path):
     searches = [searched(seed) for seed in (1, 2)]
     folds = [searches[0][:50]] * len(SETTINGS["folds"])
-    samples = [rows[-40:] for rows in searches]
-    settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
-    found = summary(TWO, searches, samples, folds, CLAIMS, settings)
+    found = summary(TWO, searches, folds, CLAIMS, SETTINGS)
     assert found["inputs"]["mean_ratio"] == pytest.approx(1.5, abs=0.1)
     least = min(rows[:, -1].min() for rows in searches)
     assert found["objective"] == pytest.approx(least, rel=1e-5)
     assert found["objective"] == min(found["objective_of_each_seed"])
-    assert found["ensemble"][0] == found["inputs"]
-    assert found["identification"]["mean_ratio"]["identified"]
-    assert not found["identification"]["summit_radius"]["identified"]
     assert [fold["figures"] for fold in found["folds"]] == SETTINGS["folds"]
     left_out = [id for fold in found["folds"] for id in fold["left_out"]]
     assert sorted(left_out) == sorted(claim.id for claim in CLAIMS)
-    assert len(found["ensemble"]) == len(found["ensemble_interpretations"]) == 4
     path = tmp_path / "two.yaml"
     path.write_text(yaml.safe_dump(found))
     assert read_yaml(path) == found
+
+
+def test_members_come_evenly_from_each_fold_and_say_what_they_have_not_seen():
+    one, other = (np.column_stack([np.linspace(low, low + 0.4, 41)] * 3) for low in (0.0, 0.5))
+    members = fold_members(replace(TWO, fixed={"film_load": "fluid"}), [one, other], [[3], [4]], 3)
+    assert [member["unseen"] for member in members] == [[3]] * 3 + [[4]] * 3
+    ratios = [member["inputs"]["mean_ratio"] for member in members]
+    assert ratios == pytest.approx([4.0 * place for place in (0.0, 0.2, 0.4, 0.5, 0.7, 0.9)])
+    assert {member["inputs"]["film_load"] for member in members} == {"fluid"}
+
+
+def test_the_mean_square_of_the_sizes_is_that_of_the_truncated_distribution():
+    inputs = {"mean_ratio": 0.3, "spread_ratio": 0.2, "truncation": 3.0}
+    sizes = np.linspace(0.0, 0.9, 200_001)
+    density = np.exp(-0.5 * ((sizes - 0.3) / 0.2) ** 2)
+    expected = np.sum(density * sizes**2) / np.sum(density)
+    assert mean_square(inputs) == pytest.approx(expected, rel=1e-4)
+
+
+SIZES = Interpretation(
+    "sizes",
+    {"truncation": 4.0},
+    (
+        Unknown("mean_ratio", (0.0, 1.0), (0.0, 1.0), False),
+        Unknown("spread_ratio", (0.02, 2.5), (0.02, 1.0), True),
+        Unknown("elastic_depth_ratio", (0.01, 5.0), (0.01, 5.0), True),
+        Unknown("participation", (0.002, 1.0), (0.002, 1.0), True),
+    ),
+)
+BEST = {"mean_ratio": 0.4, "spread_ratio": 0.3, "elastic_depth_ratio": 2.8, "participation": 0.2}
+
+
+@pytest.mark.parametrize(
+    ("along", "level"), [("mean_ratio", 0.7), ("reach", 4.2), ("mean_square", 0.05)]
+)
+def test_what_is_held_has_its_level_wherever_the_others_are(along, level):
+    held = Held.at(SIZES, along, level)
+    assert len(held.unknowns) == 3
+    for positions in np.random.default_rng(1).random((5, 3)):
+        inputs = {**SIZES.fixed, **held.values(positions)}
+        assert quantity(along, inputs) == pytest.approx(level)
+
+
+class OnTheReach:
+    """An objective with scores for the reach, which shall be 4.4, and for the mean, 0.4."""
+
+    weights = np.ones(2)
+
+    def scores(self, interpretation, inputs):
+        reach = quantity("reach", {**interpretation.fixed, **inputs})
+        return np.array([20.0 * abs(reach - 4.4), 0.1 * abs(inputs["mean_ratio"] - 0.4)])
+
+    def value(self, penalty, scores):
+        return penalty + float(np.sum(loss(scores)))
+
+    def __call__(self, interpretation, positions):
+        inputs = interpretation.values(positions)
+        return self.value(0.0, self.scores(interpretation, inputs))
+
+
+def test_a_profile_is_narrow_in_what_is_determined_and_wide_in_what_others_make_up_for():
+    levels = [0.0, 0.2, 0.4, 0.6, 0.8]
+    wide = profile(SIZES, OnTheReach(), BEST, "mean_ratio", levels)
+    assert [row["level"] for row in wide] == levels
+    assert max(row["objective"] for row in wide) < 0.1
+    # the others follow
+    assert [quantity("reach", {**SIZES.fixed, **row}) for row in wide] == pytest.approx(
+        [4.4] * 5, abs=0.02
+    )
+    narrow = profile(SIZES, OnTheReach(), BEST, "reach", [4.2, 4.4, 4.6])
+    low, best, high = (row["objective"] for row in narrow)
+    assert low > 0.9 and high > 0.9 and best < 0.05
 
 
 def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():
@@ -400,7 +454,6 @@ def made_up(name, predicted=(0.0, 0.0, 0.0), number=2.0, fitted=(0.0, 0.0, 0.0),
     return {
         "interpretation": name,
         "inputs": told,
-        "ensemble": [{"truncation": 2.0 + each} for each in range(4)],
         "folds": folds if predicted else [],
     }
 
@@ -411,7 +464,6 @@ MADE_UP = SETTINGS | {
     },
     "weights": {},
     "headline": ["in 4"],
-    "ensemble": 6,
 }
 
 
@@ -435,16 +487,16 @@ CONTENTS = [
 
 
 def test_interpretations_within_one_standard_error_of_the_least_loss_are_equal(told):
-    """Of equals the closest to the printed numbers is the first; the others follow by their
-    loss."""
+    """Of equals with as many unknowns the one with the least loss is first; the others follow by
+    their losses."""
     table = ranked(told, CONTENTS)
-    assert list(table.index) == ["near", "least", "far", "farther", "unseen"]
+    assert list(table.index) == ["least", "near", "far", "farther", "unseen"]
     assert table["equal"].tolist() == [True, True, False, False, False]
-    losses = [TWICE, ONE, 3.0 * ONE, 3.0 * TWICE]
+    losses = [ONE, TWICE, 3.0 * ONE, 3.0 * TWICE]
     assert table["left_out_loss"].tolist()[:4] == pytest.approx(losses, abs=0.005)
     excess = np.subtract(losses, ONE)
     assert table["above_least"].tolist()[:4] == pytest.approx(excess.tolist(), abs=0.005)
-    differences = [[TWICE, -ONE, 0.0], [0.0] * 3, [ONE, 0.0, ONE], [TWICE, TWICE - ONE, TWICE]]
+    differences = [[0.0] * 3, [TWICE, -ONE, 0.0], [ONE, 0.0, ONE], [TWICE, TWICE - ONE, TWICE]]
     errors = 3.0**0.5 * np.std(differences, axis=1, ddof=1)
     assert table["standard_error"].tolist()[:4] == pytest.approx(errors.tolist(), abs=0.005)
     assert table.loc["unseen", ["left_out_loss", "above_least", "standard_error"]].isna().all()
@@ -452,10 +504,10 @@ def test_interpretations_within_one_standard_error_of_the_least_loss_are_equal(t
 
 def test_the_table_of_interpretations_has_counts_and_deviations(told):
     table = ranked(told, CONTENTS)
-    assert table["predicted"].tolist() == ["2/3", "3/3", "3/3", "0/3", "not cross-validated"]
+    assert table["predicted"].tolist() == ["3/3", "2/3", "3/3", "0/3", "not cross-validated"]
     assert table.loc["near", "folds"] == "0/1, 1/1, 1/1"
     assert table.loc["near", ["fitted", "headline"]].tolist() == ["2/3", "1/1"]
-    assert table["mean_deviation"].tolist() == pytest.approx([0.1, 0.2, 0.0, 0.0, 0.0])
+    assert table["mean_deviation"].tolist() == pytest.approx([0.2, 0.1, 0.0, 0.0, 0.0])
     assert (table["mean_deviation"] == table["median_deviation"]).all()
     assert (table["unknowns"] == len(SETTINGS["always"])).all() and (table["penalty"] == 0.0).all()
     # the loss of scores 0.5, 2 and 0
@@ -463,52 +515,25 @@ def test_the_table_of_interpretations_has_counts_and_deviations(told):
     assert table.loc["near", "objective"] == pytest.approx(half + TWICE, abs=0.005)
 
 
-def test_equals_are_ordered_by_deviation_then_unknowns_then_penalty(told):
-    fewer = {"fixed": {"apparent_area": 4e-6, "participation": 0.5}}
+def test_of_equals_the_most_parsimonious_is_first_then_the_least_loss_then_the_least_penalty(told):
+    fewer = {"fixed": {"mean_ratio": 0.0, "participation": 0.5}}
     settings = MADE_UP | {
-        "interpretations": {each: {"fixed": {}} for each in "abcd"} | {"e": fewer}
+        "interpretations": {each: {"fixed": {}} for each in "abc"} | {"d": fewer, "e": fewer}
     }
     unusual = {"summit_parameter": 0.2}  # a penalty of the square of log10(2)
     contents = [
-        made_up("a", number=2.4),
-        made_up("b", number=2.2, **unusual),
-        made_up("c", number=2.2),
-        made_up("d", number=2.1, **unusual),
-        made_up("e", number=2.2, **unusual),
+        made_up("a", (0.4, 0.0, 0.0), **unusual),
+        made_up("b", (0.4, 0.0, 0.0)),
+        made_up("c", (0.0, 0.5, 0.0)),
+        made_up("d", (0.0, 0.0, 0.5)),
+        made_up("e", (0.0, 0.42, 0.0)),
     ]
     table = ranked(told, contents, settings)
     assert table["equal"].all()
-    assert list(table.index) == ["d", "e", "c", "b", "a"]
+    assert list(table.index) == ["e", "d", "b", "a", "c"]
     every = len(SETTINGS["always"])
-    assert table["unknowns"].tolist() == [every, every - 2, every, every, every]
-    assert table["penalty"].tolist() == pytest.approx([0.09, 0.09, 0.0, 0.09, 0.0])
-
-
-def test_the_choice_is_the_first_with_an_ensemble_of_its_equals(told):
-    chosen, table = choose_default(told, CONTENTS, MADE_UP)
-    assert chosen["interpretation"] == table.loc[0, "interpretation"] == "near"
-    assert chosen["ensemble_interpretations"] == ["near"] * 3 + ["least"] * 3
-    # the first, the middle and the last of each, with all other inputs of its file
-    assert [member["truncation"] for member in chosen["ensemble"]] == [2.0, 4.0, 5.0] * 2
-    assert [member["number"] for member in chosen["ensemble"]] == [1.8] * 3 + [2.4] * 3
-
-
-@pytest.mark.parametrize(("least", "count"), [(1, 1), (3, 1), (4, 2), (10, 4), (30, 10)])
-def test_an_ensemble_has_as_many_members_of_each_of_the_equals(least, count):
-    contents = [
-        {
-            "interpretation": name,
-            "inputs": {"film_load": name, "truncation": -1},
-            "ensemble": [{"truncation": place} for place in range(size)],
-        }
-        for name, size in (("one", 4), ("two", 8), ("three", 30))
-    ]
-    members, names = equal_ensemble(contents, least)
-    assert names == ["one"] * count + ["two"] * count + ["three"] * count
-    assert [member["film_load"] for member in members] == names
-    if count == 4:  # evenly from the first to the last
-        places = [0, 1, 2, 3, 0, 2, 5, 7, 0, 10, 19, 29]
-        assert [member["truncation"] for member in members] == places
+    assert table["unknowns"].tolist() == [every - 2, every - 2, every, every, every]
+    assert table["penalty"].tolist() == pytest.approx([0.0, 0.0, 0.0, 0.09, 0.0])
 
 
 @pytest.mark.parametrize(("exponent", "largest"), [(0.0, 0.05), (1.0, 0.25 / 3), (-1.0, 0.15)])

@@ -3,7 +3,7 @@
 import json
 
 from chenhorng.calibration.calibration import Interpretation, read_rows
-from chenhorng.calibration.choice import choose_default
+from chenhorng.calibration.choice import Candidate, rank_interpretations
 from chenhorng.calibration.results import fold_members
 from chenhorng.claims.claims import load_claims
 from chenhorng.claims.judge import Judge
@@ -15,7 +15,8 @@ with job(snakemake) as output:
     claims = load_claims(snakemake.params.claims)
     judge = Judge(claims, snakemake.params.parameters, settings["newtons"])
     contents = [read_yaml(path) for path in snakemake.input.calibrated]
-    table = choose_default(judge, contents, settings)
+    candidates = [Candidate.of(judge, content) for content in contents]
+    table = rank_interpretations(judge, candidates, settings)
     print(table.to_string(index=False))
     members = fold_members(
         Interpretation.of(settings["ensemble"]["of"], settings),

@@ -107,7 +107,8 @@ class Objective:
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
         """The objective over the ``claims`` that are neither set aside nor impossible.  Those of a
-        cluster share the weight of their kind.  ``base`` has the inputs that no interpretation sets.
+        cluster share the weight of their kind.
+        ``base`` has the inputs that no interpretation sets.
         """
         fitted = [claim for claim in claims if not (claim.aside or claim.impossible)]
         sizes = Counter(claim.counted_as for claim in fitted)

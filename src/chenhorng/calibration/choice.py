@@ -167,13 +167,3 @@ def largest_summit_parameter(inputs: Mapping[str, Any], settings: Mapping[str, A
     relative = ends / inputs["reference_roughness"]
     power = inputs["summit_parameter_exponent"]
     return float(np.max(inputs["summit_parameter"] * relative**power))
-
-
-def choose_default(
-    judge: Judge, contents: Sequence[Mapping[str, Any]], settings: Mapping[str, Any]
-) -> pd.DataFrame:
-    """The table of all interpretations in the order of the rule, the default first, from the
-    ``contents`` of their calibrated files."""
-    return rank_interpretations(
-        judge, [Candidate.of(judge, content) for content in contents], settings
-    )

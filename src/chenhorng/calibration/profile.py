@@ -15,7 +15,7 @@ from scipy.stats import truncnorm
 from chenhorng.calibration.calibration import Interpretation, Objective
 from chenhorng.calibration.search import best_of, descend_twice
 
-ITERATIONS = 8, 12  # of least squares at a level, in both rounds
+ITERATIONS = 6, 10  # of least squares at a level, in both rounds
 
 
 def mean_square(inputs: Mapping[str, Any]) -> float:

@@ -83,18 +83,19 @@ def find_inputs(
     """Search the unknowns for the least objective from several ``starts``, shape (starts,
     unknowns).  Returns all positions, with the objective [1] in the last column.
 
-    Least squares descend from every start.  They descend again from the best
-    ``budget["descents"]`` ends, and from ``hops`` random steps away from the best so far.  Two
-    evolutions follow from the best of all.
+    Least squares descend from every start.  With more than ``budget["descents"]`` starts, a short
+    descent chooses the best of them first.  Further descents begin at ``hops`` random steps away
+    from the best so far.  Two evolutions follow from the best of all.
     """
     rows, most = [], budget["iterations"]
     descent, hopping = (np.minimum(rounds, most).tolist() for rounds in (DESCENT, HOPPING))
-    for start in starts:
+    if len(starts) > budget["descents"]:
         how = min(SCREENING, most), _wide_loss, DIFFERENCES[0]
-        rows.append(descend(interpretation, objective, start, *how))
-    ends = sorted(map(best_of, rows), key=lambda row: row[-1])
-    for end in ends[: budget["descents"]]:
-        rows.append(descend_twice(interpretation, objective, end[:-1], descent))
+        rows = [descend(interpretation, objective, start, *how) for start in starts]
+        ends = sorted(map(best_of, rows), key=lambda row: row[-1])
+        starts = np.array([end[:-1] for end in ends[: budget["descents"]]])
+    for start in starts:
+        rows.append(descend_twice(interpretation, objective, start, descent))
     random = np.random.default_rng(seed)
     for _ in range(hops):
         best = best_of(np.vstack(rows))[:-1]
