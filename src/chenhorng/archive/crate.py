@@ -1,6 +1,7 @@
-"""``ro-crate-metadata.json``: describes the files of an archive, as a Workflow RO-Crate 1.0.
+"""The file ``ro-crate-metadata.json``, which describes the files of an archive.
 
-https://w3id.org/workflowhub/workflow-ro-crate/1.0, a profile of RO-Crate 1.1.
+It is a Workflow RO-Crate 1.0 (https://w3id.org/workflowhub/workflow-ro-crate/1.0), a profile of
+RO-Crate 1.1.
 """
 
 from pathlib import Path, PurePosixPath
@@ -32,7 +33,7 @@ FOLDERS = {
 
 
 def crate(folder: Path, kinds: dict[str, str], release: Release) -> dict[str, Any]:
-    """Content of ``ro-crate-metadata.json`` for the ``folder`` of an archive; ``kinds`` has the
+    """Content of ``ro-crate-metadata.json`` for the ``folder`` of an archive.  ``kinds`` has the
     titles of the folders of products in ``data/``."""
     known = render_json("crate.json", release=release, workflow=WORKFLOW)
     described = ROCrate(version="1.1")
@@ -58,7 +59,7 @@ def crate(folder: Path, kinds: dict[str, str], release: Release) -> dict[str, An
 
 
 def _file_properties(path: str, release: Release) -> dict[str, Any]:
-    """Properties of a file, with its licence if it differs from that of the archive."""
+    """Properties of a file; its licence is among them if it differs from that of the archive."""
     properties: dict[str, Any] = {
         "name": PurePosixPath(path).name,
         "encodingFormat": media_type(path),
