@@ -17,11 +17,11 @@ from thirdbody.variables import STATUS, STATUS_MEANINGS
 WIDE = re.compile(r"[A-Z]: \w+ \[.+\]")  # columns of the wide table of a figure
 
 
-def table_schemas(data: Path, kinds: Iterable[str]) -> dict[str, Any]:
-    """Content of ``table-schemas.json``: the Table Schema of each CSV file in the folders ``kinds``
-    of ``data``, by its path (https://datapackage.org/standard/table-schema).  Raises the errors of
+def table_schemas(data: Path, folders: Iterable[str]) -> dict[str, Any]:
+    """Content of ``table-schemas.json``: the Table Schema of each CSV file in the ``folders`` of
+    ``data``, by its path (https://datapackage.org/standard/table-schema).  Raises the errors of
     ``schema_of``."""
-    paths = [path for kind in sorted(kinds) for path in sorted((data / kind).rglob("*.csv"))]
+    paths = [path for name in sorted(folders) for path in sorted((data / name).rglob("*.csv"))]
     return {path.relative_to(data).as_posix(): schema_of(path) for path in paths}
 
 
@@ -39,18 +39,18 @@ def schema_of(file: Path) -> dict[str, Any]:
     raise ValueError(f"{file.name}: nothing describes the columns {header}")
 
 
-def describe_content(data: Path, kinds: dict[str, str]) -> dict[str, Any]:
-    """Values for the template of ``README.md``, from the folder ``data`` of an archive.  ``kinds``
+def describe_content(data: Path, titles: dict[str, str]) -> dict[str, Any]:
+    """Values for the template of ``README.md``, from the folder ``data`` of an archive.  ``titles``
     has the titles of the folders of products, ``datasets`` among them."""
     datasets = {path.name: read_plain(path) for path in sorted(data.glob("datasets/*.nc"))}
     return {
-        "kinds": kinds,
-        "names": {kind: files_in(data / kind, data / kind) for kind in kinds},
+        "titles": titles,
+        "names": {folder: files_in(data / folder, data / folder) for folder in titles},
         "datasets": [_describe_dataset(name, dataset) for name, dataset in datasets.items()],
         "quantities": next(iter(datasets.values())).variables,
         "tables": {
-            kind: {path.name: schema_of(path) for path in sorted((data / kind).glob("*.csv"))}
-            for kind in ("tables", "claims")
+            folder: {path.name: schema_of(path) for path in sorted((data / folder).glob("*.csv"))}
+            for folder in ("tables", "claims")
         },
         "drawn_points": DRAWN_POINTS,
         "status_meanings": STATUS_MEANINGS,

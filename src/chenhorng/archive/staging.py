@@ -18,7 +18,7 @@ from typing import Any
 import yaml
 
 from chenhorng.archive.citation import Release
-from chenhorng.archive.crate import KINDS, METADATA, crate
+from chenhorng.archive.crate import METADATA, PRODUCT_FOLDERS, crate
 from chenhorng.archive.descriptions import describe_content, table_schemas
 from chenhorng.archive.files import files_in, render, render_json, write_json
 from thirdbody.files import digest
@@ -43,9 +43,9 @@ def stage(
     """Fill the ``folder`` of a release, from the root of the repository: copy the files, describe
     them, and add checksums, ``tagmanifest-sha256.txt`` last.
 
-    ``products`` are files in the folders ``KINDS`` of ``results/``.  ``settings`` is the content of
-    ``configuration/``, by file name.  ``software`` has the versions of the packages that were used.
-    A release of an unknown version raises ``ValueError``.
+    ``products`` are files in the folders ``PRODUCT_FOLDERS`` of ``results/``.  ``settings`` is the
+    content of ``configuration/``, by file name.  ``software`` has the versions of the packages that
+    were used.  A release of an unknown version raises ``ValueError``.
     """
     if not release.date:
         raise ValueError(
@@ -72,12 +72,12 @@ def stage(
     cited = yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
     (data / "CITATION.cff").write_text(cited, encoding="utf-8")
     write_json(data / "codemeta.json", render_json("codemeta.json", release=release))
-    kinds = {kind: title for kind, title in KINDS.items() if (data / kind).is_dir()}
-    write_json(data / "table-schemas.json", table_schemas(data, kinds))
-    content = describe_content(data, kinds)
+    titles = {name: title for name, title in PRODUCT_FOLDERS.items() if (data / name).is_dir()}
+    write_json(data / "table-schemas.json", table_schemas(data, titles))
+    content = describe_content(data, titles)
     readme = render("README.md", release=release, software=software, **content)
     (folder / "README.md").write_text(readme, encoding="utf-8")
-    write_json(folder / METADATA, crate(folder, kinds, release))
+    write_json(folder / METADATA, crate(folder, titles, release))
     seal(folder, release)
 
 
