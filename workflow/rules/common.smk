@@ -46,8 +46,8 @@ def project_file(name):
 
 
 def figure_files(figure, category):
-    """The files of a figure by kind; the PNG goes into Snakemake's report."""
-    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
+    """The files of a figure by format; the PNG goes into Snakemake's report."""
+    files = {name: f"<results>/figures/{figure}.{name}" for name in FIGURE_FORMATS}
     caption, labels = "../report/product.rst", {"figure": figure}
     return files | {"png": report(files["png"], caption, category=category, labels=labels)}
 

@@ -4,8 +4,8 @@
 rule judge_claims:
     input:
         templates=[
-            project_file(f"src/chenhorng/claims/claims.{kind}.j2")
-            for kind in ("md", "html", "macros")
+            project_file(f"src/chenhorng/claims/claims.{name}.j2")
+            for name in ("md", "html", "macros")
         ],
     output:
         table="<results>/claims/claims.csv",
