@@ -14,7 +14,7 @@ from thirdbody.ensembles import ENDS, range_over_members
 from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable, curves_of, identity
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
-BAND_RTOL = 1e-4  # of each member: an error far below the width of a line
+MEMBER_RTOL = 1e-4  # of each member: an error far below the width of a line
 SUFFIXES = "low", "high"
 ATTRIBUTES = {
     "summary": (
@@ -31,7 +31,7 @@ ATTRIBUTES = {
 }
 
 
-def band(
+def ensemble_range(
     dataset: PlainDataset,
     base: Parameters,
     ensemble: Sequence[Mapping[str, Any]],
@@ -45,7 +45,7 @@ def band(
     load = dataset["load"].values[:, None]
     points = {"load": load, **Condition(*conditions)._asdict()}
     solved = [
-        solve_points(points, replace(base, **member), BAND_RTOL, tuple(QUANTITIES))
+        solve_points(points, replace(base, **member), MEMBER_RTOL, tuple(QUANTITIES))
         for member in ensemble
     ]
     variables = {}
@@ -63,13 +63,13 @@ def band(
             filled = {"_FillValue": FILL_FLOAT}
             variables[f"{name}_{suffix}"] = Variable(DIMENSIONS, whole, described, filled)
     members = json.dumps([dict(member) for member in ensemble])
-    origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
+    origin = f"{dataset.attrs['configuration_sha256']} {MEMBER_RTOL} {members}"
     attributes = {
         **dataset.attrs,
         "title": f"{dataset.attrs['title']}: range of the ensemble",
         **ATTRIBUTES,
         **identity(origin),
-        "rtol": BAND_RTOL,
+        "rtol": MEMBER_RTOL,
         "ensemble": members,
     }
     return PlainDataset(variables, dataset.coords, attributes)
