@@ -3,7 +3,7 @@ documentation.
 
 A block of a page stands between two markers with its name.
 
-    python docs/readme_numbers.py            name pages that differ from results/; exit 1 if any does
+    python docs/readme_numbers.py            name pages that differ from results/, exit 1 for any
     python docs/readme_numbers.py --write    renew the blocks of all pages
     python docs/readme_numbers.py --show took    print the block with this name
 
@@ -268,8 +268,8 @@ def show_the_same(text: str, runs: list[str]) -> bool:
 
 
 def at_edges(text: str, blocks: dict) -> list[str]:
-    """A page with new ``blocks``, functions of ``move``: the numbers of the run moved down and up by
-    ``BITS``, and last as they are."""
+    """A page with new ``blocks``, functions of ``move``: the numbers of the run moved down and up
+    by ``BITS``, and last as they are."""
     return [
         renewed(text, {name: partial(block, move) for name, block in blocks.items()})
         for move in (-BITS, BITS, 0.0)

@@ -1,4 +1,4 @@
-"""Choose the interpretations that are searched from all seeds and cross-validated."""
+"""Choose the interpretations to search from all seeds and to cross-validate."""
 
 import json
 from pathlib import Path

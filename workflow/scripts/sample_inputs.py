@@ -1,4 +1,4 @@
-"""Sample the inputs that explain about as much as the best ones of one interpretation, from one
+"""Sample the inputs of an interpretation that explain about as much as its best inputs, from one
 seed.
 """
 
