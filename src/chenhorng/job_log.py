@@ -3,6 +3,7 @@
 import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from logging import LogRecord
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -40,6 +41,13 @@ def require_as_made(products: Iterable[str]) -> dict[str, str]:
         if digits != made.get(product, digits):
             raise DamagedFile(product, "is not as its job made it")
     return now
+
+
+def without_none(record: LogRecord) -> bool:
+    """A filter of Snakemake's log, which would write "message: None" of a failed job."""
+    if record.levelname == "ERROR" and getattr(record, "rule_msg", "") is None:
+        record.rule_msg = "failed"
+    return True
 
 
 @contextmanager

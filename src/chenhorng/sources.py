@@ -39,6 +39,12 @@ class Sources:
         files = [file for file in beside if file.suffix not in INPUTS_OF_RULES]
         return files or [path / "__init__.py"]
 
+    def project_file(self, name: str | Path) -> str:
+        """The path of a file of the project, relative if the current folder is ``home``."""
+        top, _, rest = str(name).partition("/")
+        path = self.folder / rest if top == "src" else self.home / name
+        return str(path.relative_to(self.home) if Path.cwd() == self.home else path)
+
     def text(self, path: Path) -> str:
         """The name of a file, and the first digits of its SHA-256."""
         name = path.relative_to(self.home) if path.is_relative_to(self.home) else path
