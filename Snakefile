@@ -45,8 +45,8 @@ TABLES = [
     "coverage_of_sets",
     "profiles",
 ]
-FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]
-TABLE_KINDS = ["csv", "html", "tex"]
+FIGURE_FORMATS = ["svg", "pdf", "png", "csv", "md", "json"]
+TABLE_FORMATS = ["csv", "html", "tex"]
 
 
 wildcard_constraints:
@@ -66,10 +66,10 @@ rule all:
         "<results>/extracted/printed/all.csv",
         "<results>/extracted/table1/all.csv",
         "<results>/extracted/table2/all.csv",
-        expand("<results>/figures/{figure}.{kind}", figure=FIGURES, kind=FIGURE_KINDS),
+        expand("<results>/figures/{figure}.{format}", figure=FIGURES, format=FIGURE_FORMATS),
         expand("<results>/figures/{figure}_wide.csv", figure=SCENES),
-        expand("<results>/tables/{table}.{kind}", table=TABLES, kind=TABLE_KINDS),
-        expand("<results>/claims/claims.{kind}", kind=["csv", "json", "md", "html"]),
+        expand("<results>/tables/{table}.{format}", table=TABLES, format=TABLE_FORMATS),
+        expand("<results>/claims/claims.{format}", format=["csv", "json", "md", "html"]),
         "<results>/explorer/index.html",
         "<results>/index.html",
         "<results>/captions.md",

@@ -56,7 +56,7 @@ def _library(group, rtol):
 
 
 def _library_grid(group, rtol):
-    """Each point in the middle of a curve over the load."""
+    """Solve each point in the middle of a curve over the load."""
     found = []
     for place in range(len(group.rows)):
         axes = {name: values[place : place + 1] for name, values in group.conditions.items()}

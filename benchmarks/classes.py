@@ -69,7 +69,7 @@ def grid_axes(
 
 
 def _of_class(kind, given, roughness, parameters):
-    """Conditions without film, or without particles, where the class has none."""
+    """Conditions of a class, without a film or without particles if the class has none."""
     wet, bodies = kind.medium == "lubricated", kind.bodies == "three_body"
     return {
         "load": given["normal_load"] / parameters.newtons_per_load,

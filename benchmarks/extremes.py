@@ -12,7 +12,7 @@ from thirdbody.core.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 
 
 def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str, Any]]:
-    """Rows of the table ``extremes`` for lines of ``tests/golden/extremes.csv``, in their order.
+    """Rows of the table ``extremes`` for rows of ``tests/golden/extremes.csv``, in their order.
 
     Points of one surface are solved together; a warning or an exception makes all of them wrong.
     """

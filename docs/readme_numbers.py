@@ -1,16 +1,16 @@
-"""Puts the numbers of the last run, and what examples print, into README and pages of the
+"""Put the numbers of the last run, and the output of examples, into README and pages of the
 documentation.
 
-Each stands between two markers that name it.
+A block of a page stands between two markers with its name.
 
-    python docs/readme_numbers.py            say what differs from results/, exit 1 if anything does
-    python docs/readme_numbers.py --write    renew it
-    python docs/readme_numbers.py --show took    print one of the blocks
+    python docs/readme_numbers.py            name pages that differ from results/, exit 1 for any
+    python docs/readme_numbers.py --write    renew the blocks of all pages
+    python docs/readme_numbers.py --show took    print the block with this name
 
-The last bits of a number depend on the processor: a page agrees with a run if it shows the same
-digits, or, where a number lies at the edge of two roundings, either.  What `make accuracy` measures
-differs from run to run: there numbers agree up to a factor, and the page stays where there is no
-such run.
+The last bits of a number depend on the processor.  So a page agrees with a run if it shows the same
+digits; a number at the edge of two roundings may show either.  The measurements of `make accuracy`
+differ from run to run: a page agrees if its numbers agree up to a factor.  Without such a run the
+page keeps its numbers.
 """
 
 import io
@@ -18,6 +18,7 @@ import json
 import re
 import sys
 from contextlib import redirect_stdout
+from functools import partial
 from pathlib import Path
 from textwrap import fill
 
@@ -33,54 +34,47 @@ from benchmarks.work_precision import largest_errors
 from chenhorng.tables import TABLES, read_csv
 
 ROOT = Path(__file__).resolve().parents[1]
-BITS = 1e-9  # of a number, on another processor
-move = 0.0  # of the numbers that are read
+BITS = 1e-9  # relative difference of a number on another processor
 README = ROOT / "README.md"
 PAGES = README, ROOT / "paper.md", ROOT / "docs" / "results.md"
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 MEASURED_PICTURE = ROOT / "docs" / "work_precision.png", ACCURACY / "work_precision.png"
-PICTURES = {  # in docs/, copies of figures
+PICTURES = {  # pictures in docs/, and the figures that they copy
     ROOT / "docs" / "figure01.png": RESULTS / "figures" / "fig01.png",
     ROOT / "docs" / "figure11.png": RESULTS / "figures" / "fig11.png",
 }
 
 
-def read_rows(name: str) -> list[dict]:
-    """The rows of a table of results/tables."""
+def read_rows(name: str, move: float = 0.0) -> list[dict]:
+    """The rows of a table of results/tables, numbers changed by the fraction ``move``."""
     rows = read_csv(RESULTS / "tables" / f"{name}.csv", TABLES[name])
-    return [{column: _moved(value) for column, value in row.items()} for row in rows]
+    return [{column: _moved(value, move) for column, value in row.items()} for row in rows]
 
 
-def read_table(name: str) -> pd.DataFrame:
-    """A table of results/tables."""
-    return pd.DataFrame(read_rows(name))
-
-
-def _moved(value):
-    """A number as it is, or moved by the bits that depend on the processor; counts stay."""
+def _moved(value, move):
+    """A value of a table, changed by the fraction ``move`` if it is a number but no count."""
     is_real = isinstance(value, float) and not value.is_integer()
     return value * (1.0 + move) if is_real else value
 
 
 def read_claims() -> dict:
-    """The verdicts, and what is said about them."""
+    """The verdicts, and the sentences about them."""
     return json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
 
 
-def claims_block() -> str:
-    """The score, and how near the printed numbers are."""
-    rows = read_table("deviations")
-    sizes = rows["deviation"].abs()
+def claims_block(move: float = 0.0) -> str:
+    """The score, and the deviations of the printed numbers."""
+    sizes = pd.DataFrame(read_rows("deviations", move))["deviation"].abs()
     deviations = (
-        f"Of the {len(rows)} numbers in the headline statements the median deviation is "
+        f"Of the {len(sizes)} numbers in the headline statements the median deviation is "
         f"{sizes.median():.1%}, the mean {sizes.mean():.1%}."
     )
     return fill(f"{read_claims()['score']} {deviations}", 120)
 
 
 def library_block() -> str:
-    """What the example of README prints."""
+    """The output of the example in README."""
     (example,) = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
     printed = io.StringIO()
     with redirect_stdout(printed):
@@ -89,17 +83,17 @@ def library_block() -> str:
 
 
 def ranges_block() -> str:
-    """How often the default lies within its own range."""
+    """The shares of conditions at which the default lies within the range of the ensemble."""
     shares = shares_within(thirdbody.load_parameters())
     text = ", ".join(f"{name} in {share:.0%}" for name, share in shares.items())
     return f"Of {CONDITIONS} conditions: {text}."
 
 
-def took_block() -> str:
-    """What the calibrated inputs assume beyond the print, and how many statements hold without
-    it."""
+def took_block(move: float = 0.0) -> str:
+    """The assumptions of the calibrated inputs beyond the print, and the number of statements that
+    hold without each of them."""
     inputs = thirdbody.load_parameters().best
-    rows = read_rows("departures")
+    rows = read_rows("departures", move)
     held = {row["departure"]: f"{row['holds']:g} of {row['judged']:g}" for row in rows}
     below = erf(1.0 / (inputs.spread_ratio * np.sqrt(2.0)))
     first_yield = inputs.elastic_depth_ratio / 0.0111
@@ -149,7 +143,7 @@ def took_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
-# method, rtol, whom it serves
+# method, rtol, and the uses that they serve
 CHOICES = (
     ("library_grid", 1e-3, "maps, sweeps of 10⁸ points, the atlas"),
     (
@@ -162,11 +156,11 @@ CALLS = {"library": "`tb.solve`", "library_grid": "`tb.grid`"}
 PLAIN_SOLVER = "nested_roots", None
 
 
-SHOWN = "times", "errors", "uses"  # tables
+SHOWN = "times", "errors", "uses"  # tables of `make accuracy` in the block
 
 
 def accuracy_block() -> str:
-    """Which call and rtol to choose: time, true error, and whom it serves."""
+    """The choice of call and ``rtol``: time, true error, and uses."""
     times, errors, uses = (read_csv(ACCURACY / f"{name}.csv", TABLES[name]) for name in SHOWN)
     cost = {
         (row["method"], row["rtol"]): row["microseconds_per_point"]
@@ -191,23 +185,19 @@ def accuracy_block() -> str:
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
         + f"\n\nOver all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point at "
-        "usual conditions; there "
-        f"`tb.grid` at 0.001 is {default / coarse:.2g} times as fast as the default. At extremes "
-        "`tb.solve` takes "
-        f"{_range(times, 'library', 'extremes')} µs, `tb.grid` "
-        f"{_range(times, 'library_grid', 'extremes')} µs. In the same run `quad` and `brentq` "
-        f"take {plain / 1e3:.2g} ms a point. A call with "
-        f"one point takes {one / 1e3:.2g} ms, nearly all of it for calls of numpy: put many points "
-        "into one call. "
+        f"usual conditions; there `tb.grid` at 0.001 is {default / coarse:.2g} times as fast as "
+        f"the default. At extremes `tb.solve` takes {_range(times, 'library', 'extremes')} µs, "
+        f"`tb.grid` {_range(times, 'library_grid', 'extremes')} µs. In the same run `quad` and "
+        f"`brentq` take {plain / 1e3:.2g} ms a point. A call with one point takes "
+        f"{one / 1e3:.2g} ms, nearly all of it for calls of numpy: put many points into one call. "
         f"Points that each have their own surface take {surfaces:.2g} µs there, those of a grid "
-        "that is streamed to a "
-        f"file {stream:.2g} µs. A new process imports the "
-        f"library and has its first answer after {start / 1e6:.2g} s."
+        f"that is streamed to a file {stream:.2g} µs. A new process imports the library and has "
+        f"its first answer after {start / 1e6:.2g} s."
     )
 
 
 def _range(times, method, span) -> str:
-    """The least and the most time a point [µs] over all ``rtol``."""
+    """The least and the greatest time of a point [µs] over all ``rtol``, as text."""
     taken = [
         row["microseconds_per_point"]
         for row in times
@@ -217,7 +207,7 @@ def _range(times, method, span) -> str:
 
 
 def oracle_block() -> str:
-    """How many points are wrong in all interpretations, against extended precision."""
+    """The numbers of wrong points, in comparison with extended precision."""
     rows = read_csv(ACCURACY / "oracle.csv", TABLES["oracle"])
     names = "points", "wrong", "beyond_bound", "not_converged", "without_values"
     points, wrong, beyond, less_exact, without = (
@@ -226,27 +216,22 @@ def oracle_block() -> str:
     return (
         f"`results/accuracy/oracle.csv` counts it: of {points:,} solutions in all combinations of "
         f"interpretations, half of them next to kinks, {wrong} are wrong and {beyond} are beyond "
-        "their "
-        f"bound. {100.0 * less_exact / points:.1f} % have the status `not_converged`, "
+        f"their bound. {100.0 * less_exact / points:.1f} % have the status `not_converged`, "
         f"{100.0 * without / points:.1f} % have no values. The largest error of the others is "
         f"{max(row['largest_error'] / row['rtol'] for row in rows):.2f} of `rtol`."
     )
 
 
-BLOCKS = {
-    "claims": claims_block,
-    "took": took_block,
-    "library": library_block,
-    "ranges": ranges_block,
-}
+OF_TABLES = {"claims": claims_block, "took": took_block}  # functions of ``move``
+COMPUTED = {"library": library_block, "ranges": ranges_block}
 MEASURED = {"accuracy": accuracy_block, "oracle": oracle_block}
-SPREAD = 3.0  # of times, between machines and runs
-SHADE = 8.5 / 255.0
+LARGEST_FACTOR = 3.0  # between times on different machines or in different runs
+SHADE = 8.5 / 255.0  # largest difference of a pixel
 NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def is_measured() -> bool:
-    """Whether there is an accuracy run with every method and ``rtol`` of the table."""
+    """Whether results/ have an accuracy run with every method and ``rtol`` of the table."""
     if not all((ACCURACY / f"{name}.csv").is_file() for name in SHOWN):
         return False
     rows = read_csv(ACCURACY / "times.csv", TABLES["times"])
@@ -262,7 +247,7 @@ def is_compared() -> bool:
 
 
 def renewed(text: str, blocks: dict) -> str:
-    """``text`` with the ``blocks`` between ``<!-- name -->`` and ``<!-- /name -->`` made again."""
+    """``text`` with new ``blocks`` between ``<!-- name -->`` and ``<!-- /name -->``."""
     for name, block in blocks.items():
         start, end = f"<!-- {name} -->\n", f"<!-- /{name} -->"
         if start in text:
@@ -272,10 +257,9 @@ def renewed(text: str, blocks: dict) -> str:
 
 
 def show_the_same(text: str, runs: list[str]) -> bool:
-    """Whether each number of a text is that of one of the runs, which differ in bits, and each word
-    too.
-    """
-    if {tuple(NUMBER.sub("#", each).split()) for each in runs} != {
+    """Whether a text has the words of all ``runs``, and whether each of its numbers is that of a
+    run.  The runs differ in bits."""
+    if {tuple(NUMBER.sub("#", run).split()) for run in runs} != {
         tuple(NUMBER.sub("#", text).split())
     }:
         return False
@@ -283,28 +267,27 @@ def show_the_same(text: str, runs: list[str]) -> bool:
     return all(number in allowed for number, allowed in zip(NUMBER.findall(text), shown))
 
 
-def at_edges(text: str) -> list[str]:
-    """A page with the numbers of the run, as they are and moved down and up by ``BITS``."""
-    global move
-    pages = []
-    for change in (-BITS, BITS, 0.0):
-        move = change
-        pages.append(renewed(text, BLOCKS))
-    return pages
+def at_edges(text: str, blocks: dict) -> list[str]:
+    """A page with new ``blocks``, functions of ``move``: the numbers of the run moved down and up
+    by ``BITS``, and last as they are."""
+    return [
+        renewed(text, {name: partial(block, move) for name, block in blocks.items()})
+        for move in (-BITS, BITS, 0.0)
+    ]
 
 
 def agree(text: str, other: str) -> bool:
-    """Whether two texts differ in no more than numbers, and in these by less than ``SPREAD``."""
+    """Whether two texts differ in numbers alone, and by less than ``LARGEST_FACTOR``."""
     if NUMBER.sub("#", text).split() != NUMBER.sub("#", other).split():
         return False
     pairs = zip(map(float, NUMBER.findall(text)), map(float, NUMBER.findall(other)), strict=True)
-    return all(a == b or a < SPREAD * b and b < SPREAD * a for a, b in pairs)
+    return all(a == b or a < LARGEST_FACTOR * b and b < LARGEST_FACTOR * a for a, b in pairs)
 
 
 def look_the_same(one: np.ndarray, other: np.ndarray) -> bool:
-    """Whether two pictures (rows, columns, channels), of values 0 to 1, differ in at most one of
-    10,000 pixels, by at most ``SHADE``: what other last bits of a curve do to the shades of its
-    edge."""
+    """Whether two pictures, shape (rows, columns, channels) with values 0 to 1, differ in at most
+    one of 10,000 pixels, by at most ``SHADE``.  Other last bits of a curve change the shades of its
+    edge so much."""
     if one.shape != other.shape:
         return False
     differences = np.abs(one - other).max(axis=-1)
@@ -312,16 +295,16 @@ def look_the_same(one: np.ndarray, other: np.ndarray) -> bool:
 
 
 def main(arguments) -> int:
-    """Exit status: 0 if the pages say what results/ say."""
+    """Exit status: 0 if the pages agree with results/."""
     if "--show" in arguments:
-        print((BLOCKS | MEASURED)[arguments[-1]]())
+        print((OF_TABLES | COMPUTED | MEASURED)[arguments[-1]]())
         return 0
     stale = []
-    there = {"accuracy": is_measured(), "oracle": is_compared()}
-    measured = {name: block for name, block in MEASURED.items() if there[name]}
+    is_there = {"accuracy": is_measured(), "oracle": is_compared()}
+    measured = {name: block for name, block in MEASURED.items() if is_there[name]}
     for page in PAGES:
         text = page.read_text(encoding="utf-8")
-        *moved, new = at_edges(text)
+        *moved, new = at_edges(renewed(text, COMPUTED), OF_TABLES)
         newest = renewed(new, measured)
         if "--write" in arguments:
             page.write_text(newest, encoding="utf-8")
@@ -332,7 +315,7 @@ def main(arguments) -> int:
             picture.write_bytes(figure.read_bytes())
         elif not look_the_same(imread(picture), imread(figure)):
             stale.append(picture.name)
-    picture, figure = MEASURED_PICTURE  # differs from run to run
+    picture, figure = MEASURED_PICTURE  # it differs from run to run
     if "--write" in arguments and figure.is_file():
         picture.write_bytes(figure.read_bytes())
     if len(measured) < len(MEASURED):

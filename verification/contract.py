@@ -103,7 +103,7 @@ RELATIVE_DIAMETER = "particle_diameter_per_roughness"
 
 
 def form_findings(file):
-    """What is wrong with the structure and the attributes of an open dataset."""
+    """Faults in the structure and the attributes of an open dataset."""
     known = [*COORDINATES, *NUMBERS, *FLAGS]
     extra = set(file.variables) - {*known}
     yield from (f"has the unknown variable {name}" for name in sorted(extra))
@@ -122,7 +122,7 @@ def form_findings(file):
 
 
 def variable_findings(name, variable):
-    """What is wrong with the dimensions, type and attributes of one variable."""
+    """Faults in the dimensions, type and attributes of a variable."""
     expected_type = "<i1" if name in FLAGS else "<f8"
     expected_dimensions = DIMENSIONS
     if name in COORDINATES:
@@ -220,7 +220,7 @@ def expected_points(scene, axes):
 
 
 def configuration_findings(data, name, config, inputs):
-    """Where a dataset is not the one that the configuration asks for.
+    """Differences between a dataset and the configuration.
 
     ``data`` is a `recompute.Dataset`, ``name`` that of its figure, ``config`` and ``inputs`` are
     the files config.json and parameters.json.

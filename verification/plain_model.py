@@ -33,7 +33,7 @@ STEP = 1e-7  # of these lengths, over which the fall of the forces is taken
 
 
 class Point(NamedTuple):
-    """Where the model is evaluated, and the summits of the surface there."""
+    """The conditions at which the model is evaluated, and the summits of the surface."""
 
     load: float  # F_t* [1]
     viscosity: float  # nu [m2/s], 0: dry
@@ -224,7 +224,7 @@ def elastic_factor(model):
 
 
 def gap_of_particles(separation, model, point):
-    """What particles see of the ``separation`` d [m]."""
+    """The gap [m] that particles meet at the ``separation`` d [m]."""
     at_summits = model.get("particle_plane", "surface") == "summit"
     return separation - point.summit_offset if at_summits else separation
 
@@ -386,7 +386,7 @@ def separation_of(model, point):
     """The separation d >= 0 [m] at which Eq. 1 holds, unless the load ``exceeds_solids``."""
     film = film_alone(model, point)
     if log_borne(film, model, point) < 0.0:
-        return film  # it takes what the solids leave
+        return film  # the film bears the rest of the load
     far = max(film, point.roughness)
     while log_borne(far, model, point) >= 0.0:
         far *= 2.0
@@ -472,7 +472,7 @@ def known_logarithms(separation, model, point):
 
 
 def named_status(total_area, fluid_fraction, film_thickness, model, point):
-    """What is to be said of a point with a separation; the gravest, if several apply."""
+    """The status of a point with a separation; the gravest, if several apply."""
     if total_area > 1.0:
         return "area_exceeded"
     if outside_film_formula(fluid_fraction, film_thickness, model, point):

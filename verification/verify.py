@@ -50,7 +50,7 @@ LARGEST_TEXT = 100_000_000  # bytes of a manifest or description, which are read
 
 
 class Faults(dict):
-    """What is wrong: one reason a file, the first that was found."""
+    """The faults of an archive: for each file the first reason."""
 
     def add(self, path, reason):
         self.setdefault(str(path), " ".join(str(reason).split()))
@@ -161,7 +161,7 @@ def is_product(name):
 
 
 def check_table(path, fields, name, faults):
-    """The columns of a CSV file are those described, and numbers are numbers."""
+    """Check that a CSV file has the columns described, and that its numbers are numbers."""
     numbers = [index for index, field in enumerate(fields) if field["type"] == "number"]
     with open(path, encoding="utf-8", newline="") as file:
         rows = csv.reader(iter(lambda: file.readline(LONGEST_LINE), ""))
@@ -293,7 +293,7 @@ def verify(folder, count, seed, packed_too=False, sums_alone=False):
 
 
 def run_checks(checks, faults):
-    """Call each check; one that fails is itself a fault of its subject."""
+    """Call each check.  A check that fails is itself a fault of its subject."""
     for subject, check in checks.items():
         try:
             check()
@@ -302,7 +302,7 @@ def run_checks(checks, faults):
 
 
 def main(arguments=None):
-    """Exit code; prints the one line."""
+    """Print the verdict in one line, and return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument(
         "folder", nargs="?", type=Path, default=HERE.parent, help="unpacked archive"

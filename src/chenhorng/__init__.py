@@ -1,8 +1,9 @@
-"""The paper: what the workflow computes with the library, which imports nothing of it.
+"""The paper, as the workflow computes it with the library.  The library imports nothing of this
+package.
 
-``configuration`` checks the settings, ``scenes`` are the datasets of figures, ``extraction``,
-``tables`` and ``sheets`` make tables, ``bands`` and ``sensitivity`` the dependence on the inputs.
-``claims`` judges the statements of the paper, ``calibration`` finds the unprinted inputs,
-``figures`` draws, ``page`` is the explorer, ``archive`` the release, and ``atlas`` the whole space
-of conditions.
+``configuration`` checks the settings.  ``scenes`` makes the datasets of figures.  ``extraction``,
+``tables`` and ``sheets`` make tables.  ``ensemble_range`` and ``sensitivity`` compute how results
+depend on the inputs.  ``claims`` judges the statements of the paper, and ``calibration`` searches
+the unprinted inputs.  ``figures`` draws, ``page`` makes the explorer, ``archive`` makes the
+release, and ``atlas`` opens the solved space of conditions.
 """

@@ -1,5 +1,5 @@
-"""The atlas: every combination of many conditions, in a file of ``tb.stream`` for each
-roughness."""
+"""The atlas: solutions of every combination of many conditions.  Each roughness has a file, made by
+``tb.stream``."""
 
 import json
 from os import PathLike
@@ -13,7 +13,7 @@ CHUNKS = "results/atlas/chunks"
 
 
 def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
-    """Open the atlas as one dataset; its values are read from the files when they are used.
+    """Open the atlas as one dataset, which reads values from the files when they are used.
 
     Parameters
     ----------
@@ -23,8 +23,8 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        What ``tb.grid`` returns, over all five axes.  Select with ``sel`` and ``isel`` before using
-        values: the whole may be larger than memory.
+        A dataset as from ``tb.grid``, over all five axes.  Select conditions with ``sel`` and
+        ``isel`` before using values: all values may be larger than memory.
 
     Raises
     ------
@@ -56,8 +56,7 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
             sigma = chunk["roughness"].item()
             raise ValueError(
                 f"roughness {sigma:g} m in {folder} was solved with other inputs, variables or "
-                "rtol than the "
-                "first; allowed: files of one configuration"
+                "rtol than the first; allowed: files of one configuration"
             )
     atlas = xr.concat(
         chunks,
@@ -69,7 +68,7 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
         combine_attrs="drop_conflicts",
     )
     for name in atlas.coords:
-        atlas[name].encoding["_FillValue"] = None  # when written: no value is missing
+        atlas[name].encoding["_FillValue"] = None  # no value of an axis is missing
     return atlas.assign_attrs(
         title="Atlas of three-body contact",
         model_parameters=json.dumps(inputs),

@@ -1,4 +1,4 @@
-"""Extraction from curves of a dataset: turning points and transitions, as rows of tables."""
+"""Turning points and transitions of the curves of a dataset, as rows of tables."""
 
 import numpy as np
 
@@ -11,30 +11,30 @@ from thirdbody.curves import Condition
 from thirdbody.netcdf import PlainDataset, curves_of
 from thirdbody.variables import STATUS
 
-FOUND = ("load", "load_error", "peak_ratio", "solid_load_fraction")  # of a turning point
+FIELDS = ("load", "load_error", "peak_ratio", "solid_load_fraction")  # of ``TurningPoints``
 
 
 def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``tpca_loads``, one per curve with a turning point, for the ``dataset`` of
-    a ``figure`` solved with ``parameters``."""
+    """Rows of the table ``tpca_loads`` from the ``dataset`` of a ``figure``, solved with
+    ``parameters``: a row for each curve with a turning point."""
     conditions, shown = curves_of(dataset)
     separation = dataset["separation"].values[:, shown]
-    found = turning_points(separation, **Condition(*conditions)._asdict(), parameters=parameters)
-    curves = np.flatnonzero(found.exists)
-    columns = {name: getattr(found, name)[curves] for name in FOUND}
-    columns["separation_m"] = found.separation[curves]
+    points = turning_points(separation, **Condition(*conditions)._asdict(), parameters=parameters)
+    curves = np.flatnonzero(points.exists)
+    columns = {name: getattr(points, name)[curves] for name in FIELDS}
+    columns["separation_m"] = points.separation[curves]
     return _rows(figure, conditions[:, curves], columns, dataset, parameters)
 
 
 def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``transitions``, one per crossing of a regime or mode limit; arguments as
-    in ``tpca_rows``."""
+    """Rows of the table ``transitions``: a row for each crossing of a limit of a regime or mode.
+    The arguments are those of ``tpca_rows``."""
     conditions, shown = curves_of(dataset)
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
     separation = dataset["separation"].values[:, shown]
-    found = limit_crossings(separation, values, conditions, parameters, rtol)
-    limits, curves, loads, errors, rising = found
+    crossings = limit_crossings(separation, values, conditions, parameters, rtol)
+    limits, curves, loads, errors, rising = crossings
     columns = {
         "quantity": [LIMITS[limit][0] for limit in limits],
         "level": [LIMITS[limit][1] for limit in limits],
@@ -46,10 +46,10 @@ def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) 
 
 
 def _rows(figure, conditions, columns, dataset, parameters) -> list[dict]:
-    """Rows of a table, each with the condition of its curve and the status of its point."""
-    given = {"load": columns["load"]} | dict(zip(Condition._fields, conditions, strict=True))
+    """Rows of a table, with the condition of the curve and the status of the point."""
+    points = {"load": columns["load"]} | dict(zip(Condition._fields, conditions, strict=True))
     rtol = float(dataset.attrs["rtol"])
-    status = solve_points(given, parameters, rtol, [STATUS])[STATUS]
+    status = solve_points(points, parameters, rtol, [STATUS])[STATUS]
     columns["normal_load_N"] = columns["load"] * parameters.newtons_per_load
     columns[STATUS] = [SOLUTION_STATUSES[index] for index in status]
     rows = zip(*columns.values(), strict=True)

@@ -3,35 +3,37 @@
 import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from logging import LogRecord
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 from thirdbody.files import DamagedFile, atomic_write, digest
 
-# SHA-256 of each product, by the job that made it, as `sha256sum` prints it; the last line counts
+# The file where each job writes the SHA-256 of its products, as `sha256sum` prints it.  The last
+# line on a product counts.
 SUMS = Path(".snakemake/made.sha256")
 
 
 @contextmanager
 def job(snakemake: Any) -> Iterator[SimpleNamespace]:
-    """Run a script of the workflow, whose ``snakemake`` this is.
+    """Run the script of the workflow that has this ``snakemake`` object.
 
-    What it prints goes to its log, and the SHA-256 of each output to ``SUMS``.  The paths of its
-    outputs, which are yielded by their names, are temporary: all are moved into place together once
-    the script has ended, so that a run that is killed leaves no half of a file, nor do two runs at
-    once.
+    The script prints to its log, and the SHA-256 of its outputs goes to ``SUMS``.  The yielded
+    paths of the outputs, by name, are temporary.  Once the script has ended, all outputs are moved
+    into place together.  So neither a killed run nor two runs at once leave half a file.
     """
     output = snakemake.output
     with logged(snakemake.log[0]), atomic_write(*output) as paths:
         yield SimpleNamespace(**dict(zip(output.keys(), paths, strict=True)))
         lines = [f"{digest(path)}  {name}\n" for name, path in zip(output, paths, strict=True)]
         with open(SUMS, "a", encoding="utf-8") as sums:
-            sums.write("".join(lines))  # at once, as jobs of a run write at the same time
+            sums.write("".join(lines))  # a single write, as other jobs write at the same time
 
 
 def require_as_made(products: Iterable[str]) -> dict[str, str]:
-    """The SHA-256 of each product; ``DamagedFile`` for a product that is not as its job made it."""
+    """The SHA-256 of each product, by its path.  A product that is not as its job made it raises
+    ``DamagedFile``."""
     lines = SUMS.read_text(encoding="utf-8").splitlines() if SUMS.is_file() else []
     made = {name: digits for digits, _, name in (line.partition("  ") for line in lines)}
     now = {product: digest(product) for product in products}
@@ -41,14 +43,21 @@ def require_as_made(products: Iterable[str]) -> dict[str, str]:
     return now
 
 
+def without_none(record: LogRecord) -> bool:
+    """A filter of Snakemake's log, which would write "message: None" of a failed job."""
+    if record.levelname == "ERROR" and getattr(record, "rule_msg", "") is None:
+        record.rule_msg = "failed"
+    return True
+
+
 @contextmanager
 def logged(log: str | Path) -> Iterator[None]:
-    """Send what a script prints to the file ``log``.
+    """Send the output of a script to the file ``log``.
 
-    If the script fails, the log says why, and the exit code is 1.  For ``ValueError``, ``OSError``
-    and ``MemoryError``, which a user can fix, the log ends with the message, for a damaged product
-    also with the command that recreates it; for any other error, with its traceback.  If the log
-    cannot be written, the message goes to standard error.
+    If the script fails, the log says why, and the exit code is 1.  A user can fix ``ValueError``,
+    ``OSError`` and ``MemoryError``: the log ends with their message.  For a damaged product it also
+    has the command that remakes the product.  For any other error the log ends with the traceback.
+    If the log cannot be written, the message goes to standard error.
     """
     failure = None
     try:

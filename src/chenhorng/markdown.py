@@ -6,5 +6,5 @@ MARKUP = re.compile(r"[\\`*_<>\[\]|&~$]")  # characters with a meaning in Markdo
 
 
 def markdown_text(text: str) -> str:
-    """A text as one line of Markdown, in which its signs have no meaning."""
+    """The ``text`` as a line of Markdown, with every character of ``MARKUP`` escaped."""
     return MARKUP.sub(r"\\\g<0>", " ".join(text.split()))

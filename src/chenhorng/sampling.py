@@ -1,5 +1,5 @@
-"""Curves at the loads of a claim: bounds of the range, levels of quantities, and values between
-loads.
+"""Curves at the loads of a claim: bounds of the loads, levels of quantities, and values between
+solved loads.
 """
 
 from collections.abc import Mapping, Sequence
@@ -7,15 +7,15 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-TINY = 1e-300  # least argument of logarithms, so that vanishing quantities can be compared
+TINY = 1e-300  # least argument of logarithms: quantities of zero have a logarithm too
 
 CURVE_QUANTITIES = (
     *("load", "solid_load", "solid_load_fraction", "particle_contact_area_ratio"),
     *("total_contact_area", "total_contact_area_slope", "film_thickness"),
     "real_contact_pressure",
 )
-# Keys of conditions that bound a range of loads: the quantity, and the sign for which sign * (bound
-# - value) is positive outside the bound.
+# Keys of conditions that bound the loads: the quantity, and the sign for which sign * (bound -
+# value) is positive outside the bound.
 RANGE_KEYS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
     f"{name}_max": (name, -1.0) for name in CURVE_QUANTITIES
 }
@@ -24,14 +24,18 @@ SolvedCurve = Mapping[str, NDArray]  # from ``chenhorng.claims.evidence.curve_of
 
 
 class NotReached(Exception):
-    """No load of a curve is within the bounds of a claim, by the shortfall in the argument."""
+    """No load of a curve is within the bounds of a claim; the argument is the least shortfall."""
 
 
 def loads_within(
     limits: Mapping[str, float], grid: SolvedCurve, bounded: Sequence[SolvedCurve]
 ) -> NDArray:
-    """Loads F_t* [1] of a curve, ``grid``: one if ``limits`` give it or a level, otherwise all
-    within their bounds on ``bounded`` curves; ``NotReached`` if there are none."""
+    """Loads F_t* [1] on the curve ``grid``.
+
+    If ``limits`` have a load or a level, there is a single load.  Otherwise all loads are returned
+    at which the ``bounded`` curves are within the bounds of ``limits``.  ``NotReached`` is raised
+    if no load is within the bounds.
+    """
     load = grid["load"]
     if not limits:
         return load
@@ -56,9 +60,11 @@ def loads_within(
 
 
 def first_fall(loads: NDArray, values: NDArray) -> float:
-    """Load at which ``values`` first fall to zero, or the first load if they start below;
-    extrapolated with the last slope, over a decade at most, so that nothing jumps when inputs
-    change."""
+    """The load at which ``values`` first fall to zero, or the first load if they start below zero.
+
+    If they stay above zero, the last slope is extrapolated over a decade of load at most.  So the
+    result does not jump when inputs change.
+    """
     above = values > 0.0
     if not above[0]:
         return loads[0] if values[0] <= 0.0 else np.nan
@@ -70,7 +76,8 @@ def first_fall(loads: NDArray, values: NDArray) -> float:
 
 
 def sample(curve: SolvedCurve, quantity: str, x: NDArray, against: str = "load") -> NDArray:
-    """A quantity where ``against`` equals ``x``, interpolated in logarithms; nan if unsolved."""
+    """The ``quantity`` of a ``curve`` at the values ``x`` of the quantity ``against``, interpolated
+    in logarithms; nan without a solution."""
     if quantity == against:
         return x
     values = curve[quantity]
@@ -84,7 +91,7 @@ def sample(curve: SolvedCurve, quantity: str, x: NDArray, against: str = "load")
 
 
 def logarithm(values: ArrayLike) -> NDArray:
-    """The natural logarithm, also of what vanishes."""
+    """The natural logarithm of ``values``, or of ``TINY`` for smaller values."""
     return np.log(np.maximum(values, TINY))
 
 

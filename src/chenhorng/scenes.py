@@ -1,4 +1,4 @@
-"""The dataset of a figure: the curves of a scene."""
+"""The dataset of a figure, which has the curves of a scene."""
 
 from collections.abc import Mapping
 
@@ -11,13 +11,15 @@ from thirdbody.grids import Axes, crossed
 from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, described_grid
 from thirdbody.variables import CONDITION_AXES, DIMENSIONS, FLAGS, NUMBERS, decimal
 
-RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
+RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # this key may replace the diameter
 
 
 def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
-    """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
-    of five axes, with the same loads: logarithmically spaced, plus those named in the text between
-    the ends.  Diameters relative to the roughness make a group for each roughness.
+    """The groups of curves in a valid entry of ``config/scenes.yaml``.
+
+    A group has every combination of its five axes.  All groups have the same loads: logarithmically
+    spaced loads, and the loads between their ends that the text names.  Diameters relative to the
+    roughness make a group for each roughness.
     """
     axis = scene["load_axis"]
     first, last = decimal(np.array(axis["load_N"]) / newtons_per_load)
@@ -42,8 +44,8 @@ def scene_dataset(
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
 ) -> PlainDataset:
-    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables
-    over the five axes.  Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
+    """The dataset of a figure, from its entry in ``config/scenes.yaml``: all variables over the
+    five axes.  Combinations that the figure does not show have ``FILL_FLOAT`` or ``FILL_FLAG``.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {
@@ -53,10 +55,10 @@ def scene_dataset(
     values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
     values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
     for group in groups:
-        place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
+        indices = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
         solved = solve_points(crossed(group), parameters, rtol, values)
         for name in values:
-            values[name][place] = solved[name]
+            values[name][indices] = solved[name]
     request = {
         "load": axes["load"].tolist(),
         "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],

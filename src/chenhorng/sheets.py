@@ -1,4 +1,4 @@
-"""Sheets: tables as people read them, in HTML and LaTeX, with the numbers of the paper beside."""
+"""Sheets: tables for readers, in HTML and LaTeX, with numbers of the paper beside computed ones."""
 
 import math
 import re
@@ -20,8 +20,8 @@ from thirdbody.symbols import html, latex, short, unicode
 from thirdbody.variables import AXES, CONDITION_AXES, QUANTITIES
 
 DIGITS = 3
-NEGLIGIBLE = 0.005  # of an elasticity
-LOAD_UNIT = 1e-6  # of F_t* in headings
+NEGLIGIBLE = 0.005  # smaller elasticities are shown as 0
+LOAD_UNIT = 1e-6  # unit of F_t* in headings
 RESULTS = {
     "turning_point_load": "turning point: load",
     "turning_point_ratio": "turning point: Aₛₐ,ₜ*",
@@ -30,7 +30,7 @@ RESULTS = {
     "solid_load_fraction": "load where Lₛ = {:.0%}",
     "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
 }
-CROSSINGS = {  # columns of the transitions: symbol, limit, quantity and level
+CROSSINGS = {  # columns of the transitions: quantity and level by symbol and limit
     ("Lₛ", "90 %"): ("solid_load_fraction", 0.9),
     ("Lₛ", "3 %"): ("solid_load_fraction", 0.03),
     ("Aₛₐ,ₜ*", "0.95"): ("particle_contact_area_ratio", 0.95),
@@ -38,7 +38,7 @@ CROSSINGS = {  # columns of the transitions: symbol, limit, quantity and level
 }
 NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
 ARROWS = {"rising": "↑", "falling": "↓"}
-WORDS = ("", "none", ABSENT["viscosity"])  # in columns of numbers
+WORDS = ("", "none", ABSENT["viscosity"])  # words that a column of numbers may have
 HEADING = re.compile(r"(.+) \[(.+)\]")  # a name and its unit
 UNITS_IN_LATEX = {
     "nm": r"\nm",
@@ -68,7 +68,7 @@ DOCUMENT = r"""% needs \usepackage{{booktabs, longtable, siunitx}} and \sisetup{
 
 @dataclass(frozen=True, kw_only=True)
 class Sheet:
-    """A table for reading: title, note, and rows of texts by heading."""
+    """A table for readers: title, note, and rows of texts by heading."""
 
     title: str
     note: str
@@ -76,7 +76,7 @@ class Sheet:
 
     @cached_property
     def decimals(self) -> dict[str, int]:
-        """The largest number of digits behind the point in each column of numbers."""
+        """The largest number of digits behind the point, for each column of numbers."""
         columns = {name: [row[name] for row in self.rows] for name in (self.rows or [{}])[0]}
         return {
             name: max(map(_decimals, texts))
@@ -85,9 +85,8 @@ class Sheet:
         }
 
     def padding(self, name: str, text: str) -> str:
-        """What a number lacks behind it, so that the points of a column of numbers stand below each
-        other.
-        """
+        """The characters that a number lacks on its right.  With them the decimal points of a
+        column are aligned."""
         missing = self.decimals.get(name, 0) - _decimals(text)
         if missing == 0 or text in WORDS or "e" in text:
             return ""
@@ -98,9 +97,7 @@ class Sheet:
         return ENVIRONMENT.get_template("sheets.html").render(sheet=self)
 
     def latex(self, label: str) -> str:
-        """The table for LaTeX, with its caption and ``label``; columns of numbers are those of
-        siunitx.
-        """
+        """The table for LaTeX, with its caption and ``label``.  Columns of numbers are for siunitx."""
         names = [*self.rows[0]] if self.rows else []
         numeric = {name: name in self.decimals for name in names}
         lines = [
@@ -120,8 +117,8 @@ class Sheet:
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
-    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger; None
-    (missing) gives an empty text, and nan (does not exist) gives "none"."""
+    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger.  None, a
+    missing value, is an empty text; nan, a value that does not exist, is "none"."""
     if value is None:
         return ""
     if math.isnan(value):
@@ -135,8 +132,8 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
 
 
 def result_name(row: Mapping) -> str:
-    """The result in a row of the table ``sensitivity``, with the condition that distinguishes
-    it."""
+    """The name of the result in a row of the table ``sensitivity``, with the condition that
+    distinguishes the result."""
     name = RESULTS[row["quantity"] or row["output"]].format(row["level"]).replace("%", " %")
     varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
     axis = AXES[varied[row["output"].partition("_")[0]]]
@@ -146,8 +143,12 @@ def result_name(row: Mapping) -> str:
 def sheet_of(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> Sheet:
-    """The sheet of a ``table`` of ``SHEETS`` from its ``rows`` and those of the table ``printed``,
-    without empty columns; ``newtons_per_load`` is F_t/F_t* [N].  It says if there are no rows."""
+    """The sheet of a ``table`` of ``SHEETS``, without empty columns; its note says if it has no
+    rows.
+
+    ``rows`` are those of the table, ``printed`` those of the table ``printed``, and
+    ``newtons_per_load`` is F_t/F_t* [N].
+    """
     sheet = SHEETS[table](rows, printed, newtons_per_load)
     if not sheet.rows:
         return replace(sheet, note="There are none.")
@@ -156,19 +157,20 @@ def sheet_of(
 
 
 def _decimals(text):
-    """How many digits a number, or its last one, has behind the point."""
+    """The digits behind the point of the last number in a text."""
     return 0 if "e" in text else len(text.rpartition(" ")[2].partition(".")[2])
 
 
 def _latex_cell(text, numeric, is_symbol):
-    """A number as siunitx reads it, or a text."""
+    """A cell for LaTeX: a number as siunitx reads it, or a text."""
     if numeric and NUMBER.fullmatch(text):
         return text.replace("±", r"\pm")
     return f"{{{latex(text)}}}" if numeric and text else latex(text, is_symbol)
 
 
 def _latex_heading(name):
-    """A heading, with its unit by siunitx; in braces, so that it is not read as a number."""
+    """A heading for LaTeX, with its unit by siunitx.  In braces siunitx does not read it as a
+    number."""
     parts = HEADING.fullmatch(name)
     if parts is None:
         return f"{{{latex(name)}}}"
@@ -191,8 +193,7 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> Sheet:
     title += ", as printed and recomputed"
     note = (
         "Recomputed from the other printed values where possible. A value agrees if it is the "
-        "printed one "
-        "once it is rounded to as many digits as the paper prints."
+        "printed one once it is rounded to as many digits as the paper prints."
     )
     return Sheet(title=title, note=note, rows=lines)
 
@@ -200,8 +201,8 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> Sheet:
 def _turning_points(rows, printed, newtons_per_load) -> Sheet:
     lines = []
     ratio, solid = "turning_point_ratio", "turning_point_solid_load_fraction"
-    for curve, some, paper in _curves(rows, printed):
-        row = some[0]
+    for curve, its_rows, paper in _curves(rows, printed):
+        row = its_rows[0]
         load, error = row["load"], row["load_error"]
         texts = {
             "load": rounded(load / LOAD_UNIT, error / LOAD_UNIT),
@@ -209,12 +210,12 @@ def _turning_points(rows, printed, newtons_per_load) -> Sheet:
             "peak_ratio": rounded(row["peak_ratio"]),
             "solid_load_fraction": rounded(100.0 * row["solid_load_fraction"]),
             "separation_m": rounded(row["separation_m"] / 1e-9),
-            "solution_status": _statuses(some),
+            "solution_status": _statuses(its_rows),
         }
         beside = {
-            "load": _spread(paper, LOAD_UNIT, quantity="turning_point_load"),
-            "peak_ratio": _spread(paper, quantity=ratio),
-            "solid_load_fraction": _spread(paper, 0.01, quantity=solid),
+            "load": _with_tolerances(paper, LOAD_UNIT, quantity="turning_point_load"),
+            "peak_ratio": _with_tolerances(paper, quantity=ratio),
+            "solid_load_fraction": _with_tolerances(paper, 0.01, quantity=solid),
         }
         lines.append(curve | _headed("tpca_loads", texts, beside))
     note = f"Each row is a curve. Numbers of the paper are given with their tolerances. {NEWTONS}"
@@ -227,7 +228,7 @@ def _windows(rows, printed, _newtons_per_load) -> Sheet:
         line, sizes = {"σ [nm]": _in_unit("roughness", roughness)}, []
         for row in ends:
             end, ratio, error = (row[n] for n in ("end", "diameter_over_roughness", "error"))
-            paper = _spread(printed, quantity=f"window_{end}", roughness_m=roughness)
+            paper = _with_tolerances(printed, quantity=f"window_{end}", roughness_m=roughness)
             line |= {f"{end} end of xₐ/σ": rounded(ratio, error), f"{end} end (paper)": paper}
             sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
         lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
@@ -237,23 +238,23 @@ def _windows(rows, printed, _newtons_per_load) -> Sheet:
 
 def _transitions(rows, printed, newtons_per_load) -> Sheet:
     lines = []
-    for line, some, paper in _curves(rows, printed):
+    for line, its_rows, paper in _curves(rows, printed):
         for (symbol, limit), (quantity, level) in CROSSINGS.items():
             for direction, arrow in ARROWS.items():
                 loads = dict.fromkeys(
                     rounded(row["load"] * newtons_per_load)
-                    for row in some
+                    for row in its_rows
                     if (row["quantity"], row["level"], row["direction"])
                     == (quantity, level, direction)
                 )
                 line[f"{symbol} {arrow} {limit} [N]"] = ", ".join(loads)
             at = {"quantity": "load", "at_quantity": quantity, "at_level": level}
-            line[f"{symbol} = {limit} (paper)"] = _spread(paper, 1.0 / newtons_per_load, **at)
-        lines.append(line | {"status": _statuses(some)})
+            heading = f"{symbol} = {limit} (paper)"
+            line[heading] = _with_tolerances(paper, 1.0 / newtons_per_load, **at)
+        lines.append(line | {"status": _statuses(its_rows)})
     note = (
         "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. Without an "
-        "entry "
-        f"it does not cross the limit within the loads. {NEWTONS}"
+        f"entry it does not cross the limit within the loads. {NEWTONS}"
     )
     return Sheet(title="Loads at which the regime or mode changes", note=note, rows=lines)
 
@@ -288,8 +289,7 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
     note = (
         f"All numbers that the headline statements print. The median of the deviations is "
         f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of "
-        "H_c are those from "
-        "0.04 to 80 N."
+        "H_c are those from 0.04 to 80 N."
     )
     return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
 
@@ -393,27 +393,27 @@ SHEETS: dict[str, Callable[..., Sheet]] = {
 
 
 def _curves(rows, printed):
-    """The cells of each curve, which several figures may share, its rows, and its printed
-    numbers."""
+    """Yield for each curve its first cells, its rows, and its printed numbers.  Several figures may
+    share a curve."""
     names = "roughness", "particle_diameter", "particle_density", "viscosity"
     ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
     for key, group in groupby(ordered, key=row_key):
-        some = [*group]
-        numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in some)
+        its_rows = [*group]
+        numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in its_rows)
         figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
         cells = {"figures": figures}
         for axis in CONDITION_AXES:
             cells[f"{unicode(axis.symbol)} [{axis.alias_unit}]"] = _in_unit(
-                axis.name, some[0][axis.column]
+                axis.name, its_rows[0][axis.column]
             )
-        yield cells, some, [number for number in printed if row_key(number) == key]
+        yield cells, its_rows, [number for number in printed if row_key(number) == key]
 
 
 def _headed(
     table: str, texts: Mapping[str, str], printed: Mapping[str, str] | None = None
 ) -> dict[str, str]:
-    """The ``texts`` of columns of a ``table`` under their headings, those ``printed`` in the paper
-    beside them.
+    """The ``texts`` of columns of a ``table`` under their headings, and beside them the texts
+    ``printed`` in the paper.
     """
     line = {}
     for column in TABLES[table]:
@@ -432,13 +432,13 @@ def _in_unit(name, value) -> str:
 
 
 def _statuses(rows) -> str:
-    """Statuses of points that have not converged."""
+    """The statuses of points that have not converged, as text."""
     statuses = dict.fromkeys(row["solution_status"] for row in rows)
-    return ", ".join(each.replace("_", " ") for each in statuses if each != "converged")
+    return ", ".join(word.replace("_", " ") for word in statuses if word != "converged")
 
 
 def _range(row, name) -> str:
-    """A range in a row, or a single value."""
+    """The ends of a range in a row, or a single value, as text."""
     ends = row[f"{name}_low"], row[f"{name}_high"]
     digits = 6 if name == "printed" else 4
     return " to ".join(short(f"{value:.{digits}g}") for value in ends if value is not None)
@@ -455,13 +455,13 @@ ENVIRONMENT.filters["typeset"] = lambda *text: Markup(html(*text))
 
 
 def _elasticity(row) -> str:
-    """An elasticity to hundredths."""
+    """The elasticity in a row, rounded to hundredths."""
     value, error = row["elasticity"], max(row["error"] or 0.0, NEGLIGIBLE)
     return "0" if abs(value) < NEGLIGIBLE else rounded(value, error)
 
 
-def _spread(printed, unit=1.0, **fields) -> str:
-    """The printed numbers that have these ``fields``, with their tolerances, in ``unit``."""
+def _with_tolerances(printed, unit=1.0, **fields) -> str:
+    """The ``printed`` numbers that have these ``fields``, with their tolerances, in ``unit``."""
     texts: dict[str, None] = {}
     for number in printed:
         if fields.items() <= number.items():

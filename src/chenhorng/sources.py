@@ -1,4 +1,6 @@
-"""What a job depends on, as parameters of its rule: Snakemake names a text that has changed."""
+"""The sources and settings of a job, as texts among the parameters of its rule: Snakemake names the
+texts that have changed.
+"""
 
 import ast
 import json
@@ -22,8 +24,8 @@ class Sources:
         )
 
     def of_script(self, script: Path) -> list[str]:
-        """A text for each file that ``script`` runs: itself, the modules that it imports, all
-        modules that these import, and the data beside them."""
+        """A text for each file that a job of ``script`` runs: the script, the modules that it
+        imports, all modules that these import, and the data beside the modules."""
         imported = imports_of(script) & self.graph.modules
         modules = imported.union(*map(self.graph.find_upstream_modules, imported))
         packages = {name.rpartition(".")[0] for name in modules} - {""}
@@ -31,11 +33,17 @@ class Sources:
         return sorted(map(self.text, files))
 
     def module_files(self, name: str) -> list[Path]:
-        """A module, and the data beside it under the same name."""
+        """The files of a module: its source, and the data beside it under the same name."""
         path = self.folder.joinpath(*name.split("."))
         beside = path.parent.glob(f"{path.name}.*")
         files = [file for file in beside if file.suffix not in INPUTS_OF_RULES]
         return files or [path / "__init__.py"]
+
+    def project_file(self, name: str | Path) -> str:
+        """The path of a file of the project, relative if the current folder is ``home``."""
+        top, _, rest = str(name).partition("/")
+        path = self.folder / rest if top == "src" else self.home / name
+        return str(path.relative_to(self.home) if Path.cwd() == self.home else path)
 
     def text(self, path: Path) -> str:
         """The name of a file, and the first digits of its SHA-256."""
@@ -44,7 +52,7 @@ class Sources:
 
 
 def imports_of(script: Path) -> set[str]:
-    """The names that a script imports: modules, and what may be a module or a name in one."""
+    """The names that a script imports: modules, and names of submodules or members."""
     names: set[str] = set()
     for statement in ast.walk(ast.parse(script.read_bytes())):
         if isinstance(statement, ast.Import):
@@ -55,10 +63,13 @@ def imports_of(script: Path) -> set[str]:
     return names
 
 
-def settings_text(path: str | Path, kind: type = dict) -> str:
-    """The name of a file of the configuration, and the first digits of the SHA-256 of its content,
-    which a comment does not change; ``ValueError`` in one line for a file that cannot be read."""
-    content = json.dumps(read_yaml(path, kind), default=str)
+def settings_text(path: str | Path, expected: type = dict) -> str:
+    """The name of a file of the configuration, and the first digits of the SHA-256 of its content.
+
+    The content has the type ``expected``.  A comment does not change the text.  A file that cannot
+    be read raises ``ValueError`` in one line.
+    """
+    content = json.dumps(read_yaml(path, expected), default=str)
     return f"{path} {_digest(content.encode())}"
 
 

@@ -12,10 +12,12 @@ from thirdbody.files import unreadable
 
 
 class Column(NamedTuple):
-    """A column of a table: its name, which ends with the SI unit if there is one; the type of
-    the Table Schema, ``number`` or ``string``; the SI unit, ``1`` for a pure number and empty for
-    text; its description; the table in ``tables.csv``; and its heading in the sheet of the table,
-    empty if that is the name."""
+    """A column of a table, as ``tables.csv`` describes it.
+
+    ``name`` ends with the SI unit if the column has one.  ``kind`` is the type of the Table Schema,
+    ``number`` or ``string``.  ``unit`` is the SI unit, ``1`` for a pure number and empty for text.
+    ``heading`` is the heading in the sheet of the ``table``; an empty heading stands for the name.
+    """
 
     name: str
     kind: str
@@ -25,7 +27,7 @@ class Column(NamedTuple):
     heading: str = ""
 
     def parse(self, text: str) -> float | str | None:
-        """The value of a field of a CSV file; None if it is empty."""
+        """The value of a field of a CSV file; None for an empty field."""
         if text == "":
             return None
         return float(text) if self.kind == "number" else text
@@ -34,12 +36,12 @@ class Column(NamedTuple):
 with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as file:
     COLUMNS = [Column(**row) for row in csv.DictReader(file, restval="")]
 TABLES = {table: list(columns) for table, columns in groupby(COLUMNS, attrgetter("table"))}
-DRAWN_POINTS = TABLES.pop("drawn_points")  # of the CSV file beside each figure
+DRAWN_POINTS = TABLES.pop("drawn_points")  # the columns of the CSV file beside each figure
 
 
 def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
-    """Write a table as CSV, numbers with ten significant digits; each row has a value or None for
-    each column name."""
+    """Write a table as CSV, numbers with ten significant digits.  Each row has a value or None by
+    the name of each column."""
     formats = {column.name: ".10g" if column.kind == "number" else "" for column in columns}
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
@@ -50,12 +52,12 @@ def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[C
 
 
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
-    """Rows of a table of ``write_csv``; raises ``OSError`` in one line for a file that is damaged
-    or has other columns."""
+    """Rows of a table that ``write_csv`` wrote.  ``OSError``, in one line, names a file that is
+    damaged or has other columns."""
     try:
         with open(path, encoding="utf-8", newline="") as stream:
             header, *rows = csv.reader(stream)
-        found = [
+        parsed = [
             {column.name: column.parse(text) for column, text in zip(columns, row, strict=True)}
             for row in rows
         ]
@@ -63,11 +65,11 @@ def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
         raise unreadable(path, error) from None
     if header != [column.name for column in columns]:
         raise unreadable(path, f"its columns are {header}")
-    return found
+    return parsed
 
 
 def table_schema(columns: Sequence[Column]) -> dict[str, Any]:
-    """The Table Schema (Frictionless) of ``columns``."""
+    """The Table Schema of ``columns`` (https://datapackage.org/standard/table-schema)."""
     fields = [
         {
             "name": column.name,

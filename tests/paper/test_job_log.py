@@ -2,11 +2,12 @@
 
 import os
 import sys
+from logging import makeLogRecord
 from types import SimpleNamespace
 
 import pytest
 
-from chenhorng.job_log import SUMS, job, logged, require_as_made
+from chenhorng.job_log import SUMS, job, logged, require_as_made, without_none
 from thirdbody.files import digest, unreadable
 
 
@@ -105,3 +106,13 @@ def test_a_job_that_fails_leaves_all_as_it_was(snakemake, tmp_path):
     assert not SUMS.exists()
     assert (tmp_path / "a.csv").read_text() == "old"
     assert (tmp_path / "job.log").read_text() == "load is -1\n"
+
+
+@pytest.mark.parametrize(
+    ("level", "message", "shown"),
+    [("ERROR", None, "failed"), ("ERROR", "words", "words"), ("INFO", None, None)],
+)
+def test_a_failed_job_without_a_message_has_failed(level, message, shown):
+    record = makeLogRecord({"levelname": level, "rule_msg": message})
+    assert without_none(record)
+    assert record.rule_msg == shown

@@ -32,7 +32,7 @@ from chenhorng.tables import DRAWN_POINTS, TABLES, table_schema, write_csv
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "tests" / "schemas"
-KINDS = ("datasets", "tables", "figures")
+FOLDERS = ("datasets", "tables", "figures")
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -203,7 +203,7 @@ def test_the_title_of_a_dataset_is_no_markup_in_the_guide(built, tmp_path, relea
     data = shutil.copytree(built / "data", tmp_path / "data")
     with netCDF4.Dataset(data / "datasets/fig04.nc", "a") as dataset:
         dataset.title = title
-    content = describe_content(data, dict.fromkeys(KINDS, "title"))
+    content = describe_content(data, dict.fromkeys(FOLDERS, "title"))
     guide = render("README.md", release=release, software={}, **content)
     (row,) = (line for line in guide.splitlines() if line.startswith("| `fig04.nc` |"))
     html = MarkdownIt("gfm-like", {"linkify": False}).render(f"| a | b |\n|---|---|\n{row}")

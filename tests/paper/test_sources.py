@@ -69,6 +69,15 @@ def test_a_new_import_adds_its_module(home, name, line):
     assert changed(home, name, f"{FILES[name]}{line}\n") == {name, "engine/dry.py"}
 
 
+def test_files_of_the_project_are_relative_in_its_folder_alone(home, tmp_path_factory, monkeypatch):
+    sources = Sources(home / "packages", home, "engine")
+    monkeypatch.chdir(tmp_path_factory.mktemp("elsewhere"))
+    assert sources.project_file("src/engine/oil.html") == str(home / "packages/engine/oil.html")
+    assert sources.project_file("config") == str(home / "config")
+    monkeypatch.chdir(home)
+    assert sources.project_file("src/engine/oil.html") == "packages/engine/oil.html"
+
+
 def test_settings_are_their_content_without_comments(tmp_path):
     path = tmp_path / "settings.yaml"
     path.write_text("rtol: 1.0e-9\n")

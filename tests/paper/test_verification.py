@@ -30,7 +30,7 @@ from thirdbody.netcdf import write_dataset
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"
-KINDS = ("datasets", "tables", "figures")
+FOLDERS = ("datasets", "tables", "figures")
 
 
 @pytest.fixture
@@ -160,8 +160,8 @@ def mend(folder, release):
     content_sha256 = run_path(str(VERIFICATION / "content_hash.py"))["content_sha256"]
     contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
     write_json(data / "datasets/content-sha256.json", contents)
-    write_json(data / "table-schemas.json", table_schemas(data, KINDS))
-    titles = {kind: kind for kind in KINDS}
+    write_json(data / "table-schemas.json", table_schemas(data, FOLDERS))
+    titles = {name: name for name in FOLDERS}
     write_json(folder / METADATA, crate(folder, titles, release))
     seal(folder, release)
 

@@ -54,6 +54,12 @@ def test_a_page_shows_the_digits_of_the_run(page, runs, same):
     assert TOOL["show_the_same"](page, runs) == same
 
 
+def test_a_number_at_an_edge_is_rounded_both_ways():
+    page = "<!-- share -->\nold\n<!-- /share -->\n"
+    down, up, new = TOOL["at_edges"](page, {"share": lambda move: f"{0.125 * (1.0 + move):.2f}"})
+    assert [text.split()[3] for text in (down, up, new)] == ["0.12", "0.13", "0.12"]
+
+
 def shifted(picture):
     """One column of pixels is moved by one."""
     return np.concatenate([picture[:, :900], picture[:, 899:-1]], axis=1)

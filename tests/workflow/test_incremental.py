@@ -32,7 +32,7 @@ JUDGED = (*CLAIMS, *DEPARTURES)
 TABLES_SHOWN = ("index.html", "captions.md", "SHA256SUMS")
 PAGE = ("explorer/*", *TABLES_SHOWN)
 ALL = (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *JUDGED, *SENSITIVITY, *PAGE)
-KINDS = ("csv", "html", "tex")
+FORMATS = ("csv", "html", "tex")
 
 
 def of_figure(name):
@@ -170,7 +170,7 @@ def test_what_is_missing_is_made_again_with_what_is_made_from_it(workspace):
     expected = workspace.products(*of_figure("fig05"), *GATHERED, "figures/fig07[._]*", *PAGE)
     for name in ("datasets/fig05.nc", "figures/fig07.svg", "tables/table2.tex"):
         (workspace.root / "results" / name).unlink()
-    assert workspace.pending() == expected | {f"tables/table2.{kind}" for kind in KINDS}
+    assert workspace.pending() == expected | {f"tables/table2.{format}" for format in FORMATS}
 
 
 def test_statements_of_ones_own_are_judged_apart_from_those_of_the_paper(workspace):

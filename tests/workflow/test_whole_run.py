@@ -11,13 +11,13 @@ from thirdbody.symbols import html
 CURVE_FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 FIGURES = ["fig01", "fig02", *CURVE_FIGURES]
 TABLES = ["table1", "table2", "tpca_loads", "tpca_windows", "transitions"]
-FIGURE_KINDS, TABLE_KINDS = ("svg", "pdf", "png", "csv", "md", "json"), ("csv", "html", "tex")
+FIGURE_FORMATS, TABLE_FORMATS = ("svg", "pdf", "png", "csv", "md", "json"), ("csv", "html", "tex")
 PRODUCTS = {
     *(f"datasets/{figure}.nc" for figure in CURVE_FIGURES),
-    *(f"figures/{figure}.{kind}" for figure in FIGURES for kind in FIGURE_KINDS),
+    *(f"figures/{figure}.{format}" for figure in FIGURES for format in FIGURE_FORMATS),
     *(f"figures/{figure}_wide.csv" for figure in CURVE_FIGURES),
-    *(f"tables/{table}.{kind}" for table in TABLES for kind in TABLE_KINDS),
-    *(f"claims/claims.{kind}" for kind in ("csv", "html", "md")),
+    *(f"tables/{table}.{format}" for table in TABLES for format in TABLE_FORMATS),
+    *(f"claims/claims.{format}" for format in ("csv", "html", "md")),
     *("explorer/index.html", "index.html", "captions.md", "SHA256SUMS"),
 }
 
@@ -80,7 +80,7 @@ def test_products_without_their_record_are_refused(workspace):
 def test_a_scene_of_ones_own_has_all_that_a_figure_of_the_paper_has(workspace):
     (workspace.root / "mine.yaml").write_text(MINE)
     names = ["datasets/mine.nc", "figures/mine.png", "bands/mine.nc", "tables/mine_transitions.csv"]
-    names += [f"tables/mine_tpca_loads.{kind}" for kind in TABLE_KINDS]
+    names += [f"tables/mine_tpca_loads.{format}" for format in TABLE_FORMATS]
     wanted = [f"results/{name}" for name in names]
     before = workspace.stamps()
     run = workspace.snakemake(*wanted, "--config", "changes=mine.yaml")

@@ -1,4 +1,4 @@
-# Shared by the rules: the library, the settings, where files are, and what a job depends on.
+# Names that the rules share: the library, the settings, the paths of files, the sources of jobs.
 import json
 import sys
 from pathlib import Path
@@ -14,45 +14,32 @@ try:
         sys.exit(f"the library is {library}; allowed: that of this checkout, by PYTHONPATH=src")
     from chenhorng.configuration.settings import read_settings
     from chenhorng.home import config_directory
+    from chenhorng.job_log import without_none
     from chenhorng.sources import Sources, settings_text
 except ModuleNotFoundError as missing:
     sys.exit(f'{missing.name} is not installed for {sys.executable}; pip install ".[workflow]"')
 
-
-def without_none(record):
-    """Of a failed job Snakemake would write "message: None"."""
-    if record.levelname == "ERROR" and getattr(record, "rule_msg", "") is None:
-        record.rule_msg = "failed"
-    return True
-
-
 logger.addFilter(without_none)
 
-# src/ and the repository, or where both packages are installed and the installed package
+# folders: src/ and the repository; or that of the installed packages and chenhorng in it
 PACKAGES, HOME = Path(thirdbody.__file__).resolve().parents[1], config_directory().parent
 SOURCES = Sources(PACKAGES, HOME, "thirdbody", "chenhorng")
+project_file = SOURCES.project_file
 
 
 def sources_of(script):
-    """A text for each file that a script runs, as parameters of its rule."""
+    """A text for each file that a job of a script runs, as parameters of its rule."""
     return SOURCES.of_script(HOME / "workflow/scripts" / script)
 
 
-def project_file(name):
-    """The path of a file of the project, relative if the current folder is its repository."""
-    top, _, rest = str(name).partition("/")
-    path = PACKAGES / rest if top == "src" else HOME / name
-    return str(path.relative_to(HOME) if Path.cwd() == HOME else path)
-
-
 def figure_files(figure, category):
-    """The files of a figure by kind; the PNG goes into Snakemake's report."""
-    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
+    """The files of a figure by format; the PNG goes into Snakemake's report."""
+    files = {name: f"<results>/figures/{figure}.{name}" for name in FIGURE_FORMATS}
     caption, labels = "../report/product.rst", {"figure": figure}
     return files | {"png": report(files["png"], caption, category=category, labels=labels)}
 
 
-# snakedeploy copies the configuration into the folder of the user's workflow
+# a workflow that uses this one has a copy of the configuration, made by snakedeploy
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
 CLAIMS = f"{CONFIG}/claims.yaml"
 PAPER_TABLES = f"{CONFIG}/paper_tables.yaml"
@@ -71,7 +58,7 @@ SOFTWARE = settings["software"]
 # a named run keeps all its files in results/NAME
 RESULTS = f"results/{settings['run']}" if settings["run"] else "results"
 LOGS = f"{RESULTS}/logs" if settings["run"] else "logs"
-# without its record, Snakemake takes products of another configuration for those of this one
+# without the record, Snakemake would keep products of another configuration
 if workflow.is_main_process and Path(RESULTS, "datasets").is_dir():
     if not Path(".snakemake/metadata").is_dir():
         sys.exit(f"{RESULTS} has products without .snakemake, their record; allowed: both or none")

@@ -14,7 +14,7 @@ rule render_figure:
         turning_points="<results>/extracted/tpca_loads/{scene}.csv",
         printed=PRINTED,
         windows=lambda wildcards: WINDOWS if wildcards.scene in ("fig09", "fig10") else [],
-        band=branch(settings["bands"], then="<results>/bands/{scene}.nc", otherwise=[]),
+        ensemble_range=branch(settings["bands"], then="<results>/bands/{scene}.nc", otherwise=[]),
         style=STYLE,
     output:
         **figure_files("{scene}", "Figures"),

@@ -6,8 +6,8 @@ PROFILES_TABLE = f"{CONFIG}/calibrated/profiles.csv"
 rule judge_claims:
     input:
         templates=[
-            project_file(f"src/chenhorng/claims/claims.{kind}.j2")
-            for kind in ("md", "html", "macros")
+            project_file(f"src/chenhorng/claims/claims.{name}.j2")
+            for name in ("md", "html", "macros")
         ],
     output:
         table="<results>/claims/claims.csv",

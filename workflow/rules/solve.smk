@@ -21,7 +21,7 @@ rule solve_ensemble:
     input:
         dataset="<results>/datasets/{scene}.nc",
     output:
-        band="<results>/bands/{scene}.nc",
+        ensemble_range="<results>/bands/{scene}.nc",
     log:
         "<logs>/solve_ensemble/{scene}.log",
     params:

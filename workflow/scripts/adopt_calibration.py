@@ -12,15 +12,15 @@ from chenhorng.calibration.adoption import calibrated_text, library_text
 from chenhorng.job_log import job
 from thirdbody.files import read_yaml
 
-PLACE, LIBRARY = Path("config/calibrated"), Path("src/thirdbody/calibrated.yaml")
+FOLDER, LIBRARY = Path("config/calibrated"), Path("src/thirdbody/calibrated.yaml")
 
 with job(snakemake) as output:
-    PLACE.mkdir(parents=True, exist_ok=True)
+    FOLDER.mkdir(parents=True, exist_ok=True)
     chosen = json.loads(Path(snakemake.input.chosen).read_text(encoding="utf-8"))
     default, members = chosen["interpretation"], chosen["members"]
     ranking = pd.read_csv(snakemake.input.ranking)["interpretation"]
     kept = set(ranking[: snakemake.params.kept])
-    for old in PLACE.glob("*.yaml"):
+    for old in FOLDER.glob("*.yaml"):
         if old.stem not in {*kept, Path(snakemake.params.default).stem}:
             old.unlink()
     for source in map(Path, snakemake.input.calibrated):
@@ -31,12 +31,12 @@ with job(snakemake) as output:
         content["ensemble"] = [content["inputs"], *(member["inputs"] for member in members)]
         content["unseen"] = [[], *(member["unseen"] for member in members)]
         content["inputs"] = known
-        (PLACE / source.name).write_text(calibrated_text(content), encoding="utf-8")
+        (FOLDER / source.name).write_text(calibrated_text(content), encoding="utf-8")
         if content["interpretation"] == default and LIBRARY.is_file():  # in the repository
             LIBRARY.write_text(library_text(content), encoding="utf-8")
     profiles = pd.concat(map(pd.read_csv, snakemake.input.profiles))
-    profiles.to_csv(PLACE / "profiles.csv", index=False, float_format="%.6g")
-    shutil.copyfile(snakemake.input.ranking, PLACE / "ranking.csv")
-    line = f"{PLACE / default}.yaml is the default by the rule"
+    profiles.to_csv(FOLDER / "profiles.csv", index=False, float_format="%.6g")
+    shutil.copyfile(snakemake.input.ranking, FOLDER / "ranking.csv")
+    line = f"{FOLDER / default}.yaml is the default by the rule"
     output.adopted.write_text(line + "\n", encoding="utf-8")
     print(f"{line}: set it as calibrated in config/config.yaml")

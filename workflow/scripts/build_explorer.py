@@ -15,10 +15,10 @@ from thirdbody.files import read_yaml
 
 
 def rig_content(parameters):
-    """What follows from materials and oils, each combination and grade that the library takes."""
+    """The inputs of each combination of materials, and the oils, that the library accepts."""
     materials = []
     in_setup = Ensemble((parameters,), PAPER_SETUP)
-    first, *_ = MATERIALS  # those of the paper
+    first, *_ = MATERIALS  # the material of the paper
     for names in product(MATERIALS, repeat=len(BODIES)):
         bodies = dict(zip(BODIES, names, strict=True))
         others = {body: name for body, name in bodies.items() if name != first}

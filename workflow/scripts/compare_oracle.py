@@ -1,4 +1,4 @@
-"""Compare the library with the oracle in extended precision, for all interpretations."""
+"""Compare the library with the oracle in extended precision, in all interpretations."""
 
 from benchmarks.oracle import oracle_rows
 from chenhorng.job_log import job

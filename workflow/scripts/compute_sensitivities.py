@@ -1,4 +1,4 @@
-"""Elasticities of results with respect to the unprinted inputs."""
+"""Compute the elasticities of results with respect to the unprinted inputs."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Draw time over true error, of the library and of plain solvers."""
+"""Draw the time over the true error of the library and of plain solvers."""
 
 from benchmarks.work_precision import draw
 from chenhorng.job_log import job

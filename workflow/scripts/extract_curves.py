@@ -1,4 +1,4 @@
-"""Turning points and transitions of the curves of one dataset."""
+"""Find the turning points and transitions on the curves of a dataset."""
 
 from chenhorng.extraction import tpca_rows, transition_rows
 from chenhorng.job_log import job

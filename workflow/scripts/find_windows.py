@@ -1,4 +1,4 @@
-"""Ranges of x_a/sigma in which dry contact has a turning point."""
+"""Find the windows of x_a/sigma in which dry contact has a turning point."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The printed numbers of the paper, with their tolerances, as a table."""
+"""Write the printed numbers of the paper, with their tolerances, as a table."""
 
 from chenhorng.claims.claims import load_claims, printed_rows
 from chenhorng.job_log import job

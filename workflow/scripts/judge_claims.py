@@ -1,4 +1,4 @@
-"""The verdict on every statement of the paper, as a table, as pages and as data."""
+"""Judge every statement of the paper; write the verdicts as a table, as pages and as data."""
 
 from chenhorng.calibration.choice import printed_numbers
 from chenhorng.claims.claims import load_claims
@@ -16,7 +16,8 @@ with job(snakemake) as output:
     judge = Judge(claims, snakemake.params.base, settings["newtons"])
     contents = [read_yaml(path) for path in calibrated]
     default = read_yaml(snakemake.params.default)
-    compared = [each for each in contents if each["interpretation"] in settings["interpretations"]]
+    names = settings["interpretations"]
+    compared = [content for content in contents if content["interpretation"] in names]
     report = Report.of(
         judge,
         default,

@@ -1,5 +1,5 @@
-"""Printed numbers beside computed ones, and the verdicts with departures from the print taken
-back."""
+"""Compare printed with computed numbers, and judge the statements with each departure from the
+print taken back."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""The verdict on statements of one's own, as a table."""
+"""Judge a user's own statements; write the verdicts as a table."""
 
 from chenhorng.claims.claims import load_claims
 from chenhorng.claims.judge import Judge, claim_columns

@@ -1,4 +1,4 @@
-"""Errors at points known in multiple precision, and checks of all extremes."""
+"""Measure errors at points that are known in multiple precision, and check all extremes."""
 
 from collections import Counter
 

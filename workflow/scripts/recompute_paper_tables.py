@@ -1,4 +1,4 @@
-"""The tables of the paper with derived entries recomputed."""
+"""Write the tables of the paper with their derived entries recomputed."""
 
 from chenhorng.claims.paper_tables import paper_table
 from chenhorng.job_log import job

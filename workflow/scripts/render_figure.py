@@ -15,7 +15,7 @@ from thirdbody.plotting.marks import read_turning_points
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene
     windows = snakemake.input.windows
-    ensemble_range = snakemake.input.band
+    ensemble_range = snakemake.input.ensemble_range
     data = read_plain(snakemake.input.dataset)
     points = read_turning_points(snakemake.input.turning_points)
     rows = read_csv(snakemake.input.printed, TABLES["printed"])

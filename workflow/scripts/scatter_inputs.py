@@ -1,4 +1,4 @@
-"""Evaluate scattered inputs of one interpretation; its searches start from the best."""
+"""Evaluate scattered inputs of an interpretation.  Its searches start from the best of them."""
 
 import numpy as np
 
@@ -13,6 +13,6 @@ with job(snakemake) as output:
         load_claims(snakemake.params.claims), settings, snakemake.params.parameters
     )
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
-    places = scatter(interpretation, settings["budget"])
-    scores = [objective.scores(interpretation, interpretation.values(place)) for place in places]
-    write_rows(output.scattered, np.column_stack([places, scores]))
+    positions = scatter(interpretation, settings["budget"])
+    scores = [objective.scores(interpretation, interpretation.values(row)) for row in positions]
+    write_rows(output.scattered, np.column_stack([positions, scores]))

@@ -20,7 +20,7 @@ with job(snakemake) as output:
     seeds, budget = snakemake.params.seeds, settings["budget"]
     statements = load_claims(snakemake.params.claims)
     base = snakemake.params.parameters
-    # a number is the fold whose statements are left out
+    # ``fold`` is the number of the fold that is left out, or None
     fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
     objective = Objective.of(fitted, settings, base)
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)

@@ -1,4 +1,4 @@
-"""Solve the conditions of the atlas at a roughness, into a file."""
+"""Solve the conditions of the atlas at a roughness, and write them to a file."""
 
 from chenhorng.job_log import job
 from thirdbody.core.parameters import Parameters

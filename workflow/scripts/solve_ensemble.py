@@ -1,6 +1,6 @@
-"""Solve the points of a dataset for each member of the ensemble, for the band around its curves."""
+"""Solve a dataset for each member of the ensemble, and write the range of each quantity."""
 
-from chenhorng.bands import band
+from chenhorng.ensemble_range import ensemble_range
 from chenhorng.job_log import job
 from thirdbody.core.parameters import Parameters
 from thirdbody.netcdf import read_plain, write_dataset
@@ -9,6 +9,6 @@ with job(snakemake) as output:
     dataset = snakemake.input.dataset
     ensemble = snakemake.params.ensemble
     inputs = Parameters(**snakemake.params.parameters)
-    solved = band(read_plain(dataset), inputs, ensemble)
-    write_dataset(solved, output.band)
+    ranges = ensemble_range(read_plain(dataset), inputs, ensemble)
+    write_dataset(ranges, output.ensemble_range)
     print(f"{dataset}: {len(ensemble)} members")

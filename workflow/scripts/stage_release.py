@@ -7,17 +7,17 @@ from chenhorng.archive.staging import stage
 from chenhorng.job_log import logged, require_as_made
 
 with logged(snakemake.log[0]):
-    place = Path(snakemake.output.sealed).parent
+    folder = Path(snakemake.output.sealed).parent
     products = snakemake.input.products
     sources = snakemake.input.sources
     require_as_made(products)
     release = Release.of("pyproject.toml", "CITATION.cff", snakemake.params.is_paper)
     stage(
-        place,
+        folder,
         products,
         sources,
         snakemake.params.settings,
         snakemake.params.software,
         release,
     )
-    print(f"{place}: {len(products)} products, {len(sources)} sources")
+    print(f"{folder}: {len(products)} products, {len(sources)} sources")

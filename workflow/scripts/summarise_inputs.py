@@ -1,4 +1,4 @@
-"""The calibrated inputs of one interpretation from its searches."""
+"""Write the calibrated inputs of an interpretation, from its searches."""
 
 import yaml
 

@@ -1,9 +1,9 @@
-"""Times of points and grids, of the baselines, and of typical uses."""
+"""Measure the times of points and grids, of the baselines, and of typical uses."""
 
 import os
 from pathlib import Path
 
-# the library as its users have it, with the instructions that the workflow does without
+# users run the library with the instructions that the workflow switches off
 for name in ("NPY_DISABLE_CPU_FEATURES", "OPENBLAS_CORETYPE"):
     os.environ.pop(name, None)
 

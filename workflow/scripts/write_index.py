@@ -1,4 +1,4 @@
-"""The index page of all products, and the captions with the failing statements of each figure."""
+"""Write the index page of all products, and the captions with the failing statements of figures."""
 
 import base64
 import json
@@ -16,7 +16,7 @@ from thirdbody.symbols import html
 from thirdbody.version import current
 
 FRONT = "fig11"  # the figure on the first screen
-# a line on each table
+# a description of each table
 TABLES = {
     "table1": "Table 1: mechanical properties, as printed and recomputed",
     "table2": "Table 2: operating conditions, as printed and recomputed",
@@ -46,7 +46,7 @@ def figure_entry(path, picture, statements, scenes):
 
 
 def score_tiles(judged):
-    """The numbers on the first screen: how many, of how many, and of what."""
+    """The numbers on the first screen: a count, the whole, and words on what is counted."""
     met = [row["verdict"] == HOLDS for row in judged["headline"]]
     tiles = [
         (judged["held"], judged["judged"], "statements of the paper hold, with one set of inputs"),

@@ -1,4 +1,4 @@
-"""Checksums of all products, each of which must be as its job made it."""
+"""Write the checksums of all products; each product must be as its job made it."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Combine the parts of a table, and write it as CSV and, to be read, as HTML and LaTeX."""
+"""Combine the parts of a table; write it as CSV, and its sheet as HTML and LaTeX."""
 
 from chenhorng.job_log import job
 from chenhorng.sheets import sheet_of

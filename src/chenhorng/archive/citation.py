@@ -1,4 +1,4 @@
-"""Name, version, date and citation of a release, the same for the same commit."""
+"""Name, version, date and citation of a release; the same commit has the same ones."""
 
 import re
 import tomllib
@@ -24,9 +24,9 @@ class Release:
 
     @classmethod
     def of(cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True) -> Self:
-        """The release described by ``pyproject.toml`` and ``CITATION.cff``, with the version, date
-        and hash of the commit; unless the configuration ``is_paper``, its version and title say
-        so."""
+        """The release that ``pyproject.toml`` and ``CITATION.cff`` describe, with the version, date
+        and hash of the commit.  If the configuration is not that of the paper (``is_paper``), the
+        version and the title say so."""
         name = _read_project(pyproject)["name"]
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         number, date, commit = current()
@@ -39,7 +39,7 @@ class Release:
 
     @property
     def full_name(self) -> str:
-        """Name of the folder and of the archive file."""
+        """Name of the folder and, without its suffix, of the archive file."""
         return f"{self.name}-{self.version}"
 
     @property
@@ -52,6 +52,7 @@ class Release:
 
     @property
     def paper_url(self) -> str:
+        """The address of the paper."""
         return f"https://doi.org/{self.citation['references'][0]['doi']}"
 
     @property

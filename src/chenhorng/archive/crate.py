@@ -1,6 +1,7 @@
-"""``ro-crate-metadata.json``: describes the files of an archive, as a Workflow RO-Crate 1.0.
+"""The file ``ro-crate-metadata.json``, which describes the files of an archive.
 
-https://w3id.org/workflowhub/workflow-ro-crate/1.0, a profile of RO-Crate 1.1.
+It is a Workflow RO-Crate 1.0 (https://w3id.org/workflowhub/workflow-ro-crate/1.0), a profile of
+RO-Crate 1.1.
 """
 
 from pathlib import Path, PurePosixPath
@@ -16,7 +17,7 @@ WORKFLOW = "data/source/Snakefile"
 # the files of the bag itself, which describe the others
 OF_BAG = ("bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha256.txt")
 # folders of products, named as in results/, and their titles
-KINDS = {
+PRODUCT_FOLDERS = {
     "datasets": "solved points, one file a figure",
     "bands": "range of each quantity, 5 to 95 % (_low, _high), over the calibrated ensemble",
     "tables": "tables of the paper and what was extracted from the datasets",
@@ -24,15 +25,15 @@ KINDS = {
     "claims": "statements of the paper and their verdicts",
     "explorer": "a page for any browser: figures, statements and the model itself",
 }
-FOLDERS = {
+OTHER_FOLDERS = {
     "data/configuration": "configuration of the run, and the inputs of the model that follow",
     "data/source": "source code of the library, the workflow and the tests",
     "verification": "programs that check the archive without the library",
 }
 
 
-def crate(folder: Path, kinds: dict[str, str], release: Release) -> dict[str, Any]:
-    """Content of ``ro-crate-metadata.json`` for the ``folder`` of an archive; ``kinds`` has the
+def crate(folder: Path, titles: dict[str, str], release: Release) -> dict[str, Any]:
+    """Content of ``ro-crate-metadata.json`` for the ``folder`` of an archive.  ``titles`` has the
     titles of the folders of products in ``data/``."""
     known = render_json("crate.json", release=release, workflow=WORKFLOW)
     described = ROCrate(version="1.1")
@@ -47,8 +48,8 @@ def crate(folder: Path, kinds: dict[str, str], release: Release) -> dict[str, An
             )
         elif path not in (METADATA, *OF_BAG):
             files[path] = described.add_file(dest_path=path, properties=properties)
-    products = {f"data/{kind}": title for kind, title in kinds.items()}
-    for path, title in (FOLDERS | products).items():
+    products = {f"data/{name}": title for name, title in titles.items()}
+    for path, title in (OTHER_FOLDERS | products).items():
         properties = {"name": PurePosixPath(path).name, "description": title}
         entity = described.add_dataset(dest_path=f"{path}/", properties=properties)
         entity["hasPart"] = [part for name, part in files.items() if name.startswith(f"{path}/")]
@@ -58,7 +59,7 @@ def crate(folder: Path, kinds: dict[str, str], release: Release) -> dict[str, An
 
 
 def _file_properties(path: str, release: Release) -> dict[str, Any]:
-    """Properties of a file, with its licence if it differs from that of the archive."""
+    """Properties of a file; its licence is among them if it differs from that of the archive."""
     properties: dict[str, Any] = {
         "name": PurePosixPath(path).name,
         "encodingFormat": media_type(path),

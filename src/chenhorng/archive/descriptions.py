@@ -1,4 +1,4 @@
-"""Descriptions of the content of an archive: schemas of its tables, values for ``README.md``."""
+"""Descriptions of an archive: schemas of its tables, and values for its ``README.md``."""
 
 import csv
 import re
@@ -17,17 +17,17 @@ from thirdbody.variables import STATUS, STATUS_MEANINGS
 WIDE = re.compile(r"[A-Z]: \w+ \[.+\]")  # columns of the wide table of a figure
 
 
-def table_schemas(data: Path, kinds: Iterable[str]) -> dict[str, Any]:
-    """Content of ``table-schemas.json``: the Table Schema of each CSV file in the folders ``kinds``
-    of ``data``, by its path (https://datapackage.org/standard/table-schema); raises as
+def table_schemas(data: Path, folders: Iterable[str]) -> dict[str, Any]:
+    """Content of ``table-schemas.json``: the Table Schema of each CSV file in the ``folders`` of
+    ``data``, by its path (https://datapackage.org/standard/table-schema).  Raises the errors of
     ``schema_of``."""
-    paths = [path for kind in sorted(kinds) for path in sorted((data / kind).rglob("*.csv"))]
+    paths = [path for name in sorted(folders) for path in sorted((data / name).rglob("*.csv"))]
     return {path.relative_to(data).as_posix(): schema_of(path) for path in paths}
 
 
 def schema_of(file: Path) -> dict[str, Any]:
-    """Table Schema of a CSV file by its column names, which are self-explanatory in wide tables of
-    figures; ``ValueError`` if nothing describes them."""
+    """Table Schema of a CSV file, from its column names.  The names of wide tables of figures
+    explain themselves.  Other columns that nothing describes raise ``ValueError``."""
     with open(file, encoding="utf-8", newline="") as stream:
         header = next(csv.reader(stream), [])
     for columns in (DRAWN_POINTS, *TABLES.values()):
@@ -39,18 +39,18 @@ def schema_of(file: Path) -> dict[str, Any]:
     raise ValueError(f"{file.name}: nothing describes the columns {header}")
 
 
-def describe_content(data: Path, kinds: dict[str, str]) -> dict[str, Any]:
-    """Values for the template of ``README.md``, from the folder ``data`` of an archive; ``kinds``
-    has the titles of the folders of products, of which ``datasets`` must be one."""
+def describe_content(data: Path, titles: dict[str, str]) -> dict[str, Any]:
+    """Values for the template of ``README.md``, from the folder ``data`` of an archive.  ``titles``
+    has the titles of the folders of products, ``datasets`` among them."""
     datasets = {path.name: read_plain(path) for path in sorted(data.glob("datasets/*.nc"))}
     return {
-        "kinds": kinds,
-        "names": {kind: files_in(data / kind, data / kind) for kind in kinds},
+        "titles": titles,
+        "names": {folder: files_in(data / folder, data / folder) for folder in titles},
         "datasets": [_describe_dataset(name, dataset) for name, dataset in datasets.items()],
         "quantities": next(iter(datasets.values())).variables,
         "tables": {
-            kind: {path.name: schema_of(path) for path in sorted((data / kind).glob("*.csv"))}
-            for kind in ("tables", "claims")
+            folder: {path.name: schema_of(path) for path in sorted((data / folder).glob("*.csv"))}
+            for folder in ("tables", "claims")
         },
         "drawn_points": DRAWN_POINTS,
         "status_meanings": STATUS_MEANINGS,
@@ -59,11 +59,11 @@ def describe_content(data: Path, kinds: dict[str, str]) -> dict[str, Any]:
 
 
 def _describe_dataset(name: str, dataset: PlainDataset) -> dict[str, Any]:
-    """Name, title and shape of a dataset, and its numbers of points by their status."""
+    """Name, title and shape of a dataset, and the number of points with each status."""
     status = dataset[STATUS]
     meanings = status.attrs["flag_meanings"].split()
     flags = zip(status.attrs["flag_values"], meanings, strict=True)
     counts = {meaning: int(np.count_nonzero(status.values == flag)) for flag, meaning in flags}
-    points = {each: n for each, n in counts.items() if n and each != "not_shown"}
+    points = {meaning: n for meaning, n in counts.items() if n and meaning != "not_shown"}
     shape = " x ".join(map(str, status.values.shape))
     return {"name": name, "title": dataset.attrs["title"], "shape": shape, "points": points}

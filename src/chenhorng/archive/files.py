@@ -13,18 +13,19 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from chenhorng.markdown import markdown_text
 
 DATA_LICENCE = "CC-BY-4.0"
-KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
-KNOWN_TYPES.add_type("text/markdown", ".md")  # before Python 3.13 not among them
+KNOWN_TYPES = mimetypes.MimeTypes()  # the types of Python, without those of the system
+KNOWN_TYPES.add_type("text/markdown", ".md")  # Python knows it from 3.13 on
 
 
 def media_type(name: str) -> str:
-    """Media type of a file by its suffix; unknown suffixes give plain text."""
+    """Media type of a file, by its suffix; plain text for an unknown suffix."""
     return KNOWN_TYPES.guess_type(name)[0] or "text/plain"
 
 
 def source_files() -> list[str]:
-    """Sorted paths of the sources in the current folder, the root of the project: the files that
-    git tracks; in an unpacked archive, those that ``.gitignore`` does not name."""
+    """Sorted paths of the sources in the current folder, the root of the project.  In a repository
+    they are the files that git tracks; in an unpacked archive, the files that ``.gitignore`` does
+    not name."""
     listing = ["ls-files", "-z", "--cached"]
     with tempfile.TemporaryDirectory() as empty:
         if not Path(".git").exists():
@@ -41,19 +42,19 @@ def _git(*arguments: str) -> str:
 
 
 def files_in(folder: Path, root: Path) -> list[str]:
-    """Sorted names of all files below ``folder``, relative to ``root``, with forward slashes."""
+    """Sorted paths of all files below ``folder``, relative to ``root``, with forward slashes."""
     paths = (path for path in folder.rglob("*") if path.is_file())
     return sorted(path.relative_to(root).as_posix() for path in paths)
 
 
 def write_json(path: Path, content: Any) -> None:
-    """Write ``content`` to the file ``path``; its folder is created if missing."""
+    """Write ``content`` as JSON to the file ``path``; a missing folder is created."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 def render(template: str, **values: Any) -> str:
-    """Text of a template with ``values`` and the filter ``text`` (``markdown_text``)."""
+    """The text of a ``template`` with ``values``; its filter ``text`` is ``markdown_text``."""
     environment = Environment(
         loader=PackageLoader("chenhorng.archive"),
         undefined=StrictUndefined,
@@ -62,10 +63,10 @@ def render(template: str, **values: Any) -> str:
         keep_trailing_newline=True,
     )
     environment.filters["text"] = markdown_text
-    environment.policies["json.dumps_kwargs"] = {}  # keys in their order
+    environment.policies["json.dumps_kwargs"] = {}  # keys are not sorted
     return environment.get_template(template).render(data_licence=DATA_LICENCE, **values)
 
 
 def render_json(template: str, **values: Any) -> dict[str, Any]:
-    """Content of a template that is JSON."""
+    """The content of a JSON ``template`` with ``values``."""
     return json.loads(render(template, **values))

@@ -1,7 +1,7 @@
 """The folder of a release, sealed as a bag of BagIt 1.0 (RFC 8493), and its zip file.
 
-The package ``bagit`` is not used for writing: it declares version 0.97 and lists tag files in disk
-order, so that two bags of the same files differ.  Tests validate bags with it.
+The package ``bagit`` does not write the bag.  It declares version 0.97, and lists tag files in the
+order of the disk, so that two bags of the same files differ.  Tests validate bags with it.
 """
 
 import os
@@ -18,7 +18,7 @@ from typing import Any
 import yaml
 
 from chenhorng.archive.citation import Release
-from chenhorng.archive.crate import KINDS, METADATA, crate
+from chenhorng.archive.crate import METADATA, PRODUCT_FOLDERS, crate
 from chenhorng.archive.descriptions import describe_content, table_schemas
 from chenhorng.archive.files import files_in, render, render_json, write_json
 from thirdbody.files import digest
@@ -29,7 +29,7 @@ VERIFICATION = "verification/"
 VERSION = "src/thirdbody/version.json"
 DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
-UNIX = 3  # code of the system with these modes
+UNIX = 3  # code of a zip file for a system with such modes
 
 
 def stage(
@@ -40,12 +40,12 @@ def stage(
     software: dict[str, str],
     release: Release,
 ) -> None:
-    """Fill the folder of a release, from the root of the repository: copy the files, describe them,
-    and add checksums, ``tagmanifest-sha256.txt`` last.
+    """Fill the ``folder`` of a release, from the root of the repository: copy the files, describe
+    them, and add checksums, ``tagmanifest-sha256.txt`` last.
 
-    ``products`` are files in the folders ``KINDS`` of ``results/``, ``settings`` the content of
-    ``configuration/``, by file name; ``software`` are the versions of the packages used.
-    ``ValueError`` if the version of the release is not known.
+    ``products`` are files in the folders ``PRODUCT_FOLDERS`` of ``results/``.  ``settings`` is the
+    content of ``configuration/``, by file name.  ``software`` has the versions of the packages that
+    were used.  A release of an unknown version raises ``ValueError``.
     """
     if not release.date:
         raise ValueError(
@@ -72,23 +72,23 @@ def stage(
     cited = yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
     (data / "CITATION.cff").write_text(cited, encoding="utf-8")
     write_json(data / "codemeta.json", render_json("codemeta.json", release=release))
-    kinds = {kind: title for kind, title in KINDS.items() if (data / kind).is_dir()}
-    write_json(data / "table-schemas.json", table_schemas(data, kinds))
-    content = describe_content(data, kinds)
+    titles = {name: title for name, title in PRODUCT_FOLDERS.items() if (data / name).is_dir()}
+    write_json(data / "table-schemas.json", table_schemas(data, titles))
+    content = describe_content(data, titles)
     readme = render("README.md", release=release, software=software, **content)
     (folder / "README.md").write_text(readme, encoding="utf-8")
-    write_json(folder / METADATA, crate(folder, kinds, release))
+    write_json(folder / METADATA, crate(folder, titles, release))
     seal(folder, release)
 
 
-def _copy(path: str | os.PathLike, place: Path) -> None:
+def _copy(source: str | os.PathLike, target: Path) -> None:
     """Copy the content of a file, but not its mode, owner or time."""
-    place.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(path, place)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(source, target)
 
 
 def seal(folder: Path, release: Release) -> None:
-    """Make a bag of a folder with a payload in ``data/``; the same files give the same bytes."""
+    """Make a bag of a ``folder`` with a payload in ``data/``; the same files make the same bag."""
     payload = files_in(folder / "data", folder)
     size = sum((folder / name).stat().st_size for name in payload)
     information = render("bag-info.txt", release=release, oxum=f"{size}.{len(payload)}")
@@ -106,10 +106,11 @@ def _write_manifest(folder: Path, kind: str, names: list[str]) -> None:
 
 
 def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
-    """Write a sealed folder as a zip file, with the date ``day`` (ISO 8601); the same files give
-    the same bytes, which are not compressed, because compression depends on the version.
+    """Write a sealed ``folder`` as a zip file, with the date ``day`` (ISO 8601).
 
-    The files lie at the root of the zip file, where programs look for ``ro-crate-metadata.json``.
+    The same files make the same bytes.  They are not compressed, because compression depends on the
+    version of its library.  The files lie at the root of the zip file, where programs look for
+    ``ro-crate-metadata.json``.
 
     Raises ``ValueError``, and writes nothing, if the folder does not match its checksums.
     """

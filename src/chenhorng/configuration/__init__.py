@@ -1,1 +1,1 @@
-"""The settings of the workflow, checked as a whole before anything is computed."""
+"""The settings of the workflow, all checked before anything is computed."""

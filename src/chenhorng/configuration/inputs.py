@@ -1,5 +1,4 @@
-"""The inputs of a run: those of a calibrated file, with others of the configuration laid over
-them."""
+"""The inputs of a run: the inputs of a calibrated file, and the overrides of the configuration."""
 
 import math
 from collections.abc import Mapping
@@ -15,8 +14,8 @@ Values = dict[str, float | str]
 
 
 def uncalibrated_values(folder: Path | None = None) -> Values:
-    """The inputs that no search finds, SI, from ``inputs.yaml`` in a folder, by default
-    ``config/``.
+    """The values of the inputs that no search varies, SI, from ``inputs.yaml`` in ``folder``, by
+    default ``config/``.
     """
     entries = read_yaml((folder or config_directory()) / "inputs.yaml")
     return {name: entry["value"] for name, entry in entries.items() if "value" in entry}
@@ -27,10 +26,11 @@ def choose_inputs(
 ) -> dict[str, Any]:
     """The inputs of a run, checked.
 
-    ``laid_over``, inputs or a file of them, overrides those of the file ``calibrated``, or is a
-    calibrated file that replaces it.  Returns ``parameters``, the value of each input, SI;
-    ``calibrated``, the path of the calibrated file; ``ensemble``, of each of its members what
-    differs from these values; and ``inputs``, the overrides.
+    ``laid_over`` has inputs, or is a file of inputs, that override those of the file
+    ``calibrated``.  It may also be a calibrated file, which replaces ``calibrated``.  Returns
+    ``parameters``, the value of each input, SI; ``calibrated``, the path of the calibrated file;
+    ``ensemble``, the inputs of each member that differ from ``parameters``; and ``inputs``, the
+    overrides.
     """
     if isinstance(laid_over, Mapping):
         changes, place = laid_over, "inputs"
@@ -40,7 +40,7 @@ def choose_inputs(
             calibrated, changes = laid_over, {}
     try:
         ensemble = ensemble_of(read_yaml(calibrated))
-        # a file of inputs has a setup, which the workflow does not need: scenes have no speed
+        # a file of inputs may have a setup; the workflow needs none, as scenes have no speed
         changes = checked_inputs({key: value for key, value in changes.items() if key != "setup"})
         chosen = ensemble.changed(**changes)
     except (TypeError, ValueError, KeyError) as error:
@@ -58,19 +58,18 @@ def choose_inputs(
 
 
 def _differing(inputs: Values, base: Values) -> Values:
-    """The inputs that differ from those of ``base``."""
+    """The ``inputs`` that differ from ``base``."""
     return {name: value for name, value in inputs.items() if value != base[name]}
 
 
 def _check_printed(values: Values, ensemble: Ensemble, calibrated: str | Path) -> None:
-    """Raise ``ValueError`` for a value of ``inputs.yaml`` that the calibrated file was not found
-    with.
+    """Raise ``ValueError`` for a value of ``inputs.yaml`` that differs from the value in the search
+    for the ``calibrated`` inputs.
     """
     for name, value in values.items():
         used = getattr(ensemble.best, name)
         if not math.isclose(float(value), used, rel_tol=1e-12):
             raise ValueError(
                 f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, with which {calibrated} was "
-                "found "
-                "(inputs in config.yaml override it)"
+                "found (inputs in config.yaml override it)"
             )

@@ -1,7 +1,8 @@
-"""What config.yaml and scenes.yaml may say: a class for each mapping, a field for each key, with
-its bounds.
+"""The schema of config.yaml and scenes.yaml: a class for each mapping, and a field with bounds for
+each key.
 
-The classes are closed, so that a misspelt key is an error, and numbers are numbers, not texts.
+The classes are closed, so that a misspelt key is an error.  They are strict, so that a text is no
+number.
 """
 
 import math
@@ -36,14 +37,14 @@ LONGEST = 60  # characters of a value in a message
 
 @dataclass(frozen=True)
 class Allowed:
-    """A check of a value, and what is allowed in words, for the message and for the
+    """A check of a value, and words on the allowed values, for the message and for the
     documentation."""
 
     is_allowed: Callable[[Any], bool]
     words: str
 
     def check(self, value: Any) -> Any:
-        """The value; ``ValueError`` if it is not allowed."""
+        """Return the ``value``, or raise ``ValueError`` if it is not allowed."""
         if not self.is_allowed(value):
             raise ValueError(f"allowed: {self.words}")
         return value
@@ -56,17 +57,18 @@ class Allowed:
 
 
 def one_of(*names: str) -> Allowed:
-    """A check that a value is one of some words."""
+    """A check that a value is one of the ``names``."""
     return Allowed(names.__contains__, ", ".join(names))
 
 
 def zero_or_from(least: float) -> Allowed:
-    """A check that a number is 0 or not below ``least``."""
+    """A check that a number is 0, or ``least`` or more."""
     return Allowed(lambda value: not 0 < value < least, f"0, or {least:g} or more")
 
 
 def plain_word(taken: str) -> Allowed:
-    """A check that a text is a plain word, and not ``taken`` as the name of a product."""
+    """A check that a text is a plain word, and that the expression ``taken``, for names of
+    products, does not match it."""
     return Allowed(
         lambda name: is_plain(name, taken),
         "a plain word of small letters, digits and _ that no product has",
@@ -74,12 +76,12 @@ def plain_word(taken: str) -> Allowed:
 
 
 def is_file(path: str) -> bool:
-    """Whether a text is the path of a YAML file below config/."""
+    """Whether ``path`` is the path of a YAML file below config/."""
     return bool(re.fullmatch(r"config/[A-Za-z0-9_/-]+\.yaml", path))
 
 
 def is_plain(name: str, taken: str) -> bool:
-    """Whether a text is a word of small letters, digits and _ that does not match ``taken``."""
+    """Whether ``name`` is a word of small letters, digits and _ that does not match ``taken``."""
     return bool(re.fullmatch(r"[a-z][a-z0-9_]{0,40}", name)) and not re.fullmatch(taken, name)
 
 
@@ -121,7 +123,7 @@ Distinct = Allowed(lambda values: len({*values}) == len(values), "different valu
 
 
 class Closed(BaseModel):
-    """A mapping without other keys, with numbers that are finite."""
+    """A mapping that refuses other keys, and numbers that are not finite."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
@@ -134,8 +136,8 @@ class LoadAxis(Closed):
 
 
 class Layer(Closed):
-    """Conditions with particles that lie side by side: the area fraction pi/4 x_a^2 eta_a cannot
-    exceed 1.
+    """Conditions with particles.  They lie side by side, so the area fraction pi/4 x_a^2 eta_a
+    cannot exceed 1.
     """
 
     @model_validator(mode="after")
@@ -206,7 +208,7 @@ class Scene(Closed):
 
 
 class Windows(Closed):
-    """Search for the range of x_a/sigma in which the turning point occurs."""
+    """The search for windows: the ranges of x_a/sigma in which the turning point occurs."""
 
     roughness_nm: Annotated[list[Roughness], Some, Distinct]
     particle_density_per_m2: Annotated[Density, Positive]
@@ -228,8 +230,8 @@ class Schematics(Closed):
 
 
 class Atlas(Closed):
-    """The conditions that ``snakemake atlas`` solves: every combination, a file for each
-    roughness."""
+    """The conditions that ``snakemake atlas`` solves in every combination.  Each roughness has a
+    file."""
 
     load_N: Annotated[list[Load], Some, Increasing]
     viscosity_cSt: Annotated[list[Viscosity], Some, Increasing]
@@ -243,7 +245,7 @@ class Atlas(Closed):
 
 
 class Configuration(Closed):
-    """config.yaml and scenes.yaml together."""
+    """The configuration of a run: config.yaml and scenes.yaml together."""
 
     run: (
         Annotated[str, plain_word(FOLDERS), Field(description="its files go to results/NAME")]
@@ -289,8 +291,8 @@ class Configuration(Closed):
 
 
 def check(content: Any, name: str) -> None:
-    """Raise ``ValueError``, in one line with the key, its value and what is allowed, for the first
-    fault.
+    """Raise ``ValueError`` for the first fault of ``content``.  Its line has the key, the value and
+    the allowed values.
     """
     try:
         Configuration.model_validate(content)
@@ -299,7 +301,8 @@ def check(content: Any, name: str) -> None:
 
 
 def first_fault(error: ValidationError) -> str:
-    """The first fault in one line: its key, the value unless it is a mapping, and what is wrong."""
+    """The first fault of an ``error`` in one line: the key, the value unless it is a mapping, and
+    the message."""
     first = error.errors(include_url=False)[0]
     keys = [str(key) if str(key).isprintable() else repr(key) for key in first["loc"]]
     words = first["msg"].removeprefix("Value error, ")

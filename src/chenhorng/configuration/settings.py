@@ -1,4 +1,4 @@
-"""Settings of the workflow, checked as a whole before anything is computed."""
+"""Settings of the workflow, all checked before anything is computed."""
 
 from collections.abc import Mapping
 from importlib.metadata import version
@@ -21,22 +21,22 @@ from thirdbody.curves import (
 )
 from thirdbody.files import format_value, read_yaml
 
-MOST_POINTS = 3_000_000  # of a scene: while they are solved they fill the memory of a job
+MOST_POINTS = 3_000_000  # of a scene: solving more needs more memory than a job has
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
 
-def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> dict[str, Any]:
+def read_settings(config: Mapping, folder: str | Path, *files: str | Path) -> dict[str, Any]:
     """All settings of a run of the workflow, checked before anything is computed.
 
-    ``config`` is the configuration read by Snakemake from, among others, the files ``given`` on the
-    command line: missing keys have the values of the paper, the files in ``folder``, and
-    ``changes`` is the path of a file that overrides all of them.  Returns the result of
+    ``config`` is the configuration that Snakemake has read, also from the ``files`` named on the
+    command line.  A missing key has the value of the paper, from the files in ``folder``.  The key
+    ``changes`` is the path of a file that overrides all others.  Returns the result of
     ``workflow_settings``, with ``run``, the name of the run or None; ``config``, the merged
-    configuration; and ``is_paper``, whether it is that of the paper.  ``ValueError`` in one line
-    for any fault.
+    configuration; and ``is_paper``, whether this is the configuration of the paper.  Any fault
+    raises ``ValueError`` in one line.
     """
     paper = read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
-    for path in given:
+    for path in files:
         read_yaml(path)
     changed = dict(config)
     changes = changed.pop("changes", None)
@@ -50,7 +50,7 @@ def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> di
 
 
 def _merged(base: Mapping, changes: Mapping) -> dict:
-    """``base`` updated by ``changes``, key by key, as Snakemake merges configurations."""
+    """``base`` with the ``changes``, merged key by key, as Snakemake merges configurations."""
     merged = dict(base)
     for key, value in changes.items():
         both = isinstance(value, Mapping) and isinstance(merged.get(key), Mapping)
@@ -61,25 +61,27 @@ def _merged(base: Mapping, changes: Mapping) -> dict:
 def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     """The settings of the rules, from ``config`` and the files in ``folder``.
 
-    Each scene has its load axis and ``rtol``, so that it depends on nothing else; ``uncalibrated``
-    are the values of the inputs that no search finds, SI, ``software`` the versions of what
-    can change a number; see ``choose_inputs`` for the other inputs.
+    Each scene has its load axis and ``rtol``, so that it depends on nothing else.
+    ``uncalibrated`` has the values of the inputs that no search varies, SI.  ``software`` has the
+    versions of the packages that can change a number.  ``choose_inputs`` describes the other
+    inputs.
     """
     folder = Path(folder)
     check(config, "configuration")
 
     def located(path):
-        """A file ``config/...``: in the current folder, otherwise beside the configuration."""
+        """The path of a file ``config/...``: in the current folder, or else in the parent of the
+        configuration."""
         return path if Path(path).exists() else str(folder.parent / path)
 
-    given = config["inputs"]
-    laid_over = located(given) if isinstance(given, str) else given
+    inputs = config["inputs"]
+    laid_over = located(inputs) if isinstance(inputs, str) else inputs
     chosen = choose_inputs(folder, located(config["calibrated"]), laid_over)
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     scenes = {name: shared | scene for name, scene in config["scenes"].items()}
     for name, scene in scenes.items():
         _check_size(name, scene)
-        if not name.startswith("fig"):  # of the paper
+        if not name.startswith("fig"):  # figures of the paper have their own layout
             _check_figure(name, scene)
     try:
         _check_surfaces(config, chosen)
@@ -99,8 +101,8 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
 
 def _check_size(name: str, scene: Mapping) -> None:
-    """Raise ``ValueError`` for a scene too large to be solved: its dataset has every combination of
-    all values of its curves."""
+    """Raise ``ValueError`` for a scene that is too large.  Its dataset has every combination of the
+    values of its curves."""
     curves = scene["curves"]
     relative = [group for group in curves if RELATIVE_DIAMETER in group]
     diameters = sum(
@@ -134,14 +136,13 @@ def _check_figure(name: str, scene: Mapping) -> None:
     if panels > MOST_PANELS:
         raise ValueError(
             f"scenes.{name}: the figure has {panels} panels, for each combination of "
-            f"{', '.join(varied)}; "
-            f"allowed: at most {MOST_PANELS}"
+            f"{', '.join(varied)}; allowed: at most {MOST_PANELS}"
         )
 
 
 def _check_surfaces(config: Mapping, chosen: Mapping) -> None:
-    """Raise ``ValueError`` for inputs that are not of hard particles, or that have no surface of
-    one of the roughnesses that are solved."""
+    """Raise ``ValueError`` for inputs whose particles are not hard, or that have no surface with a
+    roughness of the configuration."""
     groups = [group for scene in config["scenes"].values() for group in scene["curves"]]
     solved = [
         *groups,

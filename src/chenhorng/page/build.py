@@ -1,5 +1,5 @@
-"""The page: content collected from products of the workflow, put into one HTML file with the
-template, style and scripts of the folder ``web/`` and with D3.  It computes the curves itself."""
+"""The page of the explorer, an HTML file.  It has content from products of the workflow, the
+template, style and scripts of the folder ``web/``, and D3.  The page computes its curves."""
 
 import json
 import re
@@ -17,23 +17,22 @@ HERE = Path(__file__).parent
 FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
-NODES = 48  # of the integrals computed in the page
-# what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a
-# plain text
+NODES = 48  # nodes of the integrals that the page computes
+# expressions for LaTeX and Markdown in quotes of the paper, and their plain text; applied in order
 MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\\text\s*\{([^}]*)\}": r"\1",
-    r"\\(sigma|nu|eta)(?![a-z])": lambda found: symbols.GREEK[found[1]],
+    r"\\(sigma|nu|eta)(?![a-z])": lambda match: symbols.GREEK[match[1]],
     r"\s*\\times\s*": "×",
     r"\\cdot": "·",
     r"\\rightarrow": "→",
     r"\\star|\\\*": "*",
     r"\\([ %])": r"\1",
     r"\^\{?\*\}?": "*",
-    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda found: symbols.unicode(f"^{found[1]}"),
+    r"(?:\^|<sup>)\{?(-?\d+)(?:\}|</sup>)?": lambda match: symbols.unicode(f"^{match[1]}"),
     r"_\{(\w+(?:,t)?)\}": r"_\1",
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
-STATED = (  # what the page shows of a statement in claims.json
+STATED = (  # the fields of a statement in claims.json that the page shows
     *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
 )
@@ -50,15 +49,15 @@ def page_content(
 ) -> dict[str, Any]:
     """Collect the data of the page as plain values for JSON.
 
-    ``figures`` are the records of the figures of curves, by name;
-    ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the
-    ``verdicts`` of each departure from the print that is taken back.  ``inputs`` are entries of
-    ``config/inputs.yaml`` with the ``value`` in the run and, if it was searched, ``bounds`` and
-    ``scale``. ``ensemble`` has the inputs of each member that differ from the default, ``ranges``
-    the first and last value of each condition in the paper, by symbol, in engineering units.
-    ``rig`` has what follows from materials, speed and oil: ``materials``, the inputs of each
-    combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C; ``usual_density`` of
-    an oil; and the least and most of each number that a reader gives.
+    ``figures`` are the records of the figures of curves, by name.  ``judged`` is the content of
+    ``claims.json``.  ``departures`` has the ``name`` and the ``verdicts`` of each departure from
+    the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml`` with the
+    ``value`` in the run and, for an unknown, ``bounds`` and ``scale``.  ``ensemble`` has the inputs
+    of each member that differ from the default.  ``ranges`` has the first and the last value of
+    each condition in the paper, by symbol, in engineering units.  ``rig`` is for materials, speed
+    and oil: ``materials`` has the inputs of each combination; ``oils`` the viscosities [cSt] of
+    each grade at 40 and 100 C; ``usual_density`` the density of an oil; and other keys the least
+    and the greatest of each number that a reader may enter.
     """
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     return {
@@ -74,8 +73,8 @@ def page_content(
         ],
         "quantities": list(QUANTITIES),
         "variables": {
-            each.name: _variable(each)
-            for each in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
+            variable.name: _variable(variable)
+            for variable in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
         },
         "symbols": {
             name.lower(): getattr(symbols, name)
@@ -97,9 +96,8 @@ def page_content(
 
 
 def _variable(variable):
-    """What the page calls a variable, and how it shows its values: in a unit, as a multiple of that
-    in SI.
-    """
+    """The names and the unit of a variable in the page.  A value in this unit is ``factor`` times
+    the value in SI."""
     unit = symbols.unicode(variable.shown_unit)
     factor = {} if variable.scale == 1.0 else {"factor": float(f"{1.0 / variable.scale:.12g}")}
     names = {"symbol": variable.symbol, "words": variable.title, "unit": unit}
@@ -107,12 +105,15 @@ def _variable(variable):
 
 
 def _statement(row, departures):
-    """What the page shows of a statement; conditions in SI, without those it does not specify."""
+    """The fields of a statement that the page shows.  Conditions are in SI, without those that the
+    statement leaves open."""
     return {key: row[key] for key in STATED} | {
         "quote": plain_text(row["quote"]),
         "curves": [*map(_specified, row["curves"])],
         "references": [*map(_specified, row["references"])],
-        "taken_back": {each["name"]: each["verdicts"][row["id"]] for each in departures},
+        "taken_back": {
+            departure["name"]: departure["verdicts"][row["id"]] for departure in departures
+        },
     }
 
 
@@ -121,15 +122,15 @@ def _specified(condition):
 
 
 def plain_text(quote: str) -> str:
-    """A quote of the paper without LaTeX and Markdown: x_a = 300 nm, 3.27×10⁻⁶."""
+    """A ``quote`` of the paper without LaTeX and Markdown: x_a = 300 nm, 3.27×10⁻⁶."""
     for pattern, plain in MARKUP.items():
         quote = re.sub(pattern, plain, quote)
     return quote
 
 
 def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
-    """What the page shows of a figure, from its ``record``: all ``curves`` once, and in each of the
-    ``panels`` their indices."""
+    """The content of the page on a figure, from its ``record``.  ``curves`` has each curve once,
+    and ``panels`` have the indices of their curves."""
     curves: list[dict] = []
     for panel in record["panels"]:
         curves += [curve for curve in panel["curves"] if curve not in curves]
@@ -156,11 +157,11 @@ def page_text(content: Mapping[str, Any]) -> str:
         "content.json": data.replace("<", "\\u003c"),
         "main.js": _one_script(FIRST),
     }
-    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("web/index.html"))
+    return re.sub(r"\{\{([\w.]+)\}\}", lambda match: parts[match[1]], _read("web/index.html"))
 
 
 def _one_script(first: str) -> str:
-    """Bundle a script and all its imports: each module becomes a function that is called once."""
+    """Bundle a script and all its imports: each module becomes a function, which is called once."""
     joined: dict[str, str] = {}
 
     def join(name):

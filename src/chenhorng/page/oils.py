@@ -1,6 +1,6 @@
 """Oils of the explorer: kinematic viscosities [cSt] at 40 and 100 C by ISO grade (ISO 3448).
 
-Those at 100 C are of a viscosity index of 95 (ASTM D2270), that of mineral oils in ISO 3448.
+The viscosities at 100 C have a viscosity index of 95 (ASTM D2270), as mineral oils in ISO 3448.
 """
 
 OILS = {
@@ -22,5 +22,5 @@ OILS = {
     2200: (2200.0, 81.1782),
     3200: (3200.0, 101.639),
 }
-TEMPERATURES = -70.0, 370.0  # C, of ASTM D341
-VISCOSITIES = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
+TEMPERATURES = -70.0, 370.0  # the range of ASTM D341 [C]
+VISCOSITIES = 2.0, 2e7  # the range in which ASTM D341 is a line with the constant 0.7 [cSt]

@@ -1,4 +1,4 @@
-"""Bands: 5 to 95 % of the members at each point, whatever the curves that they surround."""
+"""Ranges of the ensemble: 5 to 95 % of the members at each point, wherever the curve is."""
 
 import json
 import warnings
@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
-from chenhorng.bands import BAND_RTOL, band
+from chenhorng.ensemble_range import MEMBER_RTOL, ensemble_range
 from chenhorng.scenes import scene_dataset
 from thirdbody.curves import Condition
 from thirdbody.netcdf import FILL_FLAG, read_plain, write_dataset
@@ -29,14 +29,14 @@ MEMBERS += [{"spread_ratio": 1.5, "summit_radius": 25e-6}]
 
 @pytest.fixture(scope="module")
 def dataset(parameters, tmp_path_factory):
-    path = tmp_path_factory.mktemp("band") / "scene.nc"
+    path = tmp_path_factory.mktemp("range") / "scene.nc"
     write_dataset(scene_dataset(SCENE, parameters), path)
     return read_plain(path).to_xarray()
 
 
 @pytest.fixture(scope="module")
 def around(dataset, parameters):
-    return band(dataset, parameters, MEMBERS)
+    return ensemble_range(dataset, parameters, MEMBERS)
 
 
 PLACE = 90e-6, 500e-9, 300e-9, DENSITY
@@ -50,7 +50,7 @@ def at_place(dataset, name, place=PLACE):
     return dataset[name].values[(slice(None), *index)]
 
 
-def test_band_reaches_from_5_to_95_percent_of_the_members(dataset, parameters, around):
+def test_the_range_reaches_from_5_to_95_percent_of_the_members(dataset, parameters, around):
     load = dataset["load"].values
     solved = [
         solve(load=load, **Condition(*PLACE)._asdict(), parameters=replace(parameters, **member))
@@ -61,25 +61,25 @@ def test_band_reaches_from_5_to_95_percent_of_the_members(dataset, parameters, a
         # of five members the quantiles are a fifth of the way from the ends to those next to them
         low = 0.8 * ordered[0] + 0.2 * ordered[1]
         high = 0.8 * ordered[-1] + 0.2 * ordered[-2]
-        assert_allclose(at_place(around, f"{name}_low"), low, rtol=2 * BAND_RTOL)
-        assert_allclose(at_place(around, f"{name}_high"), high, rtol=2 * BAND_RTOL)
+        assert_allclose(at_place(around, f"{name}_low"), low, rtol=2 * MEMBER_RTOL)
+        assert_allclose(at_place(around, f"{name}_high"), high, rtol=2 * MEMBER_RTOL)
 
 
-def test_the_curve_itself_takes_no_part_in_its_band(dataset, parameters):
-    found = band(dataset, parameters, [{"participation": 0.03}, {"participation": 0.04}])
+def test_the_curve_itself_takes_no_part_in_its_range(dataset, parameters):
+    found = ensemble_range(dataset, parameters, [{"participation": 0.03}, {"participation": 0.04}])
     high = at_place(found, "surface_contact_area_ratio_high")
     curve = at_place(dataset, "surface_contact_area_ratio")
-    assert (high < (1.0 - 10 * BAND_RTOL) * curve).all()
+    assert (high < (1.0 - 10 * MEMBER_RTOL) * curve).all()
 
 
 def test_members_are_compared_at_the_same_dimensionless_load(dataset, parameters):
     # dry contact knows F_t* alone; a film also knows the apparent area
     smaller = {"apparent_area": 0.3 * parameters.apparent_area}
-    other = band(dataset, parameters, [{}, smaller])
+    other = ensemble_range(dataset, parameters, [{}, smaller])
     width = other["separation_high"].values - other["separation_low"].values
     dry, lubricated = (width[:, index, 1, 0, 0] for index in (0, 1))
     separation = dataset["separation"].values[:, 0, 1, 0, 0]
-    assert (dry <= 2 * BAND_RTOL * separation).all()
+    assert (dry <= 2 * MEMBER_RTOL * separation).all()
     assert lubricated.max() > 0.01 * separation.min()
     assert_array_equal(other["normal_load"].values, dataset["normal_load"].values)
 
@@ -89,19 +89,19 @@ def test_a_member_without_a_solution_does_not_count(dataset, parameters):
     blind = {"participation": 1.0, "spread_ratio": 10.0, "truncation": 5.0}
     conditions = dict(zip(DIMENSIONS, (dataset["load"].values, *DRY)))
     assert np.isnan(solve(**conditions, parameters=replace(parameters, **blind)).separation).all()
-    found = band(dataset, parameters, [blind, {}])
+    found = ensemble_range(dataset, parameters, [blind, {}])
     for end in ("low", "high"):
         separation = at_place(found, f"separation_{end}", DRY)
-        assert_allclose(separation, at_place(dataset, "separation", DRY), rtol=2 * BAND_RTOL)
+        assert_allclose(separation, at_place(dataset, "separation", DRY), rtol=2 * MEMBER_RTOL)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        alone = band(dataset, parameters, [blind])
+        alone = ensemble_range(dataset, parameters, [blind])
     assert np.isnan(at_place(alone, "separation_low", DRY)).all()
 
 
 def test_a_band_lies_around_the_shown_points_and_keeps_their_units(dataset, around, tmp_path):
-    write_dataset(around, tmp_path / "band.nc")
-    again = read_plain(tmp_path / "band.nc").to_xarray()
+    write_dataset(around, tmp_path / "range.nc")
+    again = read_plain(tmp_path / "range.nc").to_xarray()
     shown = dataset["solution_status"].values != FILL_FLAG
     for name in QUANTITIES:
         low, high = again[f"{name}_low"], again[f"{name}_high"]

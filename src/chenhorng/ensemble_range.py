@@ -14,39 +14,38 @@ from thirdbody.ensembles import ENDS, range_over_members
 from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable, curves_of, identity
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
-BAND_RTOL = 1e-4  # for each member: an error far below a line width
+MEMBER_RTOL = 1e-4  # of each member: an error far below the width of a line
 SUFFIXES = "low", "high"
 ATTRIBUTES = {
     "summary": (
         "Range of each quantity, 5 to 95 %, over an ensemble of inputs that explain the paper's "
-        "statements about "
-        "equally well, at the points of the dataset of this figure."
+        "statements about equally well, at the points of the dataset of this figure."
     ),
     "comment": (
         "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to "
-        "it. Each member is "
-        "solved at the same F_t*, which is another normal load where its apparent area differs. A "
-        "member that has no "
-        "solution at a point does not count there. ensemble gives what differs from the default in "
-        "each member, by the "
-        "names of config/inputs.yaml, SI."
+        "it. Each member is solved at the same F_t*, which is another normal load where its "
+        "apparent area differs. A member that has no solution at a point does not count there. "
+        "ensemble gives what differs from the default in each member, by the names of "
+        "config/inputs.yaml, SI."
     ),
 }
 
 
-def band(
+def ensemble_range(
     dataset: PlainDataset,
     base: Parameters,
     ensemble: Sequence[Mapping[str, Any]],
 ) -> PlainDataset:
-    """Both ends of the range of each quantity, ``<quantity>_low`` and ``_high``, over the
-    ``ensemble``, whose members have the inputs that differ from ``base``, SI, at the points of
-    ``dataset``."""
+    """The range of each quantity over the ``ensemble``, at the points of ``dataset``.
+
+    A member of the ensemble has the inputs that differ from ``base``, SI.  The variables
+    ``<quantity>_low`` and ``<quantity>_high`` are the ends of the range.
+    """
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
     points = {"load": load, **Condition(*conditions)._asdict()}
     solved = [
-        solve_points(points, replace(base, **member), BAND_RTOL, tuple(QUANTITIES))
+        solve_points(points, replace(base, **member), MEMBER_RTOL, tuple(QUANTITIES))
         for member in ensemble
     ]
     variables = {}
@@ -64,13 +63,13 @@ def band(
             filled = {"_FillValue": FILL_FLOAT}
             variables[f"{name}_{suffix}"] = Variable(DIMENSIONS, whole, described, filled)
     members = json.dumps([dict(member) for member in ensemble])
-    origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
+    origin = f"{dataset.attrs['configuration_sha256']} {MEMBER_RTOL} {members}"
     attributes = {
         **dataset.attrs,
         "title": f"{dataset.attrs['title']}: range of the ensemble",
         **ATTRIBUTES,
         **identity(origin),
-        "rtol": BAND_RTOL,
+        "rtol": MEMBER_RTOL,
         "ensemble": members,
     }
     return PlainDataset(variables, dataset.coords, attributes)
