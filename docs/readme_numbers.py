@@ -190,19 +190,16 @@ def accuracy_block() -> str:
     one, surfaces, stream, start = (row["microseconds_per_point"] for row in uses)
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-        + f"\n\nOver all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point at "
-        "usual conditions; there "
-        f"`tb.grid` at 0.001 is {default / coarse:.2g} times as fast as the default. At extremes "
-        "`tb.solve` takes "
-        f"{_range(times, 'library', 'extremes')} µs, `tb.grid` "
-        f"{_range(times, 'library_grid', 'extremes')} µs. In the same run `quad` and `brentq` "
-        f"take {plain / 1e3:.2g} ms a point. A call with "
-        f"one point takes {one / 1e3:.2g} ms, nearly all of it for calls of numpy: put many points "
-        "into one call. "
-        f"Points that each have their own surface take {surfaces:.2g} µs there, those of a grid "
-        "that is streamed to a "
-        f"file {stream:.2g} µs. A new process imports the "
-        f"library and has its first answer after {start / 1e6:.2g} s."
+        + f"\n\nOver all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point "
+        f"at usual conditions; there `tb.grid` at 0.001 is {default / coarse:.2g} times as fast as "
+        f"the default. At extremes `tb.solve` takes {_range(times, 'library', 'extremes')} µs, "
+        f"`tb.grid` {_range(times, 'library_grid', 'extremes')} µs. "
+        f"In the same run `quad` and `brentq` take {plain / 1e3:.2g} ms a point. "
+        f"A call with one point takes {one / 1e3:.2g} ms, nearly all of it for calls of numpy: "
+        "put many points into one call. "
+        f"Points that each have their own surface take {surfaces:.2g} µs there, "
+        f"those of a grid that is streamed to a file {stream:.2g} µs. "
+        f"A new process imports the library and has its first answer after {start / 1e6:.2g} s."
     )
 
 
@@ -225,9 +222,9 @@ def oracle_block() -> str:
     )
     return (
         f"`results/accuracy/oracle.csv` counts it: of {points:,} solutions in all combinations of "
-        f"interpretations, half of them next to kinks, {wrong} are wrong and {beyond} are beyond "
-        "their "
-        f"bound. {100.0 * less_exact / points:.1f} % have the status `not_converged`, "
+        f"interpretations, half of them next to kinks, {wrong} are wrong "
+        f"and {beyond} are beyond their bound. "
+        f"{100.0 * less_exact / points:.1f} % have the status `not_converged`, "
         f"{100.0 * without / points:.1f} % have no values. The largest error of the others is "
         f"{max(row['largest_error'] / row['rtol'] for row in rows):.2f} of `rtol`."
     )

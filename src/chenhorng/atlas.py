@@ -55,9 +55,8 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
         if not is_alike or set(chunk.data_vars) != set(first.data_vars):
             sigma = chunk["roughness"].item()
             raise ValueError(
-                f"roughness {sigma:g} m in {folder} was solved with other inputs, variables or "
-                "rtol than the "
-                "first; allowed: files of one configuration"
+                f"roughness {sigma:g} m in {folder} was solved with other inputs, "
+                "variables or rtol than the first; allowed: files of one configuration"
             )
     atlas = xr.concat(
         chunks,

@@ -18,18 +18,16 @@ BAND_RTOL = 1e-4  # for each member: an error far below a line width
 SUFFIXES = "low", "high"
 ATTRIBUTES = {
     "summary": (
-        "Range of each quantity, 5 to 95 %, over an ensemble of inputs that explain the paper's "
-        "statements about "
-        "equally well, at the points of the dataset of this figure."
+        "Range of each quantity, 5 to 95 %, over an ensemble of inputs that explain "
+        "the paper's statements about equally well, at the points of the dataset of this figure."
     ),
     "comment": (
-        "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to "
-        "it. Each member is "
-        "solved at the same F_t*, which is another normal load where its apparent area differs. A "
-        "member that has no "
-        "solution at a point does not count there. ensemble gives what differs from the default in "
-        "each member, by the "
-        "names of config/inputs.yaml, SI."
+        "load is F_t* of the default inputs, those of model_parameters, "
+        "and normal_load belongs to it. Each member is solved at the same F_t*, "
+        "which is another normal load where its apparent area differs. "
+        "A member that has no solution at a point does not count there. "
+        "ensemble gives what differs from the default in each member, "
+        "by the names of config/inputs.yaml, SI."
     ),
 }
 

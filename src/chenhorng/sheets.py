@@ -190,9 +190,8 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> Sheet:
     ]
     title += ", as printed and recomputed"
     note = (
-        "Recomputed from the other printed values where possible. A value agrees if it is the "
-        "printed one "
-        "once it is rounded to as many digits as the paper prints."
+        "Recomputed from the other printed values where possible. A value agrees "
+        "if it is the printed one once it is rounded to as many digits as the paper prints."
     )
     return Sheet(title=title, note=note, rows=lines)
 
@@ -251,9 +250,8 @@ def _transitions(rows, printed, newtons_per_load) -> Sheet:
             line[f"{symbol} = {limit} (paper)"] = _spread(paper, 1.0 / newtons_per_load, **at)
         lines.append(line | {"status": _statuses(some)})
     note = (
-        "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. Without an "
-        "entry "
-        f"it does not cross the limit within the loads. {NEWTONS}"
+        "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. "
+        f"Without an entry it does not cross the limit within the loads. {NEWTONS}"
     )
     return Sheet(title="Loads at which the regime or mode changes", note=note, rows=lines)
 
@@ -287,9 +285,8 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
     ]
     note = (
         f"All numbers that the headline statements print. The median of the deviations is "
-        f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of "
-        "H_c are those from "
-        "0.04 to 80 N."
+        f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. "
+        "Ends of ranges of H_c are those from 0.04 to 80 N."
     )
     return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
 

@@ -209,9 +209,9 @@ def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup,
     two = materials["flat"].hardness if "flat" in materials else before.hardness_surface_2
     if "particle" in materials and materials["particle"].hardness < max(one, two):
         raise ValueError(
-            f"particle has a hardness of {1e-9 * materials['particle'].hardness:g} GPa; allowed: "
-            "at least "
-            f"{1e-9 * max(one, two):g} GPa, the harder surface, as particles keep their shape"
+            f"particle has a hardness of {1e-9 * materials['particle'].hardness:g} GPa; "
+            f"allowed: at least {1e-9 * max(one, two):g} GPa, the harder surface, "
+            "as particles keep their shape"
         )
     surfaces, particle = _moduli(setup)
     changes = {"elastic_modulus_particle": particle}

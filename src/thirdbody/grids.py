@@ -266,8 +266,7 @@ def stream(
         if size > free and not compression:
             raise OSError(
                 f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; "
-                "allowed: at "
-                f"most the {free:.3g} bytes free on the disk"
+                f"allowed: at most the {free:.3g} bytes free on the disk"
             )
         with (
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,

@@ -20,10 +20,9 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
     mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
     return (
-        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average and "
-        "at most "
-        f"{1e9 * largest:.4g} nm, which carry load at separations d below "
-        f"{1e9 * layer.reach[0]:.4g} nm"
+        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average "
+        f"and at most {1e9 * largest:.4g} nm, "
+        f"which carry load at separations d below {1e9 * layer.reach[0]:.4g} nm"
     )
 
 

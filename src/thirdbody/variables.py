@@ -281,14 +281,13 @@ QUANTITIES = _by_name(
 STATUS = names.SOLUTION_STATUS  # the flag that qualifies all other variables
 STATUS_MEANINGS = {
     "converged": "the equations hold to the error asked for",
-    "outside_film_formula": "the film carries more than a thousandth of the load where Eq. 7 has "
-    "no meaning: "
-    "it would grow with falling viscosity, is thicker than a hundredth of the ball's radius, or "
-    "presses harder "
-    "on the interface than the softer surface is",
+    "outside_film_formula": "the film carries more than a thousandth of the load "
+    "where Eq. 7 has no meaning: it would grow with falling viscosity, "
+    "is thicker than a hundredth of the ball's radius, "
+    "or presses harder on the interface than the softer surface is",
     "coverage_exceeded": "particles would cover the whole interface in Eq. 4",
-    "not_converged": "float64 does not promise the error asked for, and error_bound says what the "
-    "values are good for",
+    "not_converged": "float64 does not promise the error asked for, "
+    "and error_bound says what the values are good for",
     "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
     "load_exceeded": "the load is more than what is carried at any separation of zero or more",
 }

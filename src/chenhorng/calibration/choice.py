@@ -2,15 +2,13 @@
 equals.
 
 1. The loss of what was left out: that of the objective, over the statements of each fold, for the
-   inputs
-   that were found without them.
+   inputs that were found without them.
 2. Interpretations are equal if their loss is above the least by no more than one standard error of
-   the
-   difference, from the differences by figure (Breiman et al. 1984, Classification and Regression
-   Trees; Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning, section 7.10).
+   the difference, from the differences by figure (Breiman et al. 1984, Classification and
+   Regression Trees; Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning,
+   section 7.10).
 3. Of equals, the least mean deviation of the printed numbers; then the fewest unknowns; then the
-   least
-   penalty.
+   least penalty.
 """
 
 import math

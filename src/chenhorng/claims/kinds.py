@@ -51,9 +51,8 @@ class NumberClaim(Claim):
         is_number = self.along != "load" and self.quantity in CURVE_QUANTITIES
         if is_number and not self.extreme and not is_level:
             raise ValueError(
-                f"{self.quantity} of a whole curve; allowed: a condition with the load or with a "
-                "level, "
-                "or extreme: minimum or maximum"
+                f"{self.quantity} of a whole curve; allowed: a condition with the load "
+                "or with a level, or extreme: minimum or maximum"
             )
 
     def numbers(self, evidence: "Evidence") -> NDArray:

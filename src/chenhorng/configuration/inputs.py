@@ -70,7 +70,6 @@ def _check_printed(values: Values, ensemble: Ensemble, calibrated: str | Path) -
         used = getattr(ensemble.best, name)
         if not math.isclose(float(value), used, rel_tol=1e-12):
             raise ValueError(
-                f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, with which {calibrated} was "
-                "found "
-                "(inputs in config.yaml override it)"
+                f"inputs.yaml: {name} is {value:g}; allowed: {used:g}, "
+                f"with which {calibrated} was found (inputs in config.yaml override it)"
             )

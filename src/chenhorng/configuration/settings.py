@@ -114,8 +114,8 @@ def _check_size(name: str, scene: Mapping) -> None:
     points = scene["load_axis"]["count"] * diameters * prod(others)
     if points > MOST_POINTS:
         raise ValueError(
-            f"scenes.{name}: the curves and loads have {points:.3g} combinations; allowed: at most "
-            f"{MOST_POINTS:.3g}"
+            f"scenes.{name}: the curves and loads have {points:.3g} combinations; "
+            f"allowed: at most {MOST_POINTS:.3g}"
         )
 
 
@@ -133,9 +133,8 @@ def _check_figure(name: str, scene: Mapping) -> None:
     panels = len(combinations) * len(variables_over_load(levels))
     if panels > MOST_PANELS:
         raise ValueError(
-            f"scenes.{name}: the figure has {panels} panels, for each combination of "
-            f"{', '.join(varied)}; "
-            f"allowed: at most {MOST_PANELS}"
+            f"scenes.{name}: the figure has {panels} panels, "
+            f"for each combination of {', '.join(varied)}; allowed: at most {MOST_PANELS}"
         )
 
 

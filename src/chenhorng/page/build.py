@@ -18,8 +18,7 @@ FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function\*?|class) (\w+))", re.MULTILINE)
 NODES = 48  # of the integrals computed in the page
-# what quotes of the paper have of LaTeX and Markdown, in this order, and what stands for it in a
-# plain text
+# LaTeX and Markdown in quotes of the paper, replaced in this order, and the plain text for each
 MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\\text\s*\{([^}]*)\}": r"\1",
     r"\\(sigma|nu|eta)(?![a-z])": lambda found: symbols.GREEK[found[1]],
@@ -50,12 +49,12 @@ def page_content(
 ) -> dict[str, Any]:
     """Collect the data of the page as plain values for JSON.
 
-    ``figures`` are the records of the figures of curves, by name;
-    ``judged`` is the content of ``claims.json``, and ``departures`` has the ``name`` and the
-    ``verdicts`` of each departure from the print that is taken back.  ``inputs`` are entries of
-    ``config/inputs.yaml`` with the ``value`` in the run and, if it was searched, ``bounds`` and
-    ``scale``. ``ensemble`` has the inputs of each member that differ from the default, ``ranges``
-    the first and last value of each condition in the paper, by symbol, in engineering units.
+    ``figures`` are the records of the figures of curves, by name; ``judged`` is the content of
+    ``claims.json``, and ``departures`` has the ``name`` and the ``verdicts`` of each departure from
+    the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml`` with the
+    ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.  ``ensemble`` has the
+    inputs of each member that differ from the default, ``ranges`` the first and last value of each
+    condition in the paper, by symbol, in engineering units.
     ``rig`` has what follows from materials, speed and oil: ``materials``, the inputs of each
     combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C; ``usual_density`` of
     an oil; and the least and most of each number that a reader gives.

@@ -203,9 +203,8 @@ class Parameters:
         if self.elastic_factor > MOST_ELASTIC_FACTOR:
             materials = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
             raise ValueError(
-                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for "
-                f"{materials}; "
-                f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
+                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} "
+                f"for {materials}; allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
             )
 
     def check_ball(self) -> None:
