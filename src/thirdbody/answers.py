@@ -306,7 +306,7 @@ def _by_border(table, along) -> dict[tuple, float]:
 
 
 def _turning_values(parameters, conditions, between_N) -> tuple[dict, list[dict]]:
-    """The numbers of ``turning_load`` for the best set, and for all members if there are several."""
+    """The numbers of ``turning_load`` for the best set, and of all members if there are several."""
     layer = {name: conditions[name] for name in ("roughness_nm", "particle_density_per_m2")}
     others = {key: value for key, value in conditions.items() if key != "load_N"}
     arguments = {"parameters": parameters, "between_N": between_N, "members": True}
