@@ -33,9 +33,7 @@ class Brackets(NamedTuple):
 
 
 class FilmAlone(NamedTuple):
-    """Separation [m] at which the film carries all of F_t, and the ends that rounding leaves; 0
-    when dry.
-    """
+    """Separation [m] at which the film carries all of F_t, with bounds for rounding; 0 when dry."""
 
     separation: NDArray
     low: NDArray
@@ -61,7 +59,7 @@ def bracket(points: Points) -> Brackets:
 
 
 def _film_alone(points):
-    """Where the film carries all of F_t."""
+    """The separations at which the film carries all of F_t."""
     separation, rounding = points.film_separation()
     return FilmAlone(
         separation=separation,

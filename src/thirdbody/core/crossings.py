@@ -113,7 +113,7 @@ class _Excess:
         return values - self.levels[limit, query], solved
 
     def certain_sign(self, limit, query, log_value):
-        """The sign of the excess, 0 where the error may be larger than the excess, and the status."""
+        """The sign of the excess, 0 where its error may be larger, and the status."""
         excess, solved = self.at(limit, query, log_value)
         margin = solved[ERROR_BOUND] * np.abs(excess + self.levels[limit, query])
         sign = np.where(np.abs(excess) > margin, np.sign(excess), 0.0)

@@ -82,7 +82,7 @@ class Film:
 
     Rounding grows with ``smooth_size``, the sum of the absolute logarithms in s, and with
     ``rough_size``, the sum of the absolute logarithms that r adds.  ``turning_ratio`` is the second
-    term over the first at the least H_c over the speed U.  At ``greatest_log_W`` the mean film
+    term over the first at the speed U with the least H_c.  At ``greatest_log_W`` the mean film
     pressure is the softer hardness; Eq. 7 assumes elastic bodies.  All fields are dimensionless.
     """
 

@@ -149,8 +149,8 @@ class Search:
         )
         # the slope of the contribution that changes fastest, over that of the sum of forces
         ratio = steepest / np.abs(slope)
-        # error of the variables after the step, an estimate: the step squared, more where one part
-        # changes faster; the signs at both ends are checked afterwards all the same
+        # Estimated error of the variables after the step: its square, and more where a contribution
+        # changes faster.  It is only an estimate: the signs at both ends are checked afterwards.
         left = (size * ratio) ** 2 * (1.0 + ratio)
         converges = is_newton & (settled | (left <= tolerance))
         is_final = (self.high - self.low <= NARROW * self.separation) | is_last

@@ -62,7 +62,7 @@ def solve_points(
     rtol : float
         Requested relative error of every variable [1].
     variables : collection of str
-        Names of those to return, of ``state.describe``.
+        Names of the variables to return, among those of ``state.describe``.
     callback : callable, optional
         Called with the number of points that have been solved since its last call.
 
@@ -94,9 +94,7 @@ def solve_points(
 
 
 def _doubt_faint_particles(columns, result):
-    """Points with so few or small particles that float64 has too few digits for their area: values
-    without a bound.
-    """
+    """Remove the bound where particles are so few or small that their area loses digits."""
     diameter, density = columns["particle_diameter"], columns["particle_density"]
     coverage = diameter * (diameter * density)
     faint = (coverage < FAINT_COVERAGE) & (diameter > 0.0) & (density > 0.0)
@@ -110,9 +108,11 @@ def _doubt_faint_particles(columns, result):
 
 
 class Attempt(NamedTuple):
-    """How points are solved: from tables of summits with an error ``table_rtol``, or by quadrature
-    if it is None; so many at a time, to a ``tolerance`` of the variables, in at most so many
-    iterations."""
+    """A way to solve points.
+
+    Tables of summits have the error ``table_rtol``; None is quadrature.  ``chunk`` points are
+    solved together, to a ``tolerance`` of the variables, in at most ``iterations`` steps.
+    """
 
     table_rtol: float | None
     chunk: int
@@ -126,8 +126,7 @@ class Attempt(NamedTuple):
 
 
 def _attempts(rtol):
-    """Attempts at each point, until one succeeds; the first two only where tables are
-    worthwhile."""
+    """The attempts at a point, in their order: the first two are for points with tables."""
     tables = Attempt(table_rtol=rtol, chunk=CHUNK, tolerance=rtol, iterations=FEW_ITERATIONS)
     quadrature = Attempt(
         table_rtol=None,
@@ -139,7 +138,7 @@ def _attempts(rtol):
 
 
 def _worth_a_table(roughness, rtol):
-    """Which points share their roughness with enough others to tabulate its summits."""
+    """Whether enough points share the roughness of a point to tabulate its summits."""
     which = np.searchsorted(np.unique(roughness), roughness)
     return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
 
@@ -161,8 +160,7 @@ class Kind(IntFlag):
 
 
 def _batches(columns, chosen, most):
-    """Yield indices of ``chosen`` points of one kind, by roughness, at ``most`` so many at a
-    time."""
+    """Yield indices of ``chosen`` points of the same kind by roughness, ``most`` at a time."""
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
     kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):

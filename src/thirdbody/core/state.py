@@ -116,9 +116,8 @@ def fractions(log_odds: NDArray) -> tuple[NDArray, NDArray]:
 
 
 def _remove_values(variables, without_values):
-    """Replace the variables of points ``without_values``, except their status, by what stands for
-    none.
-    """
+    """Replace the variables of points ``without_values``, except the status, by nan or
+    ``NO_FLAG``."""
     if not without_values.any():
         return
     for name, values in variables.items():

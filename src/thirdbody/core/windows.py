@@ -130,7 +130,7 @@ def _margin_over_least(prominence, least):
 def _separations(first, last, roughness, count):
     """Separations [m], shape (count, curves), equal for all curves of the same roughness.
 
-    They lie between the ends of the longest of these curves.
+    They span these curves from end to end.
     """
     _, surface = np.unique(roughness, return_inverse=True)
     ends = np.full((2, surface.max() + 1), np.nan)
