@@ -115,10 +115,10 @@ def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:
     return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)
 
 
-Kind = TypeVar("Kind", bound=Variable)
+AnyVariable = TypeVar("AnyVariable", bound=Variable)
 
 
-def _by_name(*variables: Kind) -> dict[str, Kind]:
+def _by_name(*variables: AnyVariable) -> dict[str, AnyVariable]:
     return {variable.name: variable for variable in variables}
 
 
