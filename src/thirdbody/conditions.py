@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
+TYPES = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
 NEVER_ZERO = "load", "roughness"  # other conditions are 0 without oil or particles, or at rest
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
@@ -116,7 +116,7 @@ def read_conditions(
     TypeError
         For an unknown name.
     ValueError
-        For a value whose type is not in ``KINDS``, a condition that is missing or given twice, a
+        For a value whose type is not in ``TYPES``, a condition that is missing or given twice, a
         quantity of another dimension, a number that is negative or not finite, a load or roughness
         of 0, and columns with different indexes.
 
@@ -324,7 +324,7 @@ def indexed(table: "pd.DataFrame", index: "pd.Index | None", points: ArrayLike) 
 
 
 def numbers_in(name: str, value: Any, unit: str) -> NDArray:
-    """A value of a type in ``KINDS`` as float64 numbers.
+    """A value of a type in ``TYPES`` as float64 numbers.
 
     A quantity is converted to ``unit``, in the spelling of UDUNITS.  pint raises an error if its
     dimension is another.
@@ -338,7 +338,7 @@ def numbers_in(name: str, value: Any, unit: str) -> NDArray:
 
 
 def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
-    """A value of a type in ``KINDS`` as float64 numbers, and its unit of pint or None.
+    """A value of a type in ``TYPES`` as float64 numbers, and its unit of pint or None.
 
     Raises ``ValueError`` for any other type.
     """
@@ -356,7 +356,7 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
         dtype = value.dtype
         package = type(dtype).__module__.partition(".")[0]  # types of other packages may have units
         if package not in ("numpy", "pandas") or dtype.kind not in "iuf":
-            raise ValueError(f"{name} is a column of {dtype}; allowed: {KINDS}")
+            raise ValueError(f"{name} is a column of {dtype}; allowed: {TYPES}")
         return value.to_numpy(float, na_value=np.nan), None
     return _numbers(name, value), None
 
@@ -367,11 +367,11 @@ def _numbers(name, value):
     if isinstance(value, list | tuple):
         if all(map(_is_number, _flat(value))):
             return np.array(value, float)
-        kinds = sorted({_kind(item) for item in _flat(value) if not _is_number(item)})
-        raise ValueError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
+        types = sorted({_type_name(item) for item in _flat(value) if not _is_number(item)})
+        raise ValueError(f"{name} is a list with {', '.join(types)}; allowed: {TYPES}")
     if _is_number(value) or (type(value) is np.ndarray and value.dtype.kind in "iuf"):
         return np.array(value, float)
-    raise ValueError(f"{name} is of type {_kind(value)}; allowed: {KINDS}")
+    raise ValueError(f"{name} is of type {_type_name(value)}; allowed: {TYPES}")
 
 
 def _flat(values):
@@ -388,15 +388,15 @@ def _is_number(value):
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _kind(value):
-    kind = f"{type(value).__module__}.{type(value).__qualname__}".removeprefix("builtins.")
-    return f"{kind} of {value.dtype}" if type(value) is np.ndarray else kind
+def _type_name(value):
+    name = f"{type(value).__module__}.{type(value).__qualname__}".removeprefix("builtins.")
+    return f"{name} of {value.dtype}" if type(value) is np.ndarray else name
 
 
-def _is_a(value, package, *kinds):
+def _is_a(value, package, *names):
     """Whether a value is of a class in a package.  The package is not imported for that."""
     module = sys.modules.get(package)
-    return module is not None and isinstance(value, tuple(getattr(module, kind) for kind in kinds))
+    return module is not None and isinstance(value, tuple(getattr(module, name) for name in names))
 
 
 # units, their powers and products; pint would evaluate any other text
