@@ -21,7 +21,7 @@ from typing import Any
 import yaml
 
 LONGEST = 60  # letters of a value in a message
-KINDS: dict[type, str] = {dict: "keys with values", list: "a list"}
+CONTENT_WORDS: dict[type, str] = {dict: "keys with values", list: "a list"}
 OTHER_BASES = re.compile(r"[-+]?(0[0-9xb_]|.*:)")
 
 
@@ -96,8 +96,8 @@ def _prepare(place, part):
             with suppress(OSError):
                 leftover.unlink()
     if place.exists() and not place.is_file():  # a device must not be replaced
-        kind = "Is a directory" if place.is_dir() else "Not a regular file"
-        raise OSError(errno.EINVAL, kind, part)
+        reason = "Is a directory" if place.is_dir() else "Not a regular file"
+        raise OSError(errno.EINVAL, reason, part)
     if place.exists() and not os.access(place, os.W_OK):
         raise OSError(errno.EACCES, "Permission denied", part)
     part.touch()
@@ -163,12 +163,12 @@ def _decimal(loader, node):
     return construct(node)
 
 
-for kind in ("int", "float"):
-    _KeysOnce.add_constructor(f"tag:yaml.org,2002:{kind}", _decimal)
+for tag in ("int", "float"):
+    _KeysOnce.add_constructor(f"tag:yaml.org,2002:{tag}", _decimal)
 
 
-def read_yaml(path: str | Path, kind: type = dict) -> Any:
-    """The content of a plain YAML file in UTF-8, a ``dict`` or a ``list`` as ``kind`` says.
+def read_yaml(path: str | Path, content_type: type = dict) -> Any:
+    """The content of a plain YAML file in UTF-8, of the ``content_type`` dict or list.
 
     Raises ``ValueError`` in one line, with the file, the number of the line, and the fault.
     """
@@ -186,8 +186,10 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
         place = f"line {mark.line + 1}: " if mark else ""
         problem = " ".join(str(getattr(error, "problem", error)).split())
         raise ValueError(f"{name}: {place}{problem}") from None
-    if not isinstance(content, kind):
-        raise ValueError(f"{name}: contains {type(content).__name__}; allowed: {KINDS[kind]}")
+    if not isinstance(content, content_type):
+        raise ValueError(
+            f"{name}: contains {type(content).__name__}; allowed: {CONTENT_WORDS[content_type]}"
+        )
     return content
 
 
