@@ -1,8 +1,9 @@
 """Datasets of solved variables, with the attributes that CF-1.11 and ACDD-1.3 require, and their
 NetCDF-4 files.  The same dataset gives the same bytes.
 
-The classes of this module have the attributes of their namesakes in xarray.  xarray itself is not
-imported: importing it and pandas takes longer than solving or drawing a figure.
+``PlainDataset`` and ``PlainVariable`` have the attributes of ``Dataset`` and ``Variable`` of xarray.
+xarray itself is not imported: importing it and pandas takes longer than solving or drawing a
+figure.
 """
 
 import errno
@@ -29,8 +30,8 @@ from thirdbody.variables import (
     NUMBERS,
     STATUS,
     VARIABLES,
+    Variable,
 )
-from thirdbody.variables import Variable as Described
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -51,7 +52,7 @@ KEYS = EVERYWHERE["model_parameters"]
 GIVEN_AS = "given_as"
 
 
-class Variable(NamedTuple):
+class PlainVariable(NamedTuple):
     """An array with named dimensions, attributes and encoding, in a form that xarray accepts."""
 
     dims: tuple[str, ...]
@@ -65,12 +66,12 @@ class PlainDataset:
     """Variables over shared dimensions, coordinates and attributes, with the interface of
     ``xarray.Dataset``: functions accept either."""
 
-    data_vars: Mapping[str, Variable]
-    coords: Mapping[str, Variable]
+    data_vars: Mapping[str, PlainVariable]
+    coords: Mapping[str, PlainVariable]
     attrs: Mapping[str, Any]
 
     @property
-    def variables(self) -> dict[str, Variable]:
+    def variables(self) -> dict[str, PlainVariable]:
         """Variables and coordinates, in the order of a file."""
         return {**self.data_vars, **self.coords}
 
@@ -82,7 +83,7 @@ class PlainDataset:
     def __contains__(self, name: str) -> bool:
         return name in self.variables
 
-    def __getitem__(self, name: str) -> Variable:
+    def __getitem__(self, name: str) -> PlainVariable:
         return self.variables[name]
 
     def to_xarray(self) -> "xr.Dataset":
@@ -152,7 +153,7 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
     Raises ``OSError`` in one line if the file is missing or damaged, or lacks ``needed`` variables.
     """
     coordinates: set[str] = set()
-    variables: dict[str, Variable] = {}
+    variables: dict[str, PlainVariable] = {}
     try:
         with netCDF4.Dataset(path) as file:
             coordinates.update(file.dimensions)
@@ -163,7 +164,7 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
                     attributes.pop(each, None)
                 values = np.ma.asanyarray(stored[...])
                 values = values.filled(np.nan) if values.dtype.kind == "f" else values.data
-                variables[name] = Variable(stored.dimensions, values, attributes)
+                variables[name] = PlainVariable(stored.dimensions, values, attributes)
             attributes = dict(file.__dict__)
     except Exception as error:  # netCDF4 raises various exceptions for damaged files
         reason = getattr(error, "strerror", None) or type(error).__name__
@@ -175,7 +176,7 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
     return PlainDataset(variables, coords, attributes)
 
 
-def coordinate_attributes(described: Described, key: str = "") -> dict[str, str]:
+def coordinate_attributes(described: Variable, key: str = "") -> dict[str, str]:
     """Attributes of a coordinate: the normal load, or an axis for which the user wrote ``key``."""
     attributes = {
         "units": described.unit,
@@ -185,7 +186,7 @@ def coordinate_attributes(described: Described, key: str = "") -> dict[str, str]
     return attributes | ({GIVEN_AS: key} if key == "load_N" else {})
 
 
-def variable_attributes(quantity: Described) -> dict:
+def variable_attributes(quantity: Variable) -> dict:
     """Attributes of a variable."""
     attributes: dict[str, Any] = coordinate_attributes(quantity)
     attributes |= {"equation": quantity.equation}
@@ -204,7 +205,7 @@ def variable_attributes(quantity: Described) -> dict:
     return attributes
 
 
-def variable_encoding(quantity: Described) -> dict:
+def variable_encoding(quantity: Variable) -> dict:
     """The encoding of a variable in files: the fill value of points that a figure does not show."""
     return {"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {}
 
@@ -245,20 +246,22 @@ def described_grid(
     and ``request``, which by default are the axes.
     """
     variables = {
-        name: Variable(
+        name: PlainVariable(
             DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
         )
         for name, quantity in VARIABLES.items()
         if name in values
     }
     coordinates = {
-        name: Variable(
+        name: PlainVariable(
             (name,), axis, coordinate_attributes(AXES[name], load_key if name == "load" else name)
         )
         for name, axis in axes.items()
     }
     newtons = axes["load"] * parameters.newtons_per_load
-    coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
+    coordinates["normal_load"] = PlainVariable(
+        ("load",), newtons, coordinate_attributes(NORMAL_LOAD)
+    )
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol}
     configuration["request"] = request or {name: axis.tolist() for name, axis in axes.items()}
     attributes = {
