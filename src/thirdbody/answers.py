@@ -32,10 +32,10 @@ DIGITS = 4
 WIDTH = 80  # letters of a line of text
 LAYER = "particle_diameter_nm", "roughness_nm", "particle_density_per_m2"
 COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
-Conditions = Mapping[str, Any]
+Interface = Mapping[str, Any]  # the conditions of an interface, by alias
 
 
-def state(parameters: Ensemble, conditions: Conditions) -> pd.DataFrame:
+def state(parameters: Ensemble, conditions: Interface) -> pd.DataFrame:
     """Load sharing, contact area, regime, mode and nominal pressure of an interface."""
     values, of_members = _states(parameters, conditions)
     rows = [_row(name, values[name], [each[name] for each in of_members]) for name in SHOWN]
@@ -46,7 +46,7 @@ def state(parameters: Ensemble, conditions: Conditions) -> pd.DataFrame:
 
 
 def compare_interfaces(
-    parameters: Ensemble, conditions: Conditions, other: Ensemble, others: Conditions
+    parameters: Ensemble, conditions: Interface, other: Ensemble, others: Interface
 ) -> pd.DataFrame:
     """Compare two interfaces: ``value`` is of the first, ``other`` of the second.
 
@@ -80,7 +80,7 @@ def compare_interfaces(
 
 def changes_along(
     parameters: Ensemble,
-    conditions: Conditions,
+    conditions: Interface,
     along: str,
     between: tuple[float, float] | None,
 ) -> pd.DataFrame:
@@ -124,7 +124,7 @@ def changes_along(
 
 
 def turning_load(
-    parameters: Ensemble, conditions: Conditions, between_N: tuple[float, float] = LOADS
+    parameters: Ensemble, conditions: Interface, between_N: tuple[float, float] = LOADS
 ) -> pd.DataFrame:
     """The load at the turning point of the contact area, and the sizes with a turning point."""
     values, of_members = _turning_values(parameters, conditions, between_N)
@@ -156,7 +156,7 @@ TURNING = {
 
 def curve(
     parameters: Ensemble,
-    conditions: Conditions,
+    conditions: Interface,
     along: str,
     between: tuple[float, float],
     count: int,
