@@ -1,9 +1,9 @@
 """Datasets of solved variables, with the attributes that CF-1.11 and ACDD-1.3 require, and their
 NetCDF-4 files.  The same dataset gives the same bytes.
 
-``PlainDataset`` and ``PlainVariable`` have the attributes of ``Dataset`` and ``Variable`` of xarray.
-xarray itself is not imported: importing it and pandas takes longer than solving or drawing a
-figure.
+``PlainDataset`` and ``PlainVariable`` have the attributes of ``Dataset`` and ``Variable`` in
+xarray.  xarray itself is not imported: importing it and pandas takes longer than solving or drawing
+a figure.
 """
 
 import errno
