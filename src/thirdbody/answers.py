@@ -93,11 +93,11 @@ def changes_along(
         for member in range(len(parameters.members))
     ]
     invalid = tables[0][tables[0]["solution_status"].isin(INVALID)]
-    places, *_ = of_members = [_by_border(table, along) for table in tables]
+    best, *_ = of_members = [_by_change(table, along) for table in tables]
     of_members = of_members if len(of_members) > 1 else []
     axis = axis_of(along)
     rows = []
-    for key in dict.fromkeys([*places, *(key for each in of_members for key in each)]):
+    for key in dict.fromkeys([*best, *(key for each in of_members for key in each)]):
         flag, before, after, number = key
         row = {
             "symbol": axis.symbol,
@@ -105,7 +105,7 @@ def changes_along(
             "unit": axis.alias_unit,
         }
         numbers = [each[key] for each in of_members if key in each]
-        rows.append(_with_range(row, places.get(key, math.nan), numbers, len(of_members)))
+        rows.append(_with_range(row, best.get(key, math.nan), numbers, len(of_members)))
     ends = between or axis.searched
     notes = [f"searched: {axis.name} {ends[0]:g} to {ends[1]:g} {axis.alias_unit}"]
     with warnings.catch_warnings():
@@ -120,7 +120,7 @@ def changes_along(
     ]
     notes += _ensemble_notes(parameters, conditions)
     title = f"Changes along the {axis.name} at {_words(conditions)}"
-    return _table(title, rows, notes, bool(places))
+    return _table(title, rows, notes, bool(best))
 
 
 def turning_load(
@@ -289,7 +289,7 @@ def _nominal_rows(parameters, conditions) -> list[dict]:
     ]
 
 
-def _by_border(table, along) -> dict[tuple, float]:
+def _by_change(table, along) -> dict[tuple, float]:
     """The values of the condition at valid changes.
 
     The keys are the flag, the states, and the number of equal changes at smaller values.
@@ -298,8 +298,8 @@ def _by_border(table, along) -> dict[tuple, float]:
     keys = ["flag", "before", "after"]
     numbers = valid.groupby(keys).cumcount()
     return {
-        (*row, number): place
-        for row, number, place in zip(
+        (*row, number): value
+        for row, number, value in zip(
             valid[keys].itertuples(index=False, name=None), numbers, valid[along], strict=True
         )
     }

@@ -137,13 +137,13 @@ def find(
         samples = np.geomspace(*ends.with_load(inputs.best), count)
         queries = replace(Queries.of(read, inputs.best, level=levels), index=index)
         limits = [(variable, queries.columns["level"])]
-        places = _crossings(queries, along, limits, samples, inputs, rtol, progress)
-        table = queries.table(places.query, inputs.best) | _places(places, along, inputs.best)
+        crossed = _crossings(queries, along, limits, samples, inputs, rtol, progress)
+        table = queries.table(crossed.query, inputs.best) | _columns(crossed, along, inputs.best)
         table |= {
-            "rises": places.rises,
-            "solution_status": _names("solution_status", places.solution_status),
+            "rises": crossed.rises,
+            "solution_status": _names("solution_status", crossed.solution_status),
         }
-        return _indexed(table, queries, places.query)
+        return _indexed(table, queries, crossed.query)
 
     return _of_members(search, ensemble, members)
 
@@ -195,21 +195,21 @@ def transitions(
         samples = np.geomspace(*ends.with_load(inputs.best), count)
         queries = Queries.of(read, inputs.best)
         limits = [(quantity, np.full(queries.size, level)) for quantity, level, *_ in LIMITS]
-        places = _crossings(queries, along, limits, samples, inputs, rtol, progress)
-        points = {name: column[places.query] for name, column in queries.columns.items()}
-        points = inputs.setup.without_speed(points | {axis.name: places.value}, inputs.best)
+        crossed = _crossings(queries, along, limits, samples, inputs, rtol, progress)
+        points = {name: column[crossed.query] for name, column in queries.columns.items()}
+        points = inputs.setup.without_speed(points | {axis.name: crossed.value}, inputs.best)
         solved = solve_points(points, inputs.best, rtol, ["lubrication_regime"])
         is_full = solved["lubrication_regime"] == LubricationRegime.full_film
-        _, _, flag, below, above = np.array(LIMITS, object)[places.limit].T.reshape(5, -1)
-        table = queries.table(places.query, inputs.best)
+        _, _, flag, below, above = np.array(LIMITS, object)[crossed.limit].T.reshape(5, -1)
+        table = queries.table(crossed.query, inputs.best)
         table |= {
             "flag": flag,
-            "before": np.where(places.rises, below, above),
-            "after": np.where(places.rises, above, below),
+            "before": np.where(crossed.rises, below, above),
+            "after": np.where(crossed.rises, above, below),
         }
-        table |= _places(places, along, inputs.best)
-        table |= {"solution_status": _names("solution_status", places.solution_status)}
-        return _indexed(table, queries, places.query)[~(is_full & (flag == "contact_mode"))]
+        table |= _columns(crossed, along, inputs.best)
+        table |= {"solution_status": _names("solution_status", crossed.solution_status)}
+        return _indexed(table, queries, crossed.query)[~(is_full & (flag == "contact_mode"))]
 
     return _of_members(search, ensemble, members)
 
@@ -427,16 +427,16 @@ def _crossings(
     others = inputs.setup.without_speed(others, inputs.best)
     solved = "viscosity" if axis == "speed" else axis
     with progress_bar(samples.size * queries.size, progress) as bar:
-        places = crossings(limits, solved, scale * samples, others, inputs.best, rtol, bar.update)
-    return places._replace(value=places.value / scale, error=places.error / scale)
+        crossed = crossings(limits, solved, scale * samples, others, inputs.best, rtol, bar.update)
+    return crossed._replace(value=crossed.value / scale, error=crossed.error / scale)
 
 
-def _places(places: Crossings, along: str, parameters: Parameters) -> dict[str, NDArray]:
+def _columns(crossed: Crossings, along: str, parameters: Parameters) -> dict[str, NDArray]:
     """The values and errors of crossings in the unit of ``along``."""
     newtons = parameters.newtons_per_load
     return {
-        along: from_si(along, places.value, newtons),
-        "error": from_si(along, places.error, newtons),
+        along: from_si(along, crossed.value, newtons),
+        "error": from_si(along, crossed.error, newtons),
     }
 
 
