@@ -211,9 +211,9 @@ def _turning_points(rows, printed, newtons_per_load) -> Sheet:
             "solution_status": _statuses(some),
         }
         beside = {
-            "load": _spread(paper, LOAD_UNIT, quantity="turning_point_load"),
-            "peak_ratio": _spread(paper, quantity=ratio),
-            "solid_load_fraction": _spread(paper, 0.01, quantity=solid),
+            "load": _printed_text(paper, LOAD_UNIT, quantity="turning_point_load"),
+            "peak_ratio": _printed_text(paper, quantity=ratio),
+            "solid_load_fraction": _printed_text(paper, 0.01, quantity=solid),
         }
         lines.append(curve | _headed("tpca_loads", texts, beside))
     note = f"Each row is a curve. Numbers of the paper are given with their tolerances. {NEWTONS}"
@@ -226,7 +226,7 @@ def _windows(rows, printed, _newtons_per_load) -> Sheet:
         line, sizes = {"σ [nm]": _in_unit("roughness", roughness)}, []
         for row in ends:
             end, ratio, error = (row[n] for n in ("end", "diameter_over_roughness", "error"))
-            paper = _spread(printed, quantity=f"window_{end}", roughness_m=roughness)
+            paper = _printed_text(printed, quantity=f"window_{end}", roughness_m=roughness)
             line |= {f"{end} end of xₐ/σ": rounded(ratio, error), f"{end} end (paper)": paper}
             sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
         lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
@@ -247,7 +247,7 @@ def _transitions(rows, printed, newtons_per_load) -> Sheet:
                 )
                 line[f"{symbol} {arrow} {limit} [N]"] = ", ".join(loads)
             at = {"quantity": "load", "at_quantity": quantity, "at_level": level}
-            line[f"{symbol} = {limit} (paper)"] = _spread(paper, 1.0 / newtons_per_load, **at)
+            line[f"{symbol} = {limit} (paper)"] = _printed_text(paper, 1.0 / newtons_per_load, **at)
         lines.append(line | {"status": _statuses(some)})
     note = (
         "Each row is a curve. ↓: the quantity falls to the limit, ↑: it rises to it. "
@@ -400,7 +400,7 @@ def _elasticity(row) -> str:
     return "0" if abs(value) < NEGLIGIBLE else rounded(value, error)
 
 
-def _spread(printed, unit=1.0, **fields) -> str:
+def _printed_text(printed, unit=1.0, **fields) -> str:
     """The printed numbers that have these ``fields``, with their tolerances, in ``unit``."""
     texts: dict[str, None] = {}
     for number in printed:
