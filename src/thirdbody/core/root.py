@@ -26,10 +26,10 @@ SETTLED = 2.0  # of the noise: an excess below it cannot be halved for certain
 WIDTH, NOISE_WIDTH = 0.125, 1.2
 
 
-class Balance(NamedTuple):
-    """Solved ``points``, their ``indices`` among those given to ``enclose``, and the ``forces`` at
-    two separations around the root of each, of shape (2, points).  ``certain`` is whether their sum
-    changes its sign despite rounding, or no change is needed."""
+class EnclosedRoots(NamedTuple):
+    """Solved ``points``, their ``indices`` among all points, and the ``forces`` at two separations
+    around each root, of shape (2, points).  ``certain`` is whether the sum of forces changes its
+    sign despite rounding, or need not change it."""
 
     points: Points
     indices: NDArray
@@ -39,7 +39,7 @@ class Balance(NamedTuple):
 
 def enclose(
     points: Points, brackets: Brackets, tolerance: float, iterations: int
-) -> Iterator[Balance]:
+) -> Iterator[EnclosedRoots]:
     """Narrow the brackets by Newton's method until the variables converge to ``tolerance``.
 
     Yields the points as they are solved.  When the next step would converge, the signs on both
@@ -67,7 +67,7 @@ def _fixed(points, brackets, indices):
     forces = chosen.forces(
         np.stack([brackets.low[indices], brackets.high[indices]]), with_areas=True
     )
-    return Balance(
+    return EnclosedRoots(
         points=chosen,
         indices=indices,
         forces=_rest_to_film(forces),
@@ -171,7 +171,7 @@ class Search:
             is_final=is_final,
         )
 
-    def check(self, interval: Interval) -> Balance:
+    def check(self, interval: Interval) -> EnclosedRoots:
         """The points where the sum of forces changes sign in the ``interval``; they leave the
         search.
 
@@ -185,7 +185,7 @@ class Search:
         changes = above[0] & below[1]
         is_done = changes | interval.is_final
         done = np.flatnonzero(is_done)
-        solved = Balance(
+        solved = EnclosedRoots(
             points=self.points.take(which[done]),
             indices=self.indices[which[done]],
             forces=forces.take(done),

@@ -81,8 +81,8 @@ def solve_points(
         left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
-            for indices, balance in _balances(columns, chosen, parameters, attempt):
-                solved = describe(balance, rtol)
+            for indices, roots in _enclosed_roots(columns, chosen, parameters, attempt):
+                solved = describe(roots, rtol)
                 for name, values in result.items():
                     values[indices] = solved[name]
                 failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
@@ -143,13 +143,13 @@ def _worth_a_table(roughness, rtol):
     return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
-def _balances(columns, chosen, parameters, attempt):
-    """Solve the ``chosen`` points: yields indices of points among all, and their balance."""
+def _enclosed_roots(columns, chosen, parameters, attempt):
+    """Solve the ``chosen`` points: yield their indices among all points, and their roots."""
     for batch in _batches(columns, chosen, attempt.chunk):
         conditions = {name: column[batch] for name, column in columns.items()}
         points = Points.of(conditions, parameters, attempt.table_rtol)
-        for balance in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
-            yield batch[balance.indices], balance
+        for roots in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
+            yield batch[roots.indices], roots
 
 
 class Kind(IntFlag):
