@@ -240,7 +240,7 @@ def _parser() -> ArgumentParser:
     def ask(
         answer: Callable[..., int], *example: str, options: list[ArgumentParser]
     ) -> ArgumentParser:
-        """Add a sub-command whose ``answer`` is a function."""
+        """Add the sub-command that calls the function ``answer``."""
         name = answer.__name__.replace("_", "-")
         lines = " \\\n    ".join(example)
         question = questions.add_parser(

@@ -103,7 +103,7 @@ def ensemble(parameters: Ensemble | None = None) -> list[Parameters]:
     Parameters
     ----------
     parameters : Ensemble, optional
-        Inputs of the model, by default the calibrated ones.
+        Inputs of the model, by default the calibrated inputs.
 
     Returns
     -------

@@ -202,7 +202,7 @@ class Variables:
 @with_table
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Solution(Variables):
-    """Solved points: what ``solve`` returns.
+    """Solved points, the result of ``solve``.
 
     Every variable is an attribute: an array of the broadcast shape of the conditions, of xarray if
     a condition is.  Points without solution have nan, and ``without_values`` for regime and mode.

@@ -42,7 +42,7 @@ from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
 
 LOADS = (0.04, 80.0)  # first and last [N] of Table 2
 SWEEP = 32  # values along the axis
-LOADS_SWEPT = 60  # maxima are sought between so many loads
+LOADS_SWEPT = 60  # number of loads between which maxima are sought
 RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
 TOLERANCE = 1e-6  # of the ends of a window
 DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # of a window; the diameter has no effect

@@ -40,8 +40,7 @@ LATEX_SIGNS = {
 
 
 class Form(NamedTuple):
-    """The rules of one output: a symbol from its letter, index and star, then an exponent, and any
-    other sign."""
+    """How an output writes a symbol with index and star, an exponent, and any other sign."""
 
     symbol: str
     below: Callable[[str], str]

@@ -18,7 +18,7 @@ from thirdbody.core.regimes import FLAG_MEANINGS
 
 @dataclass(frozen=True, kw_only=True)
 class Variable:
-    """One variable.
+    """A condition or a result: a row of the table.
 
     Attributes
     ----------

@@ -92,8 +92,10 @@ def _upper_bounds(points, guess):
 
 
 def _beyond_film_or_held(points, film, guess):
-    """Brackets where the film keeps its separation, which is 0 when dry, unless the solids need a
-    larger one.  The forces at the guess show this at most points, those at the film at all."""
+    """Brackets where the film keeps its separation, 0 when dry, unless the solids need more.
+
+    The forces at the guess decide this at most points, the forces at the film at the others.
+    """
     high = _upper_bounds(points, guess)
     guess = np.maximum(guess, film.high)
     forces = points.forces(guess)

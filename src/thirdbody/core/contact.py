@@ -1,4 +1,4 @@
-"""Loads and areas of the solids at a given separation, and their slopes.
+"""Loads and areas of the solids at a separation, and their slopes.
 
 Two rough surfaces are a mean separation d apart, with or without particles between them.  Loads are
 dimensionless, F* = F/(A_n E_ss); areas are relative to the apparent area A_n.  Load and area of the

@@ -21,8 +21,8 @@ from thirdbody.core.logarithms import EPSILON
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 GROWTH = 4.0  # growth of an interval whose signs rounding hides
 SETTLED = 2.0  # of the noise: an excess below it cannot be halved for certain
-# half widths of the interval, in what the tolerance and the noise allow: wide enough for certain
-# signs, narrow enough for the bound
+# Half width of the interval, over the changes of d that the tolerance and the noise amount to.  It
+# is wide enough for certain signs, and narrow enough for the bound.
 WIDTH, NOISE_WIDTH = 0.125, 1.2
 
 
@@ -97,12 +97,12 @@ class Interval(NamedTuple):
 
 @dataclass
 class Search:
-    """Newton's method at many points; those that are solved leave.
+    """Newton's method at many points; solved points leave the search.
 
-    ``indices`` are those of the points among the ones given to ``enclose``.  The root is between
-    ``low`` and ``high`` [m], and forces are next evaluated at ``separation``.  ``previous`` is the
-    size of the excess before the last step, infinite unless it was one of Newton's, and
-    ``widening`` multiplies the width of the interval whose signs are checked.
+    ``indices`` are those of the points among all points.  The root is between ``low`` and ``high``
+    [m], and forces are next evaluated at ``separation``.  ``previous`` is the size of the excess
+    before the last step, or infinite if that was not a step of Newton's method.  ``widening``
+    multiplies the width of the interval whose signs are checked.
     """
 
     points: Points

@@ -153,7 +153,7 @@ def _enclosed_roots(columns, chosen, parameters, attempt):
 
 
 class Kind(IntFlag):
-    """What points have that are solved together."""
+    """The kind of a point: whether it has particles, and whether it has a film."""
 
     PARTICLES = 1
     FILM = 2
