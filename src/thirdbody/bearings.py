@@ -197,7 +197,7 @@ def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup,
     if not _are_of(setup, before) and len(materials) < len(BODIES):
         missing = ", ".join(name for name in BODIES if name not in materials)
         raise ValueError(
-            f"{missing}: not given, and not known from the moduli of the inputs; "
+            f"{missing}: missing, and the inputs do not say the material; "
             f"allowed: {', '.join(BODIES)} together"
         )
     setup = replace(setup, **materials)

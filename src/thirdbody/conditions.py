@@ -348,7 +348,7 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
         packed = [attribute for attribute in PACKED if attribute in value.attrs]
         if packed:
             message = f"{name} has the attribute {packed[0]}, with numbers as a file stores them"
-            raise ValueError(f"{message}; allowed: decoded ones (xarray.decode_cf)")
+            raise ValueError(f"{message}; allowed: decoded numbers (xarray.decode_cf)")
         numbers, unit = _numbers_and_unit(name, value.data)
         text = value.attrs.get("units")
         return numbers, unit_of(name, text) if unit is None and text is not None else unit

@@ -421,7 +421,8 @@ def _crossings(
         column = others.pop(name)
         if column.min() != column.max() or column[0] == 0.0:
             key = queries.keys[name]
-            raise ValueError(f"{key} is not one positive number; allowed: that, along {along}")
+            message = f"{key} is not one positive number"
+            raise ValueError(f"{message}; allowed: one positive number, if along is {along}")
         one = {"viscosity": np.ones(1), "speed": np.ones(1)} | {name: column[:1]}
         scale = inputs.setup.without_speed(one, inputs.best)["viscosity"].item()
     others = inputs.setup.without_speed(others, inputs.best)
