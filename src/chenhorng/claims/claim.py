@@ -389,8 +389,8 @@ class Claim:
 def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
     """The ``conditions`` that distinguish curves, as text: ``nu = 0, 90 cSt``."""
     return [
-        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} "
-        f"{axis.alias_unit}"
+        f"{axis.symbol} = "
+        f"{', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.alias_unit}"
         for axis in CONDITION_AXES
         if (given := conditions.get(axis.alias)) is not None
     ]

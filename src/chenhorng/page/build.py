@@ -54,10 +54,10 @@ def page_content(
     the print that is taken back.  ``inputs`` are entries of ``config/inputs.yaml`` with the
     ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.  ``ensemble`` has the
     inputs of each member that differ from the default, ``ranges`` the first and last value of each
-    condition in the paper, by symbol, in engineering units.
-    ``rig`` has what follows from materials, speed and oil: ``materials``, the inputs of each
-    combination; ``oils``, the viscosity [cSt] of each grade at 40 and 100 C; ``usual_density`` of
-    an oil; and the least and most of each number that a reader gives.
+    condition in the paper, by symbol, in engineering units.  ``rig`` has what follows from
+    materials, speed and oil: ``materials``, the inputs of each combination; ``oils``, the viscosity
+    [cSt] of each grade at 40 and 100 C; ``usual_density`` of an oil; and the least and most of each
+    number that a reader gives.
     """
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     return {
