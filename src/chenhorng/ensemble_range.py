@@ -11,7 +11,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition
 from thirdbody.ensembles import ENDS, range_over_members
-from thirdbody.netcdf import FILL_FLOAT, PlainDataset, Variable, curves_of, identity
+from thirdbody.netcdf import FILL_FLOAT, PlainDataset, PlainVariable, curves_of, identity
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 MEMBER_RTOL = 1e-4  # of each member: an error far below the width of a line
@@ -61,7 +61,7 @@ def ensemble_range(
             )
             described["coverage_content_type"] = "modelResult"
             filled = {"_FillValue": FILL_FLOAT}
-            variables[f"{name}_{suffix}"] = Variable(DIMENSIONS, whole, described, filled)
+            variables[f"{name}_{suffix}"] = PlainVariable(DIMENSIONS, whole, described, filled)
     members = json.dumps([dict(member) for member in ensemble])
     origin = f"{dataset.attrs['configuration_sha256']} {MEMBER_RTOL} {members}"
     attributes = {

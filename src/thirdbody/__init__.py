@@ -22,13 +22,13 @@ in ``thirdbody.core``, which imports only numpy and scipy.
 
 import lazy_loader
 
-# the names in the stub beside this file, imported on first use
+# The stub beside this file has the public names.  They are imported on first use.
 _attribute, _, _names = lazy_loader.attach_stub(__name__, __file__)
 __all__ = ["__version__", *_names]
 
 
 def __getattr__(name: str):
-    """A public name, or the version, which git is asked for."""
+    """A public name, or the version."""
     if name == "__version__":
         from thirdbody.version import current
 

@@ -6,9 +6,9 @@ from io import TextIOWrapper
 
 
 def run() -> int:
-    """Run the command in any encoding; Ctrl-C ends it quietly, even while modules are imported."""
+    """Run the command.  It works in any encoding, and Ctrl-C ends it without a traceback."""
     sys.stderr = sys.stderr or open(os.devnull, "w")  # noqa: SIM115
-    if isinstance(sys.stdout, TextIOWrapper):  # None if it is closed: then no answer can be written
+    if isinstance(sys.stdout, TextIOWrapper):  # it is None if the caller has closed it
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         from thirdbody.command import main

@@ -1,10 +1,10 @@
 """Answers of the command: tables of quantities with their range over the ensemble.
 
-Each function takes the five conditions of one interface, and returns a table with a row for each
-quantity. Its columns are the ``symbol``, the ``value`` for the inputs, the ends ``low`` and
-``high`` of the range, the ``unit``, the ``quantity`` in words, and how many of the ``members`` of
-the ensemble ``agree``: also have a number, or have the same state.  ``attrs`` has a title, notes,
-and whether what was asked for is ``found``.
+The functions take the conditions of an interface, and return a table with a row for each quantity.
+The columns are the ``symbol``, the ``quantity`` in words, the ``unit``, the ``value`` for the best
+set, the ends ``low`` and ``high`` of the range, the number of ``members`` of the ensemble, and how
+many of them ``agree``: they also have a number, or have the same state.  ``attrs`` has a title,
+notes, and ``found``: whether the question has an answer.
 """
 
 import math
@@ -25,19 +25,18 @@ from thirdbody.points import solve
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
 from thirdbody.variables import FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
 
-COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # of other rows
+COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # 1 minus another row
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
-INVALID = "outside_film_formula", "area_exceeded"  # statuses of changes that are left out
+INVALID = "outside_film_formula", "area_exceeded"  # changes with these statuses are left out
 DIGITS = 4
 WIDTH = 80  # letters of a line of text
 LAYER = "particle_diameter_nm", "roughness_nm", "particle_density_per_m2"
 COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
-Conditions = Mapping[str, Any]
+Interface = Mapping[str, Any]  # the conditions of an interface, by alias
 
 
-def state(parameters: Ensemble, conditions: Conditions) -> pd.DataFrame:
-    """Load sharing, contact area, regime and mode of an interface, and the nominal pressure on
-    it."""
+def state(parameters: Ensemble, conditions: Interface) -> pd.DataFrame:
+    """Load sharing, contact area, regime, mode and nominal pressure of an interface."""
     values, of_members = _states(parameters, conditions)
     rows = [_row(name, values[name], [each[name] for each in of_members]) for name in SHOWN]
     rows += _nominal_rows(parameters, conditions)
@@ -47,10 +46,11 @@ def state(parameters: Ensemble, conditions: Conditions) -> pd.DataFrame:
 
 
 def compare_interfaces(
-    parameters: Ensemble, conditions: Conditions, other: Ensemble, others: Conditions
+    parameters: Ensemble, conditions: Interface, other: Ensemble, others: Interface
 ) -> pd.DataFrame:
-    """Two interfaces: ``value`` of the first, ``other`` of the second, and the range of the second
-    minus the first.
+    """Compare two interfaces: ``value`` is of the first, ``other`` of the second.
+
+    The range is of the difference, second minus first.
     """
     values, of_members = _states(parameters, conditions)
     other_values, of_other_members = _states(other, others)
@@ -80,7 +80,7 @@ def compare_interfaces(
 
 def changes_along(
     parameters: Ensemble,
-    conditions: Conditions,
+    conditions: Interface,
     along: str,
     between: tuple[float, float] | None,
 ) -> pd.DataFrame:
@@ -93,11 +93,11 @@ def changes_along(
         for member in range(len(parameters.members))
     ]
     invalid = tables[0][tables[0]["solution_status"].isin(INVALID)]
-    places, *_ = of_members = [_by_border(table, along) for table in tables]
+    best, *_ = of_members = [_by_change(table, along) for table in tables]
     of_members = of_members if len(of_members) > 1 else []
     axis = axis_of(along)
     rows = []
-    for key in dict.fromkeys([*places, *(key for each in of_members for key in each)]):
+    for key in dict.fromkeys([*best, *(key for each in of_members for key in each)]):
         flag, before, after, number = key
         row = {
             "symbol": axis.symbol,
@@ -105,13 +105,11 @@ def changes_along(
             "unit": axis.alias_unit,
         }
         numbers = [each[key] for each in of_members if key in each]
-        rows.append(_with_range(row, places.get(key, math.nan), numbers, len(of_members)))
+        rows.append(_with_range(row, best.get(key, math.nan), numbers, len(of_members)))
     ends = between or axis.searched
     notes = [f"searched: {axis.name} {ends[0]:g} to {ends[1]:g} {axis.alias_unit}"]
     with warnings.catch_warnings():
-        warnings.simplefilter(
-            "ignore", OutOfRangeWarning
-        )  # of conditions of which the search has warned
+        warnings.simplefilter("ignore", OutOfRangeWarning)  # the search has warned already
         for end in ends:
             point = solve(**{**conditions, along: end}, parameters=parameters)
             states = point.to_dataframe()[[*FLAGS]].iloc[0].dropna()
@@ -122,15 +120,13 @@ def changes_along(
     ]
     notes += _ensemble_notes(parameters, conditions)
     title = f"Changes along the {axis.name} at {_words(conditions)}"
-    return _table(title, rows, notes, bool(places))
+    return _table(title, rows, notes, bool(best))
 
 
 def turning_load(
-    parameters: Ensemble, conditions: Conditions, between_N: tuple[float, float] = LOADS
+    parameters: Ensemble, conditions: Interface, between_N: tuple[float, float] = LOADS
 ) -> pd.DataFrame:
-    """The load at which the particle fraction of the contact area turns, and the sizes for which it
-    does.
-    """
+    """The load at the turning point of the contact area, and the sizes with a turning point."""
     values, of_members = _turning_values(parameters, conditions, between_N)
     rows = []
     for name, (symbol, quantity, unit) in TURNING.items():
@@ -160,15 +156,15 @@ TURNING = {
 
 def curve(
     parameters: Ensemble,
-    conditions: Conditions,
+    conditions: Interface,
     along: str,
     between: tuple[float, float],
     count: int,
 ) -> pd.DataFrame:
-    """All variables along one condition, the alias ``along``, with their ranges in columns ``_low``
-    and ``_high``.
+    """All variables along the condition with the alias ``along``.
 
-    The first column is the condition; variables are in SI, regime, mode and status by name.
+    The first column is the condition.  Variables are in SI, with their ranges in columns ``_low``
+    and ``_high``.  Regime, mode and status are names.
     """
     check_count(count)
     numbers = np.geomspace(*between, count)
@@ -186,7 +182,7 @@ def curve(
 
 
 def table_text(table: pd.DataFrame) -> str:
-    """The title, the rows and the notes of a table, for people."""
+    """The title, the rows and the notes of a table as text."""
     compares = "other" in table
     lines = []
     for _, row in table.iterrows():
@@ -219,7 +215,7 @@ def _table(title, rows, notes, is_found) -> pd.DataFrame:
 
 
 def _row(name, value, of_members) -> dict:
-    """The row of a variable, or of a state by its name."""
+    """The row of the variable ``name``: of a number, or of a flag with the name of its state."""
     variable = VARIABLES[name]
     unit = "nm" if name == "separation" else "" if name in FLAGS else variable.unit
     symbol = "" if name in FLAGS else variable.symbol
@@ -232,7 +228,7 @@ def _row(name, value, of_members) -> dict:
 
 
 def _with_range(row, value, numbers, members) -> dict:
-    """A row with a number, and the range of those ``numbers`` of the members that exist."""
+    """The ``row`` with a number, and the range of ``numbers``, those of members that have one."""
     low, high = range_over_members(numbers).tolist() if numbers else (math.nan, math.nan)
     return row | {
         "value": value,
@@ -244,8 +240,10 @@ def _with_range(row, value, numbers, members) -> dict:
 
 
 def _states(parameters, conditions) -> tuple[dict, list[dict]]:
-    """The variables of one point for the best set, and for each member if there are several:
-    numbers, of d in nm, or names of states."""
+    """The variables of one point for the best set, and for all members if there are several.
+
+    They are numbers, d in nm, or names of states.
+    """
     points = solve(**conditions, parameters=parameters, members=True)
 
     def values(member):
@@ -261,12 +259,12 @@ def _states(parameters, conditions) -> tuple[dict, list[dict]]:
 
 
 def _best_and_members(values: list[dict]) -> tuple[dict, list[dict]]:
-    """The values of the best set, and those of all members; none of these if the best is alone."""
+    """The values of the best set, and those of all members: an empty list for a single member."""
     return values[0], values if len(values) > 1 else []
 
 
 def _nominal_rows(parameters, conditions) -> list[dict]:
-    """A_n and the nominal pressure F_t/A_n; and the Hertz area and pressure of the ball."""
+    """The rows of A_n and the nominal pressure F_t/A_n, and of the Hertz area and pressure."""
     load = conditions["load_N"]
     area, pressure = hertz_contact(load, parameters)
     numbers = {
@@ -291,30 +289,30 @@ def _nominal_rows(parameters, conditions) -> list[dict]:
     ]
 
 
-def _by_border(table, along) -> dict[tuple, float]:
-    """The places of valid changes, by flag, states and how often the same change occurred
-    before."""
+def _by_change(table, along) -> dict[tuple, float]:
+    """The values of the condition at valid changes.
+
+    The keys are the flag, the states, and the number of equal changes at smaller values.
+    """
     valid = table[~table["solution_status"].isin(INVALID)]
     keys = ["flag", "before", "after"]
     numbers = valid.groupby(keys).cumcount()
     return {
-        (*row, number): place
-        for row, number, place in zip(
+        (*row, number): value
+        for row, number, value in zip(
             valid[keys].itertuples(index=False, name=None), numbers, valid[along], strict=True
         )
     }
 
 
 def _turning_values(parameters, conditions, between_N) -> tuple[dict, list[dict]]:
-    """The rows of ``turning_load`` for the best set, and for each member if there are several."""
+    """The numbers of ``turning_load`` for the best set, and of all members if there are several."""
     layer = {name: conditions[name] for name in ("roughness_nm", "particle_density_per_m2")}
     others = {key: value for key, value in conditions.items() if key != "load_N"}
     arguments = {"parameters": parameters, "between_N": between_N, "members": True}
     points = turning_point(**arguments, **others, progress=False)
     with warnings.catch_warnings():
-        warnings.simplefilter(
-            "ignore", OutOfRangeWarning
-        )  # of conditions that the first has warned of
+        warnings.simplefilter("ignore", OutOfRangeWarning)  # turning_point has warned already
         windows = turning_window(**arguments, **layer)
     names = "load_N", "load", "peak_ratio", "solid_load_fraction"
     values = []
@@ -326,20 +324,20 @@ def _turning_values(parameters, conditions, between_N) -> tuple[dict, list[dict]
 
 
 def _notes(parameters, conditions, status) -> list[str]:
-    """Remarks on a state."""
+    """The notes on a state."""
     notes = [] if status == "converged" else [f"{status}: {STATUS_MEANINGS[status]}"]
     notes += few_notes(conditions["particle_density_per_m2"], parameters.apparent_area)
     return notes + _ensemble_notes(parameters, conditions)
 
 
 def _ensemble_notes(parameters, conditions) -> list[str]:
-    """What the inputs stand for: the nominal area, the speed if there is oil, the sizes if there
-    are particles; and what a range is."""
+    """The notes on the nominal area, on the speed if there is oil, on the sizes if there are
+    particles, and on ranges."""
     notes = [area_note(parameters)]
     if conditions.get("viscosity_cSt") != 0.0:
         notes += speed_notes(parameters)
     layer = [conditions.get(key) for key in LAYER]
-    if all(layer):  # neither without particles nor along one of these
+    if all(layer):  # with particles, and without a search along a condition in LAYER
         notes.append(sizes_note(1e-9 * layer[0], 1e-9 * layer[1], parameters))
     return [*notes, range_note(parameters)]
 
@@ -353,7 +351,7 @@ def _words(conditions) -> str:
 
 
 def _value_text(row, column) -> str:
-    """A state, or a number with as many digits as its range allows."""
+    """The text of a state, or of a number with the digits that its range allows."""
     value = row[column]
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return "none"
@@ -370,7 +368,7 @@ def _digits(value, row) -> int:
 
 
 def _range_text(row) -> str:
-    """The range over the ensemble."""
+    """The text of a range, and of how many members agree."""
     parts = []
     if row.get("low") is not None and math.isfinite(row.get("low", math.nan)):
         ends = (f"{row[end]:.{_digits(row[end], row)}g}" for end in ("low", "high"))

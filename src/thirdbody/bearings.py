@@ -1,9 +1,9 @@
 """``bearing``: inputs derived from ball, speed, oil and the materials in contact.
 
-The film parameters, defined below Eq. 8 of the paper, are those of Masjedi & Khonsari (2015):
-U = mu_0 u/(E_ss R_x), G = alpha E_ss and V = v_h/E_ss.  As mu_0 = rho nu, the model uses U over the
-kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
-1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which gives Table 1 for two steel bodies.
+The paper defines the film parameters below Eq. 8.  They are those of Masjedi & Khonsari (2015):
+U = mu_0 u/(E_ss R_x), G = alpha E_ss and V = v_h/E_ss.  As mu_0 = rho nu, the input of the model is
+U over the kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
+1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2; two steel bodies then have the modulus of Table 1.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-# least and most usual value of the numbers of ``bearing``, and their unit
+# by argument of ``bearing``: its least and its most usual value, and their unit
 USUAL_BEARING = {
     "ball_radius_mm": (0.1, 1000.0, "mm"),
     "speed_m_per_s": (1e-6, 200.0, "m s-1"),
@@ -41,7 +41,7 @@ USUAL_BEARING = {
     "apparent_area_mm2": (1e-4, 1e6, "mm2"),
     "ellipticity": (0.1, 10.0, "1"),
 }
-# unit of each derived input, and its formula
+# by derived input: its unit and its formula
 FORMULAS = {
     "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
     "elastic_modulus_particle": ("Pa", "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body"),
@@ -66,9 +66,7 @@ MATERIALS = {
 
 
 def _moduli(setup: Setup) -> tuple[float, float]:
-    """E_ss and E_sa [Pa] of three bodies; a particle is in contact with the more compliant of ball
-    and flat.
-    """
+    """E_ss and E_sa [Pa].  E_sa is that of a particle and the more compliant of ball and flat."""
     ball, flat, particle = (getattr(setup, name) for name in BODIES)
     surface = max(ball, flat, key=lambda body: body.compliance)
     return _hertz_modulus(ball, flat), _hertz_modulus(particle, surface)
@@ -79,7 +77,7 @@ def _hertz_modulus(one: Material, other: Material) -> float:
 
 
 def _material(name: str, material: Material | str) -> Material:
-    """A material, or the one of this name."""
+    """The ``material``, also from its name; ``name`` is the body, for the error."""
     if isinstance(material, Material):
         return material
     word = str(material).replace("-", " ").lower()
@@ -103,42 +101,42 @@ def bearing(
 ) -> Ensemble:
     """Derive the inputs of the model for another ball, speed, oil or material.
 
-    What is not given stays as it is in ``parameters``, also the product of density and speed and
-    the pressure-viscosity coefficient that U and G stand for, the materials of the other bodies,
-    and A_n.
+    All else stays as it is in ``parameters``: A_n, the materials of the other bodies, the product
+    of density and speed that U contains, and the pressure-viscosity coefficient that G contains.
 
     Parameters
     ----------
     parameters : Parameters or Ensemble, optional
-        Inputs to start from, by default the calibrated ones.  Of ``Parameters`` the bodies and the
-        oil are unknown.
+        Inputs to start from, by default the calibrated inputs.  For ``Parameters`` the materials
+        and the density of the oil are unknown.
     ball_radius_mm : float, optional
         R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls.
     speed_m_per_s, oil_density_kg_per_m3 : float, optional
         Entrainment speed u = (u_1 + u_2)/2 [m/s] and density rho of the oil [kg m-3], both or
-        neither.  Where a disc turns under a ball that does not, its speed is twice u.
+        neither.  The speed of a disc under a ball that does not turn is 2 u.
     pressure_viscosity_per_GPa : float, optional
         alpha of the oil [GPa-1].
     ball, flat, particle : Material or str, optional
         Materials or their names: "steel", "silicon nitride", "alumina".  The ball is surface 1, on
-        which Eq. 5 counts the contact area of particles, so that ball and flat cannot be exchanged.
+        which Eq. 5 counts the contact area of particles: to exchange ball and flat changes results.
     apparent_area_mm2 : float, optional
-        A_n [mm2], the nominal area of loads and areas: at most the cross-section of the ball.
+        A_n [mm2], the nominal area to which loads and areas refer: at most the cross-section of the
+        ball.
     ellipticity : float, optional
-        kappa of the contact in Eq. 7 [1], 1 for a ball on a flat; a roller or a gear has up to 10.
+        kappa of the contact in Eq. 7 [1]: 1 for a ball on a flat, up to 10 for a roller or a gear.
 
     Returns
     -------
     Ensemble
-        All inputs, SI; the members have the same changes.  Its ``setup`` has the materials and the
-        density of the oil.
+        All inputs, SI, with the same changes in all members.  The ``setup`` has the materials and
+        the density of the oil.
 
     Raises
     ------
     ValueError
         For a number that is not positive, a speed without a density or the reverse, a particle
-        softer than a surface, an A_n larger than the ball, inputs out of bounds, and some of the
-        bodies where those of ``parameters`` are not known.
+        softer than a surface, an A_n larger than the ball, and inputs out of bounds.  Also for a
+        material of one or two bodies, if those of ``parameters`` are unknown.
 
     Warns
     -----
@@ -192,16 +190,14 @@ def bearing(
 
 
 def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup, dict[str, float]]:
-    """The setup of an ensemble with other ``materials`` by name, and the inputs that follow from
-    these.
-    """
+    """The setup of an ensemble with other ``materials`` by body, and the inputs that change."""
     setup, before = ensemble.setup, ensemble.best
     if not materials:
         return setup, {}
     if not _are_of(setup, before) and len(materials) < len(BODIES):
         missing = ", ".join(name for name in BODIES if name not in materials)
         raise ValueError(
-            f"{missing}: not given, and not known from the moduli of the inputs; "
+            f"{missing}: missing, and the inputs do not say the material; "
             f"allowed: {', '.join(BODIES)} together"
         )
     setup = replace(setup, **materials)
@@ -209,9 +205,9 @@ def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup,
     two = materials["flat"].hardness if "flat" in materials else before.hardness_surface_2
     if "particle" in materials and materials["particle"].hardness < max(one, two):
         raise ValueError(
-            f"particle has a hardness of {1e-9 * materials['particle'].hardness:g} GPa; allowed: "
-            "at least "
-            f"{1e-9 * max(one, two):g} GPa, the harder surface, as particles keep their shape"
+            f"particle has a hardness of {1e-9 * materials['particle'].hardness:g} GPa; "
+            f"allowed: at least {1e-9 * max(one, two):g} GPa, the harder surface, "
+            "as particles keep their shape"
         )
     surfaces, particle = _moduli(setup)
     changes = {"elastic_modulus_particle": particle}
@@ -226,7 +222,8 @@ def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup,
 
 
 def _are_of(setup: Setup, parameters: Parameters) -> bool:
-    """Whether the moduli of ``parameters`` are those of a setup, to the digits of Table 1."""
+    """Whether the materials of a setup give the moduli of ``parameters``, to the digits of Table
+    1."""
     if None in (setup.ball, setup.flat, setup.particle):
         return False
     moduli = parameters.elastic_modulus_surfaces, parameters.elastic_modulus_particle
@@ -234,7 +231,7 @@ def _are_of(setup: Setup, parameters: Parameters) -> bool:
 
 
 def hertz_contact(load_N: ArrayLike, parameters: Parameters | Ensemble) -> tuple[NDArray, NDArray]:
-    """Area [m2] and mean pressure [Pa] of the smooth ball on a flat under a load [N] (Hertz)."""
+    """Contact area [m2] and mean pressure [Pa] of a smooth ball on a flat under a load (Hertz)."""
     load = np.asarray(load_N, float)
     cube = 0.75 * load * parameters.ball_radius
     area = math.pi * (cube / parameters.elastic_modulus_surfaces) ** (2.0 / 3.0)
@@ -242,9 +239,11 @@ def hertz_contact(load_N: ArrayLike, parameters: Parameters | Ensemble) -> tuple
 
 
 def derived_inputs(parameters: Parameters | Ensemble | None = None) -> pd.DataFrame:
-    """The inputs that ``bearing`` derives: a row for each, with its value, unit and formula, and
-    notes in ``attrs``."""
-    import pandas as pd  # slow to import, for inputs alone
+    """A table of the inputs that ``bearing`` derives, with value, unit and formula.
+
+    ``attrs`` has notes.
+    """
+    import pandas as pd  # slow to import; other functions here do not need it
 
     inputs = or_calibrated(parameters)
     table = pd.DataFrame.from_dict(FORMULAS, "index", columns=["unit", "formula"])

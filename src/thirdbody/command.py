@@ -1,7 +1,6 @@
-"""The command ``thirdbody``: each question is a sub-command, a function of this module.
+"""The command ``thirdbody``: every question is a sub-command, with a function in this module.
 
-The rest of the library is imported only to answer a question, so that ``thirdbody --help`` is
-quick.
+Functions import the rest of the library when they answer, so that ``thirdbody --help`` is quick.
 """
 
 import json
@@ -117,15 +116,15 @@ def bearing(inputs: str | None, write: str | None, as_json: bool, **changes: Any
     return ANSWERED
 
 
-# ---- what questions share
+# ---- shared by the questions
 
 
 def _conditions(
     interface: Mapping[str, float | None], without: str | None = None
 ) -> dict[str, float]:
-    """The conditions by alias, all but the one called ``without``; the speed may be missing.
+    """The conditions by alias, except the condition ``without``; the speed may be missing.
 
-    ``ValueError`` names all options that are missing.
+    Raises ``ValueError`` with all options that are missing.
     """
     if without is not None and interface.get(without) is not None:
         raise ValueError(
@@ -162,7 +161,7 @@ def _material(text: str | None) -> Any:
 
 
 def _show(table: Any, as_json: bool) -> int:
-    """Print an answer; the exit code."""
+    """Print an answer, and return the exit code."""
     from thirdbody.answers import table_text
 
     if as_json:
@@ -210,7 +209,7 @@ def _flag(name: str) -> str:
 
 
 def _options(title: str) -> tuple[ArgumentParser, Callable]:
-    """Options that several questions share, and the method that adds one to them."""
+    """A parser of options that several questions share, and its method to add an option."""
     shared = ArgumentParser(add_help=False)
     return shared, shared.add_argument_group(title).add_argument
 
@@ -218,7 +217,7 @@ def _options(title: str) -> tuple[ArgumentParser, Callable]:
 def _add_ends(
     question: ArgumentParser, first: float | None = None, last: float | None = None, **more: Any
 ) -> None:
-    """Add the options of the ends of a range."""
+    """Add the options ``--from`` and ``--to`` to a question."""
     text = "value, in the unit of its option"
     text += "" if first is None else "; default: %(default)s"
     question.add_argument(
@@ -241,7 +240,7 @@ def _parser() -> ArgumentParser:
     def ask(
         answer: Callable[..., int], *example: str, options: list[ArgumentParser]
     ) -> ArgumentParser:
-        """Add the sub-command that a function answers."""
+        """Add the sub-command that calls the function ``answer``."""
         name = answer.__name__.replace("_", "-")
         lines = " \\\n    ".join(example)
         question = questions.add_parser(
@@ -329,7 +328,7 @@ def _parser() -> ArgumentParser:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Answer the question of a command line, by default ``sys.argv``; returns the exit code."""
+    """Answer a command line, by default ``sys.argv``, and return the exit code."""
     parser = _parser()
     options = vars(parser.parse_args(arguments))
     if options.pop("version"):

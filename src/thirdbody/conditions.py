@@ -1,9 +1,9 @@
-"""What a user gives, in SI: the five conditions, and numbers with a unit in their name.
+"""Arguments of users, checked and converted to SI: the conditions, and numbers with a unit in their
+name.
 
-A condition is refused here, and nowhere else, if it would be computed to a wrong number in silence.
-A condition is a number or an array of numpy, a list of numbers, a column of pandas, an array of
-xarray or a quantity of pint; anything else is refused by its type, as it may carry a unit, a mask
-or a date.
+This module alone refuses conditions that would silently give a wrong number.  A condition is a
+number or an array of numpy, a list of numbers, a column of pandas, an array of xarray or a quantity
+of pint.  Any other type is refused, because it may carry a unit, a mask or a date.
 """
 
 import re
@@ -25,19 +25,17 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-KINDS = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
-NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles, or at rest
+TYPES = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
+NEVER_ZERO = "load", "roughness"  # other conditions are 0 without oil or particles, or at rest
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
 OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
-# least and most usual value of numbers by name, and their unit
+# by the name of a number: its least and its most usual value, and their unit
 Usual = Mapping[str, tuple[float, float, str]]
 
 
 class ConditionArguments(TypedDict, total=False):
-    """The five conditions and the speed, each under one of its two names, for help and type
-    checkers.
-    """
+    """The two names of each of the five conditions and of the speed, for help and type checkers."""
 
     load: ArrayLike | None
     load_N: ArrayLike | None
@@ -54,7 +52,7 @@ class ConditionArguments(TypedDict, total=False):
 
 
 class OutOfRangeWarning(UserWarning):
-    """Numbers are outside their usual range, probably because they are in another unit.
+    """A number is outside its usual range, probably because it is in another unit.
 
     Examples
     --------
@@ -76,13 +74,13 @@ class Conditions:
     arrays : dict of arrays
         Float64 copies of the values, which the caller cannot change later.
     is_force : bool
-        Whether the load is in newtons: F_t* depends on the inputs that are solved.
+        Whether the load is in newtons.  F_t* then depends on the inputs of the model.
     keys : dict of str
-        The name of each condition in tables: the one it was given by, for a quantity the alias.
+        The name of each condition in tables: the name in the call, for a quantity the alias.
     labelled : dict of xarray.DataArray
-        Those that were given with named dimensions.
+        The conditions with named dimensions.
     index : pandas.Index or None
-        That of the columns of pandas.
+        The index of the columns of pandas.
     """
 
     arrays: dict[str, NDArray]
@@ -94,8 +92,10 @@ class Conditions:
     def with_load(
         self, parameters: Parameters, arrays: Mapping[str, NDArray] | None = None
     ) -> dict[str, NDArray]:
-        """The ``arrays``, or others that follow from them, with the load F_t* [1] of some
-        inputs."""
+        """The conditions with the load as F_t* [1] of ``parameters``.
+
+        ``arrays`` replaces the attribute of this name, if conditions have another shape.
+        """
         solved = dict(self.arrays if arrays is None else arrays)
         if self.is_force and "load" in solved:
             solved["load"] = solved["load"] * (1.0 / parameters.newtons_per_load)
@@ -105,18 +105,19 @@ class Conditions:
 def read_conditions(
     arguments: Mapping[str, Any], parameters: Parameters, without: str | None = None
 ) -> Conditions:
-    """Read the five conditions, ``arguments`` under either of their names, or all but the one
-    called ``without``; and the speed, if it is among them.  An argument that is None is not given.
-    A public function calls this itself, so that warnings name the line that called it; the usual
-    range of newtons is that of ``parameters``.
+    """Read the five conditions from ``arguments`` by name or alias, and the speed if present.
+
+    The condition called ``without`` must be absent.  An argument that is None counts as absent.
+    The usual range of a load in newtons depends on ``parameters``.  Every public function calls
+    this function directly, so that warnings name the line that called the public function.
 
     Raises
     ------
     TypeError
         For an unknown name.
     ValueError
-        For a value of another kind than ``KINDS``, a condition that is missing or given twice, a
-        quantity of another dimension, a number that is not finite or negative, a load or roughness
+        For a value whose type is not in ``TYPES``, a condition that is missing or given twice, a
+        quantity of another dimension, a number that is negative or not finite, a load or roughness
         of 0, and columns with different indexes.
 
     Warns
@@ -162,29 +163,30 @@ def read_conditions(
 
 
 def axis_of(key: str) -> Axis:
-    """The axis of a name or an alias; ``TypeError`` if there is none."""
+    """The axis with a name or an alias ``key``; ``TypeError`` if there is none."""
     if key not in _BY_NAME:
         raise TypeError(f"unknown condition {key!r}; allowed: {', '.join(_BY_NAME)}")
     return _BY_NAME[key]
 
 
 def from_si(key: str, values: ArrayLike, newtons_per_load: float) -> NDArray:
-    """``values`` in SI, a load as F_t* [1], in the unit of a name or an alias."""
+    """``values`` [SI], a load F_t* [1], in the unit of the name or alias ``key``."""
     axis = axis_of(key)
     numbers = np.divide(values, 1.0 / newtons_per_load) if key == "load_N" else values
     return axis.from_si(numbers) if key == axis.alias else np.asarray(numbers, float)
 
 
 def unit_text(key: str) -> str:
-    """The unit of a name or an alias."""
+    """The unit of the name or alias ``key``."""
     axis = axis_of(key)
     return axis.alias_unit if key == axis.alias else axis.unit
 
 
 def read_ends(name: str, ends: Any, key: str, parameters: Parameters) -> "Ends":
-    """The two ends of a range, the argument ``name``, numbers in the unit of ``key`` or quantities.
+    """The two ``ends`` of a range, numbers in the unit of ``key`` or quantities.
 
-    Raises ``ValueError`` unless they are positive and increase; warns as ``read_conditions``.
+    Raises ``ValueError``, with the argument ``name``, unless they are positive and increase.  Warns
+    as ``read_conditions``.
     """
     newtons = parameters.newtons_per_load
     typed = [_Typed.of(key, end) for end in ends]
@@ -199,13 +201,13 @@ def read_ends(name: str, ends: Any, key: str, parameters: Parameters) -> "Ends":
 
 
 def searched_ends(axis: Axis, parameters: Parameters) -> "Ends":
-    """The two ends between which a condition is searched by default."""
+    """The two ends of the default search along a condition."""
     typed = [_Typed.of(axis.alias, end) for end in axis.searched]
     return Ends.of(typed, parameters.newtons_per_load)
 
 
 class Ends(NamedTuple):
-    """The two ends of a range, SI; a load in newtons where it ``is_force``."""
+    """The two ends of a range, SI.  A load that ``is_force`` is in newtons."""
 
     si: NDArray
     is_force: list[bool]
@@ -217,16 +219,16 @@ class Ends(NamedTuple):
         return cls(si, [end.is_force for end in typed])
 
     def with_load(self, parameters: Parameters) -> tuple[float, float]:
-        """The ends in SI, a load as F_t* [1] of some inputs."""
+        """The ends in SI, a load as F_t* [1] of ``parameters``."""
         loads = self.si * (1.0 / parameters.newtons_per_load)
         first, last = np.where(self.is_force, loads, self.si).tolist()
         return first, last
 
 
 class _Typed(NamedTuple):
-    """Numbers of a condition in the unit in which they were given.
+    """Numbers of a condition in the unit of the user.
 
-    ``scale`` is this unit in SI, of a load in newtons if it ``is_force``.
+    ``scale`` is this unit in SI, or in newtons for a load that ``is_force``.  ``text`` is its name.
     """
 
     key: str
@@ -239,7 +241,7 @@ class _Typed(NamedTuple):
 
     @classmethod
     def of(cls, key: str, value: Any) -> "_Typed":
-        """The numbers and the unit of a value under a name or an alias."""
+        """The numbers and the unit of a ``value`` for the name or alias ``key``."""
         axis = axis_of(key)
         numbers, unit = _numbers_and_unit(key, value)
         if unit is None:
@@ -260,8 +262,9 @@ class _Typed(NamedTuple):
         return cls(key, axis, numbers, text, scale, is_force, unit is not None)
 
     def checked_si(self, newtons_per_load: float) -> NDArray:
-        """The numbers in SI, a load that ``is_force`` in newtons; ``ValueError`` for those that no
-        interface has.
+        """The numbers in SI, a load that ``is_force`` in newtons.
+
+        Raises ``ValueError`` for a number that no interface has.
         """
         si = np.array(self.numbers if self.scale == 1.0 else decimal(self.numbers, self.scale))
         number = si * (1.0 / newtons_per_load) if self.is_force else si
@@ -277,24 +280,23 @@ class _Typed(NamedTuple):
         return si
 
     def unusual(self, newtons_per_load: float) -> list[str]:
-        """Words on the first number outside the usual range, in its own unit; none if there is
-        none.
-        """
+        """A message on the first number outside the usual range; empty if all are inside."""
         force = newtons_per_load if self.is_force else 1.0
         least, most = (end * force / self.scale for end in self.axis.usual)
         return unusual_text(self.key, self.numbers, least, most, self.text)
 
 
 def _with_values(labelled: Any, values: NDArray) -> "xr.DataArray":
-    """An array of xarray, without its attributes, with other ``values``."""
+    """The array ``labelled`` of xarray with other ``values`` and without attributes."""
     import xarray as xr
 
     return xr.DataArray(values, getattr(labelled, "coords", None), labelled.dims)
 
 
 def common_index(arguments: Mapping[str, Any]) -> "pd.Index | None":
-    """The index of the columns of pandas, None if there are none; ``ValueError`` unless it is the
-    same.
+    """The index that all columns of pandas share, None without columns.
+
+    Raises ``ValueError`` if the indexes differ.
     """
     columns = {key: value for key, value in arguments.items() if _is_a(value, "pandas", "Series")}
     if not columns:
@@ -308,19 +310,25 @@ def common_index(arguments: Mapping[str, Any]) -> "pd.Index | None":
 
 
 def indexed(table: "pd.DataFrame", index: "pd.Index | None", points: ArrayLike) -> "pd.DataFrame":
-    """A table whose rows belong to ``points``, flat indices into an array with the rows of
-    ``index`` along its last axis, with the labels of these rows; unchanged if ``index`` is None."""
+    """The ``table`` with the labels of ``index``; unchanged if ``index`` is None.
+
+    The rows of the table belong to ``points``: flat indices into an array whose last axis has the
+    rows of ``index``.
+    """
     if index is None:
         return table
     return table.set_index(index.take(np.asarray(points, int) % max(len(index), 1)))
 
 
-# ---- kinds of values
+# ---- types of values
 
 
 def numbers_in(name: str, value: Any, unit: str) -> NDArray:
-    """A value of one of the ``KINDS`` as float64 numbers, of a quantity in ``unit`` (UDUNITS
-    spelling); pint raises an error for a quantity of another dimension."""
+    """A value of a type in ``TYPES`` as float64 numbers.
+
+    A quantity is converted to ``unit``, in the spelling of UDUNITS.  pint raises an error if its
+    dimension is another.
+    """
     numbers, unit_of_value = _numbers_and_unit(name, value)
     if unit_of_value is None:
         return numbers
@@ -330,8 +338,9 @@ def numbers_in(name: str, value: Any, unit: str) -> NDArray:
 
 
 def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
-    """A value of one of the ``KINDS`` as float64 numbers, and its unit of pint or None;
-    ``ValueError`` for others.
+    """A value of a type in ``TYPES`` as float64 numbers, and its unit of pint or None.
+
+    Raises ``ValueError`` for any other type.
     """
     if _is_a(value, "pint", "Quantity"):
         return _numbers(name, value.magnitude), value.units
@@ -339,30 +348,30 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
         packed = [attribute for attribute in PACKED if attribute in value.attrs]
         if packed:
             message = f"{name} has the attribute {packed[0]}, with numbers as a file stores them"
-            raise ValueError(f"{message}; allowed: decoded ones (xarray.decode_cf)")
+            raise ValueError(f"{message}; allowed: decoded numbers (xarray.decode_cf)")
         numbers, unit = _numbers_and_unit(name, value.data)
         text = value.attrs.get("units")
         return numbers, unit_of(name, text) if unit is None and text is not None else unit
     if _is_a(value, "pandas", "Series"):
         dtype = value.dtype
-        package = type(dtype).__module__.partition(".")[0]  # other packages have types with units
+        package = type(dtype).__module__.partition(".")[0]  # types of other packages may have units
         if package not in ("numpy", "pandas") or dtype.kind not in "iuf":
-            raise ValueError(f"{name} is a column of {dtype}; allowed: {KINDS}")
+            raise ValueError(f"{name} is a column of {dtype}; allowed: {TYPES}")
         return value.to_numpy(float, na_value=np.nan), None
     return _numbers(name, value), None
 
 
 def _numbers(name, value):
-    """Numbers, an array of numpy or a list of numbers as float64; ``ValueError`` for anything
-    else."""
+    """A number, an array of numpy or a list of numbers as float64; ``ValueError`` for any other
+    type."""
     if isinstance(value, list | tuple):
         if all(map(_is_number, _flat(value))):
             return np.array(value, float)
-        kinds = sorted({_kind(item) for item in _flat(value) if not _is_number(item)})
-        raise ValueError(f"{name} is a list with {', '.join(kinds)}; allowed: {KINDS}")
+        types = sorted({_type_name(item) for item in _flat(value) if not _is_number(item)})
+        raise ValueError(f"{name} is a list with {', '.join(types)}; allowed: {TYPES}")
     if _is_number(value) or (type(value) is np.ndarray and value.dtype.kind in "iuf"):
         return np.array(value, float)
-    raise ValueError(f"{name} is of type {_kind(value)}; allowed: {KINDS}")
+    raise ValueError(f"{name} is of type {_type_name(value)}; allowed: {TYPES}")
 
 
 def _flat(values):
@@ -379,24 +388,24 @@ def _is_number(value):
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _kind(value):
-    kind = f"{type(value).__module__}.{type(value).__qualname__}".removeprefix("builtins.")
-    return f"{kind} of {value.dtype}" if type(value) is np.ndarray else kind
+def _type_name(value):
+    name = f"{type(value).__module__}.{type(value).__qualname__}".removeprefix("builtins.")
+    return f"{name} of {value.dtype}" if type(value) is np.ndarray else name
 
 
-def _is_a(value, package, *kinds):
-    """Whether a value is of a class of a package, which is not imported for that."""
+def _is_a(value, package, *names):
+    """Whether a value is of a class in a package.  The package is not imported for that."""
     module = sys.modules.get(package)
-    return module is not None and isinstance(value, tuple(getattr(module, kind) for kind in kinds))
+    return module is not None and isinstance(value, tuple(getattr(module, name) for name in names))
 
 
-# names, powers and products: pint would evaluate any other text
+# units, their powers and products; pint would evaluate any other text
 TERM = r"(?:[^\W\d]|[%⁻])+(?:(?:\*\*|\^)?-?\d)?"
 UNIT = rf"(?:1\s*/\s*)?{TERM}(?:(?:\s*[*/]\s*|\s+){TERM})*|1|-"
 
 
 def unit_of(name: str, text: str) -> Any:
-    """The unit of pint in a ``text``, the attribute or heading of a condition."""
+    """The unit of pint that a ``text`` of the condition ``name`` spells."""
     if text in ("1", "-"):
         return registry().Unit("dimensionless")
     if not re.fullmatch(UNIT, str(text)):
@@ -406,7 +415,7 @@ def unit_of(name: str, text: str) -> Any:
 
 @cache
 def registry() -> Any:
-    """The unit registry of pint, which also reads powers as in UDUNITS: ``m2 s-1``."""
+    """The unit registry of pint.  It also reads powers as UDUNITS writes them: ``m2 s-1``."""
     import pint
 
     power = re.compile(r"(?<=[A-Za-z])(?<![0-9][eE])(?=-?\d)")
@@ -417,11 +426,11 @@ def registry() -> Any:
 
 
 def broadcast_by_name(conditions: Conditions) -> tuple[dict[str, NDArray], "xr.DataArray"]:
-    """Broadcast conditions, of which one or more have named dimensions, by the names of these.
+    """Broadcast conditions by the names of their dimensions.
 
     Returns views of one shape, and an array with the dimensions and coordinates of that shape.
-    Raises ``ValueError`` for an array without named dimensions, and xarray an error for different
-    coordinates.
+    Raises ``ValueError`` for an array without named dimensions.  xarray raises an error for
+    different coordinates.
     """
     import xarray as xr
 
@@ -441,7 +450,7 @@ def broadcast_by_name(conditions: Conditions) -> tuple[dict[str, NDArray], "xr.D
 def checked_variables(
     variables: str | Collection[str] | None, allowed: Collection[str]
 ) -> Collection[str]:
-    """The names of variables, by default all; ``ValueError`` for one that is not ``allowed``."""
+    """The names ``variables``, by default all that are ``allowed``; ``ValueError`` for others."""
     if variables is None:
         return allowed
     names = [variables] if isinstance(variables, str) else [*variables]
@@ -458,14 +467,17 @@ def check_rtol(rtol: float) -> None:
 
 
 def check_count(count: int) -> None:
-    """Raise ``ValueError`` for a number of samples between which nothing can be found."""
+    """Raise ``ValueError`` for less than two samples: a search needs two to look between."""
     if count < 2:
         raise ValueError(f"count is {count!r}; allowed: 2 or more")
 
 
 def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1") -> float:
-    """A number or quantity as a float in ``unit``; ``ValueError`` unless it is one finite number,
-    positive or else not negative."""
+    """A number or quantity as a float in ``unit``.
+
+    Raises ``ValueError`` unless it is a single finite number, at least 0, or above 0 if
+    ``positive``.
+    """
     numbers = numbers_in(name, value, unit)
     if numbers.ndim or not 0.0 <= numbers < np.inf or (positive and numbers == 0.0):
         sign = "a positive number" if positive else "zero or a positive number"
@@ -476,10 +488,10 @@ def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1"
 def checked_numbers(
     arguments: Mapping[str, Any], usual: Usual, stacklevel: int
 ) -> dict[str, float]:
-    """Numbers or quantities as floats in the units of ``usual``; ``ValueError`` unless all are
-    positive.
+    """Numbers or quantities as floats in the units of ``usual``.
 
-    Issues one ``OutOfRangeWarning`` for all that are unusual.
+    Raises ``ValueError`` unless all are positive.  Issues one ``OutOfRangeWarning`` for all unusual
+    numbers together.
     """
     numbers = {
         name: checked_number(name, value, unit=usual[name][2]) for name, value in arguments.items()
@@ -493,7 +505,10 @@ def checked_numbers(
 
 
 def unusual_text(name: str, numbers: ArrayLike, least: float, most: float, unit: str) -> list[str]:
-    """Words on the first number outside its usual range; none if there is none.  0 means none."""
+    """A message on the first number outside its usual range; empty if all are inside.
+
+    0 is never unusual, as it stands for no oil or no particles.
+    """
     numbers = np.ravel(numbers)
     outside = numbers[((numbers < least) & (numbers != 0.0)) | (numbers > most)]
     if not outside.size:
@@ -504,6 +519,6 @@ def unusual_text(name: str, numbers: ArrayLike, least: float, most: float, unit:
 
 
 def _warn(unusual: list[str], stacklevel: int) -> None:
-    """Issue one warning, for the line that ``stacklevel`` names."""
+    """Issue one warning with all messages, for the line that ``stacklevel`` names."""
     if unusual:
         warnings.warn(", and ".join(unusual), OutOfRangeWarning, stacklevel=stacklevel)

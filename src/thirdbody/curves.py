@@ -1,6 +1,5 @@
-"""Curves over the load: their conditions, in tables and keys of the configuration, and what a
-figure shows of them.
-"""
+"""Curves over the load: their conditions, in tables and in the configuration, and the variables and
+panels of their figures."""
 
 from collections.abc import Iterable, Mapping, Set
 from typing import NamedTuple, Self
@@ -18,8 +17,10 @@ LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
 
 
 class Condition(NamedTuple):
-    """Conditions of a curve over the load, SI: ν [m2/s], 0 in dry contact; mean x_a [m] and η_a
-    [m-2], 0 in two-body contact; σ [m]."""
+    """Conditions of a curve over the load: ν [m2/s], x_a [m], σ [m] and η_a [m-2].
+
+    ν is 0 in dry contact, x_a or η_a in two-body contact.
+    """
 
     viscosity: float
     particle_diameter: float
@@ -28,9 +29,8 @@ class Condition(NamedTuple):
 
     @classmethod
     def of(cls, given: Mapping[str, float]) -> Self:
-        """The condition from a configuration, a number for each key; ``KeyError`` if one is
-        missing.
-        """
+        """The condition from numbers by alias, as in a configuration; ``KeyError`` if a number is
+        missing."""
         return cls(*(float(axis.to_si(given[axis.alias])) for axis in CONDITION_AXES))
 
     @property
@@ -52,9 +52,12 @@ class Condition(NamedTuple):
 
 
 def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]]:
-    """The condition whose values have colours in a figure over the load, and the conditions of
-    which each value has panels of its own, from the ``levels`` of all.  Dry contact is black, and
-    two-body contact is in each panel."""
+    """The condition with colours in a figure over the load, and the conditions with panels.
+
+    ``levels`` has the values of all conditions.  Every value of the first condition has a colour,
+    every combination of values of the others has panels.  Dry contact is black, and two-body
+    contact is in all panels.
+    """
     varying = [name for name in OF_PARTICLES if len(levels[name] - {0.0}) > 1]
     media = levels["viscosity"]
     if len(media - {0.0}) > 1 or (len(media) > 1 and not varying):
@@ -66,14 +69,13 @@ def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]
 
 
 def variables_over_load(levels: Mapping[str, Set[float]]) -> tuple[str, ...]:
-    """The variables that a figure over the load shows: areas, also load fractions and film unless
-    all is dry.
-    """
+    """The variables in a figure over the load: areas, and load fraction and film unless all is
+    dry."""
     return ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED
 
 
 def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:
-    """A key of conditions that ignores the rounding of files."""
+    """A key for conditions, equal for numbers that differ only by rounding in files."""
     return tuple("" if value is None else f"{value:.9g}" for value in values)
 
 

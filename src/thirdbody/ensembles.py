@@ -1,7 +1,6 @@
-"""``Ensemble``: the sets of inputs that explain the paper about equally well, and the setup that
-they are for.
+"""``Ensemble``: the sets of inputs that explain the paper about equally well, and their setup.
 
-A result for the best set is an answer; the results of all sets are its range.
+The best set gives the answer to a question.  The answers of all sets give its range.
 """
 
 from __future__ import annotations
@@ -23,8 +22,8 @@ ENDS = (0.05, 0.95)  # quantiles at the ends of a range over the members
 GIGA = 1e9
 USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
 BODIES = "ball", "flat", "particle"
-# inputs that were found for one value of another, or are derived from it (below Eq. 8), and what
-# changes them together
+# An input that others depend on: the others were calibrated for its value, or are derived from it
+# (below Eq. 8).  The words say why a change of this input alone is wrong.
 BEARING = "thirdbody.bearing changes them together"
 CALIBRATED = "they were found for the value of the calibrated file"
 BELONGS_TO = {
@@ -43,7 +42,7 @@ BELONGS_TO = {
 
 @dataclass(frozen=True)
 class Material:
-    """A body: its modulus, Poisson's ratio and hardness, as numbers or quantities.
+    """The material of a body: modulus, Poisson's ratio and hardness, as numbers or quantities.
 
     Parameters
     ----------
@@ -90,18 +89,18 @@ class Material:
 
 @dataclass(frozen=True, kw_only=True)
 class Setup:
-    """What a user knows of the bodies and the oil, and the inputs of the model do not say; None is
-    unknown.
+    """The materials of the bodies and the density of the oil; None if unknown.
 
-    Radius, speed and pressure-viscosity coefficient are the inputs ``ball_radius``,
-    ``speed_per_viscosity`` and ``material_parameter``.
+    The inputs of the model do not contain them.  They do contain the radius, the speed and the
+    pressure-viscosity coefficient, as ``ball_radius``, ``speed_per_viscosity`` and
+    ``material_parameter``.
 
     Parameters
     ----------
     ball, flat, particle : Material, optional
-        The materials from which moduli and hardnesses were derived.
+        The materials from which the moduli and hardnesses of the inputs were derived.
     oil_density_kg_per_m3 : float, optional
-        Density of the oil, with which ``speed_per_viscosity`` stands for a speed.
+        Density of the oil.  It turns ``speed_per_viscosity`` into a speed.
 
     Examples
     --------
@@ -124,7 +123,7 @@ class Setup:
 
     @classmethod
     def of(cls, content: Mapping[str, Any]) -> Self:
-        """The setup that ``as_dict`` wrote."""
+        """The setup from a dict that ``as_dict`` returned."""
         unknown = content.keys() - {field.name for field in fields(cls)}
         if unknown:
             names = ", ".join(field.name for field in fields(cls))
@@ -133,12 +132,14 @@ class Setup:
         return cls(**{**content, **bodies})
 
     def as_dict(self) -> dict[str, Any]:
-        """All that is known, with a dict for each material."""
+        """The known values by name, with a dict for each material."""
         return {name: value for name, value in asdict(self).items() if value is not None}
 
     def speed(self, parameters: Parameters) -> float:
-        """The entrainment speed u = (u_1 + u_2)/2 [m/s] that the inputs stand for:
-        U/nu = rho u/(E_ss R_x), with the density rho of the oil."""
+        """The entrainment speed u = (u_1 + u_2)/2 [m/s] of the inputs ``parameters``.
+
+        It follows from U/nu = rho u/(E_ss R_x), with the density rho of the oil.
+        """
         if self.oil_density_kg_per_m3 is None:
             raise ValueError(
                 "the density of the oil is unknown, and with it the speed of these inputs; "
@@ -150,8 +151,10 @@ class Setup:
     def without_speed(
         self, arrays: Mapping[str, NDArray], parameters: Parameters
     ) -> dict[str, NDArray]:
-        """Conditions without a speed.  U in Eq. 8 has only the product of viscosity and speed: a
-        viscosity at another speed is another viscosity at the speed of ``parameters``."""
+        """The conditions at the speed of ``parameters``, with viscosities to the same effect.
+
+        U in Eq. 8 contains only the product of viscosity and speed.
+        """
         solved = dict(arrays)
         speed = solved.pop("speed", None)
         if speed is not None:
@@ -159,19 +162,19 @@ class Setup:
         return solved
 
 
-# Table 1; the modulus of steel, which is not printed, gives E_ss = 112 GPa
+# Table 1.  The paper does not print the modulus of steel; this modulus gives the E_ss = 112 GPa of
+# the table.
 STEEL = Material(205.0, 0.29, 5.0)
-# of the calibrated inputs: the paper prints no density, and that of mineral oils is assumed
+# The setup of the calibrated inputs.  ASSUME: the density of mineral oils; the paper prints none.
 PAPER_SETUP = Setup(ball=STEEL, flat=STEEL, particle=STEEL, oil_density_kg_per_m3=OIL_DENSITY)
 
 
 @dataclass(frozen=True, repr=False)
 class Ensemble:
-    """Sets of inputs that explain the paper about equally well, and the setup that all of them are
-    for.
+    """Sets of inputs that explain the paper about equally well, and the setup that they share.
 
-    An input of an ensemble is that of its best set: ``ensemble.ball_radius``.  What is changed or
-    was given is known: all members have it.
+    ``ensemble.ball_radius``, like every input, is the value of the best set.  An input that a user
+    sets has the same value in all members.
 
     Parameters
     ----------
@@ -213,17 +216,17 @@ class Ensemble:
 
     @property
     def best(self) -> Parameters:
-        """The set with which single answers are computed."""
+        """The set of inputs for single answers."""
         return self.members[0]
 
     def __getattr__(self, name: str) -> Any:
-        """An input of the best set, or what follows from its inputs."""
+        """An input or another attribute of the best set."""
         if name.startswith("_") or "members" not in vars(self):
             raise AttributeError(name)
         return getattr(self.best, name)
 
     def __iter__(self) -> Iterator[Ensemble]:
-        """Each member alone, in the same setup."""
+        """Ensembles of one member, with the same setup."""
         return (replace(self, members=(member,)) for member in self.members)
 
     @property
@@ -232,8 +235,9 @@ class Ensemble:
         return self.setup.speed(self.best)
 
     def changed(self, **inputs: Any) -> Ensemble:
-        """The same with other ``inputs``, SI or quantities, in all members; where no member then
-        differs from the best, the best alone.
+        """The ensemble with other ``inputs``, SI or quantities, in all members.
+
+        If no member then differs from the best, the ensemble is the best alone.
 
         Raises
         ------
@@ -244,9 +248,9 @@ class Ensemble:
         Warns
         -----
         UserWarning
-            For a modulus, hardness or radius without G, V or U/nu, which depend on it:
-            ``thirdbody.bearing`` changes them together; and for another mean of the sizes, plane of
-            the particles or load of the film without the inputs that were calibrated for it.
+            For a modulus, hardness or radius without G, V or U/nu, which depend on it;
+            ``thirdbody.bearing`` changes them together.  Also for another ``mean_ratio``,
+            ``particle_plane`` or ``film_load`` without the inputs that were calibrated for it.
 
         Examples
         --------
@@ -258,7 +262,7 @@ class Ensemble:
         return self._with(inputs, stacklevel=3)
 
     def _with(self, inputs: Mapping[str, Any], stacklevel: int) -> Ensemble:
-        """``changed``, for a caller that the warning names by its ``stacklevel`` here."""
+        """``changed``, with the ``stacklevel`` of warnings."""
         changes = checked_inputs(inputs)
         members = tuple(replace(member, **changes) for member in self.members)
         best, *others = members
@@ -269,15 +273,14 @@ class Ensemble:
         return replace(self, members=members if set(others) - {best} else (best,))
 
     def as_dict(self) -> dict[str, Any]:
-        """All inputs of the best set, and the ``setup``: arguments of
-        ``thirdbody.load_parameters``.
-        """
+        """The inputs of the best set and the ``setup``, as arguments of
+        ``thirdbody.load_parameters``."""
         return {**self.best.as_dict(), "setup": self.setup.as_dict()}
 
     def known(self) -> dict[str, Any]:
-        """What files of inputs have: the inputs in which all members agree, and the ``setup``.
+        """The content of a file of inputs: those in which all members agree, and the ``setup``.
 
-        What members do not agree in stays open where the file is read.
+        Who reads the file takes all other inputs from the calibrated ensemble.
         """
         inputs = {
             name: value
@@ -288,14 +291,14 @@ class Ensemble:
 
 
 def as_ensemble(parameters: Parameters | Ensemble) -> Ensemble:
-    """``parameters``, or an ensemble of these alone, of which nothing else is known."""
+    """``parameters`` as an ensemble: of one member, with an unknown setup, for ``Parameters``."""
     if isinstance(parameters, Ensemble):
         return parameters
     return Ensemble((parameters,), Setup())
 
 
 def checked_inputs(changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Some inputs as floats in SI and words; ``ValueError`` for a name that is none."""
+    """The inputs ``changes`` as floats in SI, or as words; ``ValueError`` for an unknown name."""
     for name in changes:
         if name not in Parameters.names():
             raise ValueError(f"{name} is no input; allowed: {', '.join(Parameters.names())}")
@@ -308,7 +311,7 @@ def checked_inputs(changes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _what_stays(changes: Mapping[str, Any], before: Parameters) -> Iterator[str]:
-    """Words on each input that differs from ``before`` without those that belong to its value."""
+    """Yield a message for each input that changes while its dependent inputs do not."""
     for name in BELONGS_TO.keys() & changes.keys():
         dependents, reason = BELONGS_TO[name]
         stay = ", ".join(other for other in dependents if other not in changes)
@@ -319,14 +322,14 @@ def _what_stays(changes: Mapping[str, Any], before: Parameters) -> Iterator[str]
 
 
 def range_over_members(values: Sequence[ArrayLike]) -> NDArray:
-    """Both ends of the range, 5 to 95 %, of ``values``, an array for each member: shape (2, ...).
+    """The ends of the range, 5 to 95 %, of ``values``, an array for each member: shape (2, ...).
 
-    A member without a finite value does not count there; an end is nan where no member has one.
+    A member counts only where its value is finite.  Both ends are nan where no member counts.
     """
     members = np.asarray(values, float)
     members = np.where(np.isfinite(members), members, np.nan)
     ends = np.quantile(members, ENDS, axis=0)
-    partly = np.isnan(members).any(axis=0)  # nanquantile takes one point at a time
+    partly = np.isnan(members).any(axis=0)  # only here: nanquantile is slow, a loop over points
     if partly.any():
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", "All-NaN", RuntimeWarning)

@@ -1,5 +1,7 @@
-"""Files: atomic writing, the error for damaged files, the SHA-256, plain YAML (no Python tags, no
-duplicate keys, decimal numbers alone), and values and file names in one-line messages.
+"""Files: atomic writing, the error for damaged files, the SHA-256, plain YAML, and values and file
+names in one-line messages.
+
+Plain YAML has no tags of Python, no duplicate keys, and only decimal numbers.
 """
 
 import errno
@@ -19,12 +21,12 @@ from typing import Any
 import yaml
 
 LONGEST = 60  # letters of a value in a message
-KINDS: dict[type, str] = {dict: "keys with values", list: "a list"}
+CONTENT_WORDS: dict[type, str] = {dict: "keys with values", list: "a list"}
 OTHER_BASES = re.compile(r"[-+]?(0[0-9xb_]|.*:)")
 
 
 def format_value(value: Any) -> str:
-    """The ``repr`` of a value on one line, cut if it is long; numbers of numpy as plain numbers."""
+    """The ``repr`` of a value on one line, cut if it is long.  A number of numpy loses its type."""
     is_number = type(value).__module__ == "numpy" and getattr(value, "shape", None) == ()
     value = value.item() if is_number and hasattr(value, "item") else value
     text = " ".join(repr(value).split())
@@ -39,15 +41,16 @@ def format_path(path: str | PathLike) -> str:
 
 @contextmanager
 def atomic_write(*paths: str | PathLike) -> Iterator[tuple[Path, ...]]:
-    """Write files under temporary names beside the ``paths``, which are yielded, and move them into
-    place together once all are written; if the block raises, no file is changed.  ``ValueError``
-    for an invalid file name, ``OSError`` if a file cannot be written, if possible before the block
-    runs."""
+    """Yield temporary names beside the ``paths``, and rename these files once all are written.
+
+    If the block raises an error, no file changes.  Raises ``ValueError`` for an invalid file name,
+    and ``OSError`` if a file cannot be written, if possible before the block runs.
+    """
     places = [*map(_place, paths)]
     if len(places) == 1 and _is_device(places[0]):
         yield (places[0],)
         return
-    # temporary names have the process, by which what a killed one leaves is known
+    # the number of the process in the name shows later whether it was killed and left the file
     mark = f"partial{os.getpid()}-{secrets.token_hex(4)}"
     parts = {place: place.with_name(f".{place.stem}.{mark}{place.suffix}") for place in places}
     try:
@@ -55,7 +58,7 @@ def atomic_write(*paths: str | PathLike) -> Iterator[tuple[Path, ...]]:
             _prepare(place, part)
         yield tuple(parts.values())
         for part in parts.values():
-            with open(part, "r+b") as stream:  # Windows syncs only what is open for writing
+            with open(part, "r+b") as stream:  # Windows syncs only files that are open for writing
                 os.fsync(stream.fileno())
         for place, part in parts.items():
             if place.exists():
@@ -74,7 +77,7 @@ def atomic_write(*paths: str | PathLike) -> Iterator[tuple[Path, ...]]:
 
 
 def _is_device(place):
-    """Whether a place is a pipe or a device, which is written and never replaced."""
+    """Whether a path is a pipe or a device: it is written to, and never replaced."""
     try:
         return stat.S_ISFIFO(mode := place.stat().st_mode) or stat.S_ISCHR(mode)
     except OSError:
@@ -82,8 +85,10 @@ def _is_device(place):
 
 
 def _prepare(place, part):
-    """Remove temporary files of killed processes; then raise ``OSError`` unless ``part`` can be
-    written and moved to ``place``."""
+    """Remove temporary files of killed processes, then check the paths.
+
+    Raises ``OSError`` unless ``part`` can be written and renamed to ``place``.
+    """
     start = f".{place.stem}.partial"
     for leftover in place.parent.glob(f"{glob.escape(start)}*-*{glob.escape(place.suffix)}"):
         process = leftover.name.removeprefix(start).partition("-")[0]
@@ -91,8 +96,8 @@ def _prepare(place, part):
             with suppress(OSError):
                 leftover.unlink()
     if place.exists() and not place.is_file():  # a device must not be replaced
-        kind = "Is a directory" if place.is_dir() else "Not a regular file"
-        raise OSError(errno.EINVAL, kind, part)
+        reason = "Is a directory" if place.is_dir() else "Not a regular file"
+        raise OSError(errno.EINVAL, reason, part)
     if place.exists() and not os.access(place, os.W_OK):
         raise OSError(errno.EACCES, "Permission denied", part)
     part.touch()
@@ -100,24 +105,24 @@ def _prepare(place, part):
 
 
 def _is_alive(process):
-    if os.name == "nt":  # where signal 0 is Ctrl-C
+    if os.name == "nt":  # signal 0 is Ctrl-C on Windows
         return True
     try:
-        os.kill(process, 0)  # sends nothing
+        os.kill(process, 0)  # signal 0 only checks the process
     except OSError as error:
-        return error.errno != errno.ESRCH  # it may be of another user
+        return error.errno != errno.ESRCH  # the process may belong to another user
     return True
 
 
 def _place(path: str | PathLike) -> Path:
-    """``path``, or the file to which it links."""
+    """``path``, or the file to which ``path`` links."""
     place = Path(path)
     is_link_to_file = os.path.islink(place) and not _is_device(place)
     return Path(os.path.realpath(place)) if is_link_to_file else place
 
 
 class DamagedFile(OSError):
-    """A file that a program wrote, ``path``, is no longer as it was."""
+    """The file ``path``, which a program wrote, has changed since."""
 
     def __init__(self, path: str | os.PathLike, message: str) -> None:
         super().__init__(f"{path} {message}")
@@ -136,7 +141,7 @@ def digest(path: str | os.PathLike) -> str:
 
 
 class _KeysOnce(yaml.CSafeLoader):
-    """PyYAML's loader, restricted to unique keys that are strings."""
+    """The loader of PyYAML, restricted to unique keys that are strings."""
 
     def construct_mapping(self, node, deep=False):
         seen = set()
@@ -151,20 +156,22 @@ class _KeysOnce(yaml.CSafeLoader):
 
 
 def _decimal(loader, node):
-    """An integer as typed: YAML 1.1 reads 0300 as 192, and 1:30 as 90."""
+    """A decimal number.  YAML 1.1 would read 0300 as 192, and 1:30 as 90; both are refused."""
     if OTHER_BASES.match(node.value):
         raise _fault(node, f"number {node.value}; allowed: decimal numbers, or text in quotes")
     construct = getattr(loader, f"construct_yaml_{node.tag.rpartition(':')[2]}")
     return construct(node)
 
 
-for kind in ("int", "float"):
-    _KeysOnce.add_constructor(f"tag:yaml.org,2002:{kind}", _decimal)
+for tag in ("int", "float"):
+    _KeysOnce.add_constructor(f"tag:yaml.org,2002:{tag}", _decimal)
 
 
-def read_yaml(path: str | Path, kind: type = dict) -> Any:
-    """The content of a plain YAML file in UTF-8: a ``dict``, or a ``list`` if this is its ``kind``;
-    ``ValueError`` in one line with the file, the line in it, and the error."""
+def read_yaml(path: str | Path, content_type: type = dict) -> Any:
+    """The content of a plain YAML file in UTF-8, of the ``content_type`` dict or list.
+
+    Raises ``ValueError`` in one line, with the file, the number of the line, and the fault.
+    """
     name = format_path(path)
     try:
         text = Path(path).read_text(encoding="utf-8")
@@ -179,8 +186,10 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
         place = f"line {mark.line + 1}: " if mark else ""
         problem = " ".join(str(getattr(error, "problem", error)).split())
         raise ValueError(f"{name}: {place}{problem}") from None
-    if not isinstance(content, kind):
-        raise ValueError(f"{name}: contains {type(content).__name__}; allowed: {KINDS[kind]}")
+    if not isinstance(content, content_type):
+        raise ValueError(
+            f"{name}: contains {type(content).__name__}; allowed: {CONTENT_WORDS[content_type]}"
+        )
     return content
 
 

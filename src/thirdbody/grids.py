@@ -1,6 +1,5 @@
-"""``grid`` and ``stream``: every combination of five axes as a dataset, in memory or block by block
-in a file.
-"""
+"""``grid`` and ``stream`` solve every combination of five axes: in memory, or block by block into a
+file."""
 
 from __future__ import annotations
 
@@ -42,8 +41,8 @@ if TYPE_CHECKING:
 
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
 SOLIDS = "roughness", "particle_density", "particle_diameter"
-MEMBERS = "ensemble"  # attribute of grids of members: of each what differs from the best
-ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
+MEMBERS = "ensemble"  # attribute of grids of members: the inputs of each that differ from the best
+ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache, enough to write each chunk only once
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
 
@@ -61,12 +60,12 @@ def grid(
     Parameters
     ----------
     parameters : Parameters or Ensemble, optional
-        Inputs of the model, by default the calibrated ones.
+        Inputs of the model, by default the calibrated inputs.
     members : bool, optional
-        Whether all members of an ensemble are solved, by default its best set alone.
+        Whether all members of an ensemble are solved, by default only the best.
     rtol : float, optional
         Requested relative error of every variable [1].  At 1e-3 or more, large grids are
-        interpolated over the separation, which is faster; below, every point is solved
+        interpolated over the separation, which is faster.  Below 1e-3 every point is solved
         individually.
     variables : str or collection of str, optional
         Variables of ``Solution`` to compute; ``solution_status`` is always included.
@@ -74,15 +73,15 @@ def grid(
         Whether a long call shows its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities, by any of their names in
-        ``thirdbody.solve``; and, as a sixth, ``speed_m_per_s``.  Viscosity 0 is dry contact;
-        diameter or density 0 is two-body contact.
+        ``thirdbody.solve``; the speed may be a sixth axis.  Viscosity 0 is dry contact; diameter or
+        density 0 is two-body contact.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions are the axes.  ``solution_status`` is the status of each point; points
+        The axes are the dimensions.  ``solution_status`` is the status of each point, and points
         without values are nan.  With ``members`` the first dimension is ``member``, the best first.
-        Where loads were given in newtons, the coordinate ``load`` is F_t* of the best.
+        For loads in newtons, the coordinate ``load`` is F_t* of the best.
 
     Raises
     ------
@@ -118,7 +117,7 @@ def grid(
 
 
 def _along_members(grids: list[xr.Dataset], ensemble: Ensemble, read: Conditions) -> xr.Dataset:
-    """The grids of all members along a dimension, with F_t* of the best."""
+    """The grids of all members joined along a new dimension; the loads F_t* are of the best."""
     import xarray as xr
 
     changed = {"load": grids[0]["load"].variable}
@@ -145,7 +144,7 @@ def _grid_of(
     names: Collection[str],
     progress: bool,
 ) -> xr.Dataset:
-    """The dataset of the best of an ensemble, over five axes or six."""
+    """The dataset of the best of an ensemble, over five axes, or six with the speed."""
     parameters, load_key = ensemble.best, read.keys["load"]
     axes = read.with_load(parameters, axes)
     speeds = axes.pop("speed", None)
@@ -179,7 +178,7 @@ def _solved_grid(
     load_key: str,
     progress: bool,
 ) -> xr.Dataset:
-    """The dataset of five axes, for a ``request`` by name."""
+    """The dataset over five ``axes``; ``request``, the axes of the user, determines its SHA-256."""
     points = prod(axis.size for axis in axes.values())
     with progress_bar(points, progress) as bar:
         values = _values(axes, parameters, rtol, names, bar.update)
@@ -195,7 +194,7 @@ def _values(
     names: Collection[str],
     callback: Callable[[int], None],
 ) -> dict[str, NDArray]:
-    """Variables over all ``axes``, interpolated where that is faster."""
+    """Variables over all ``axes``, interpolated if this is faster."""
     if is_worthwhile(axes, rtol):
         return sweep(axes, parameters, rtol, names, callback)
     return solve_points(crossed(axes), parameters, rtol, names, callback)
@@ -213,25 +212,30 @@ def stream(
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
-    Writes the dataset that ``grid`` returns, with only one block in memory.
+    The file contains the dataset that ``grid`` returns.  Only one block is in memory at a time.
 
     Parameters
     ----------
     path : path
-        NetCDF-4 file to write; it is written atomically.
+        NetCDF-4 file, written atomically.
     parameters, rtol, variables, progress, **conditions
         As in ``grid``.
     compression : int, optional
-        Level of zlib, from 0 to 9.  At the default 0 nothing is compressed, because that would take
+        Level of zlib, from 0 to 9.  The default 0 is no compression, because compression takes
         longer than solving.
 
     Raises
     ------
     ValueError
-        As in ``grid``, which also warns; and for speeds.
+        As in ``grid``, and for a speed.
     OSError
-        If the path is not writable or the disk is full; without compression, before anything is
-        solved.
+        If the path is not writable or the disk is full.  Without compression the space is checked
+        before anything is solved.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        As in ``solve``.
 
     Examples
     --------
@@ -266,8 +270,7 @@ def stream(
         if size > free and not compression:
             raise OSError(
                 f"{format_path(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; "
-                "allowed: at "
-                f"most the {free:.3g} bytes free on the disk"
+                f"allowed: at most the {free:.3g} bytes free on the disk"
             )
         with (
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
@@ -287,8 +290,10 @@ def stream(
 
 
 def _block_lengths(axes: Axes) -> list[int]:
-    """Lengths of a block along the ``axes``: surfaces and particles are split before loads and
-    viscosities, at all of which ``sweep`` uses the same tables."""
+    """Lengths of a block along the ``axes``.
+
+    Surfaces and particles are split first: ``sweep`` uses one table for all loads and viscosities.
+    """
     lengths = {name: axis.size for name, axis in axes.items()}
     while prod(lengths.values()) > POINTS_PER_BLOCK:
         solids = [name for name in SOLIDS if lengths[name] > 1]
@@ -298,15 +303,13 @@ def _block_lengths(axes: Axes) -> list[int]:
 
 
 def _names(variables: str | Collection[str] | None) -> list[str]:
-    """The names of variables; the status, which explains nan, is always included."""
+    """The names of variables, always with the status, as it explains nan."""
     chosen = checked_variables(variables, VARIABLES)
     return [name for name in VARIABLES if name in chosen or name == STATUS]
 
 
 def _axes(read: Conditions) -> dict[str, NDArray[np.float64]]:
-    """The axes of a grid, a load in the unit in which it was given; ``ValueError`` unless they
-    increase.
-    """
+    """The axes of a grid, a load in the unit of the user; ``ValueError`` unless they increase."""
     axes = {name: np.atleast_1d(values) for name, values in read.arrays.items()}
     for name, axis in axes.items():
         if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
@@ -316,5 +319,5 @@ def _axes(read: Conditions) -> dict[str, NDArray[np.float64]]:
 
 
 def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
-    """The axes ``sides`` of a grid as arrays that broadcast to all points."""
+    """The axes ``sides`` of a grid, in shapes that broadcast to all points."""
     return dict(zip(sides, np.ix_(*sides.values()), strict=True))

@@ -1,4 +1,4 @@
-"""The calibrated inputs of the model, and those of a user laid over them."""
+"""The calibrated inputs of the model, and inputs of a user that override them."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -19,24 +19,24 @@ def load_parameters(
     setup: Setup | Mapping[str, Any] | None = None,
     **inputs: float | str,
 ) -> Ensemble:
-    """The calibrated inputs of the model, with others laid over them.
+    """The calibrated inputs of the model, overridden by a file and by arguments.
 
     Parameters
     ----------
     path : str or Path, optional
-        A YAML file with some inputs, SI, and perhaps a ``setup``, that override the calibrated
-        ones; or a calibrated file, with ``inputs`` and ``ensemble``, that replaces them.
+        A YAML file with some inputs, SI, and perhaps a ``setup``: they override the calibrated
+        inputs.  A calibrated file, with ``inputs`` and ``ensemble``, replaces all of them.
     setup : Setup or dict, optional
-        Materials and density of the oil, where they are known otherwise than from the file.  By
-        default those of the paper, steel, and an oil of 850 kg/m3.
+        Materials and density of the oil; it overrides the setup of the file.  The default is that
+        of the paper, steel, with an oil of 850 kg/m3.
     **inputs : float, str or quantity
-        Inputs by the field names of ``Parameters``, SI or quantities; they override the file.
+        Inputs by the field names of ``Parameters``, SI or quantities.  They override the file.
 
     Returns
     -------
     Ensemble
-        The best set of inputs and the other members, SI.  What the file and ``inputs`` have is
-        known: all members have it.
+        The best set of inputs and the other members, SI.  All members have the inputs of the file
+        and of ``inputs``.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def load_parameters(
     Warns
     -----
     UserWarning
-        As in ``Ensemble.changed``, for inputs that belong to others.
+        As in ``Ensemble.changed``.
 
     Examples
     --------
@@ -72,17 +72,17 @@ def load_parameters(
 
 
 def ensemble_of(calibrated: Mapping[str, Any]) -> Ensemble:
-    """The ensemble in the ``calibrated`` content of a file, with its best set first."""
+    """The ensemble from the content of a ``calibrated`` file, the best set first."""
     best = Parameters(**calibrated["inputs"])
     best.check_ball()
     others = [Parameters(**calibrated["inputs"] | member) for member in calibrated["ensemble"]]
-    if best in others:  # as often as the file has it
+    if best in others:  # the best is a member as often as in the file
         others.remove(best)
     return Ensemble((best, *others), PAPER_SETUP).changed()
 
 
 def or_calibrated(parameters: Parameters | Ensemble | None) -> Ensemble:
-    """``parameters`` as an ensemble, or the calibrated one if it is None."""
+    """``parameters`` as an ensemble, or the calibrated ensemble for None."""
     return _calibrated() if parameters is None else as_ensemble(parameters)
 
 
@@ -93,7 +93,7 @@ def _calibrated():
 
 @cache
 def _default_content():
-    """Cached: reading the file takes longer than solving one point."""
+    """The content of the calibrated file, read once: reading takes longer than solving a point."""
     return read_yaml(CALIBRATED_FILE)
 
 
@@ -103,12 +103,12 @@ def ensemble(parameters: Ensemble | None = None) -> list[Parameters]:
     Parameters
     ----------
     parameters : Ensemble, optional
-        Inputs of the model, by default the calibrated ones.
+        Inputs of the model, by default the calibrated inputs.
 
     Returns
     -------
     list of Parameters
-        The members; the best alone where no other is known.
+        The members; only the best if there are no others.
 
     Examples
     --------

@@ -1,8 +1,9 @@
-"""Datasets of solved values, with the attributes required by CF-1.11 and ACDD-1.3, and their
-NetCDF-4 files; the same dataset gives the same bytes.
+"""Datasets of solved variables, with the attributes that CF-1.11 and ACDD-1.3 require, and their
+NetCDF-4 files.  The same dataset gives the same bytes.
 
-They have the names of xarray, but do not import it: importing xarray and pandas takes longer than
-solving or drawing a figure.
+``PlainDataset`` and ``PlainVariable`` have the attributes of ``Dataset`` and ``Variable`` in
+xarray.  xarray itself is not imported: importing it and pandas takes longer than solving or drawing
+a figure.
 """
 
 import errno
@@ -29,35 +30,35 @@ from thirdbody.variables import (
     NUMBERS,
     STATUS,
     VARIABLES,
+    Variable,
 )
-from thirdbody.variables import Variable as Described
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-# Values of points that a figure does not show: the fill values of NetCDF.  For a flag it is a value
-# with a meaning, not_shown, because xarray converts integers with missing values to floats.
+# Values of points that a figure does not show.  For numbers this is the fill value of NetCDF.  For
+# flags it is an ordinary value that means not_shown: xarray would convert integers with fill values
+# to floats.
 FILL_FLOAT = 9.969209968386869e36
 FILL_FLAG = np.int8(-127)
-# attributes that say how a file stores numbers
+# attributes that describe how a file stores numbers
 OF_THE_FILE = "_FillValue", "missing_value", "scale_factor", "add_offset", "_Unsigned"
-# Attributes of a dataset in their order; null if they depend on its content.
+# attributes of every dataset in their order; null where they depend on its content
 EVERYWHERE = json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8"))
-# Keys of the attribute model_parameters by the names of inputs and of fields of a surface.
+# keys of the attribute model_parameters, by the fields of ``Parameters`` and of ``Surface``
 KEYS = EVERYWHERE["model_parameters"]
-GIVEN_AS = (
-    "given_as"  # attribute of a load that was given in newtons: its name in ``thirdbody.solve``
-)
+# attribute of a load that a user gave in newtons: its name in ``thirdbody.solve``
+GIVEN_AS = "given_as"
 
 
-class Variable(NamedTuple):
+class PlainVariable(NamedTuple):
     """An array with named dimensions, attributes and encoding, in a form that xarray accepts."""
 
     dims: tuple[str, ...]
     values: NDArray
     attrs: Mapping[str, Any] = {}
-    encoding: Mapping[str, Any] = {}  # of a file: its fill value
+    encoding: Mapping[str, Any] = {}  # the fill value in a file
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,12 +66,12 @@ class PlainDataset:
     """Variables over shared dimensions, coordinates and attributes, with the interface of
     ``xarray.Dataset``: functions accept either."""
 
-    data_vars: Mapping[str, Variable]
-    coords: Mapping[str, Variable]
+    data_vars: Mapping[str, PlainVariable]
+    coords: Mapping[str, PlainVariable]
     attrs: Mapping[str, Any]
 
     @property
-    def variables(self) -> dict[str, Variable]:
+    def variables(self) -> dict[str, PlainVariable]:
         """Variables and coordinates, in the order of a file."""
         return {**self.data_vars, **self.coords}
 
@@ -82,7 +83,7 @@ class PlainDataset:
     def __contains__(self, name: str) -> bool:
         return name in self.variables
 
-    def __getitem__(self, name: str) -> Variable:
+    def __getitem__(self, name: str) -> PlainVariable:
         return self.variables[name]
 
     def to_xarray(self) -> "xr.Dataset":
@@ -95,10 +96,10 @@ Dataset: TypeAlias = Union[PlainDataset, "xr.Dataset"]  # functions accept eithe
 
 
 def write_dataset(dataset: Dataset, path: str | PathLike) -> None:
-    """Write a dataset as NetCDF-4: ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing values, and
-    unsolved points stay nan.  Raises ``OSError`` if the disk is full or not writable."""
-    # smallest size, within 0.2 %, that every NetCDF-4 library reads; level 9 takes 50 % longer to
-    # write
+    """Write a dataset as NetCDF-4.  ``FILL_FLOAT`` and ``FILL_FLAG`` mark points that are not
+    shown, and unsolved points stay nan.  Raises ``OSError`` if the disk is full or not writable."""
+    # Files are within 0.2 % of the smallest size that every NetCDF-4 library reads.  Level 9 takes
+    # 50 % longer to write.
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     storage = {
         str(name): compressed | {"chunksizes": variable.values.shape}
@@ -115,8 +116,9 @@ def write_dataset(dataset: Dataset, path: str | PathLike) -> None:
 def declare(
     file: netCDF4.Dataset, dataset: Dataset, storage: Mapping[str, Mapping]
 ) -> dict[str, netCDF4.Variable]:
-    """Write a dataset to a new file, except the values of its variables, which are returned empty;
-    ``storage`` has arguments of ``netCDF4.Dataset.createVariable`` for each."""
+    """Write a dataset to a new file, except the values of its variables.  Returns these variables,
+    still empty, by name.  ``storage`` has the arguments of ``netCDF4.Dataset.createVariable`` for
+    each variable."""
     file.setncatts(dataset.attrs)
     for name, size in dataset.sizes.items():
         file.createDimension(str(name), size)
@@ -124,7 +126,7 @@ def declare(
     for key, variable in dataset.data_vars.items():
         name = str(key)
         declared[name] = _added(file, name, variable, **storage[name])
-        beside = [  # coordinates along its dimensions that have other names
+        beside = [  # coordinates along the dimensions of this variable, under other names
             str(other)
             for other, coordinate in dataset.coords.items()
             if other not in coordinate.dims and set(coordinate.dims) <= set(variable.dims)
@@ -146,10 +148,12 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
 
 
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
-    """Read a NetCDF file, with packed numbers decoded and nan for their fill values; ``OSError`` in
-    one line if it is missing, damaged, or lacks ``needed`` variables."""
+    """Read a NetCDF file.  Packed numbers are decoded, and fill values of floats become nan.
+
+    Raises ``OSError`` in one line if the file is missing or damaged, or lacks ``needed`` variables.
+    """
     coordinates: set[str] = set()
-    variables: dict[str, Variable] = {}
+    variables: dict[str, PlainVariable] = {}
     try:
         with netCDF4.Dataset(path) as file:
             coordinates.update(file.dimensions)
@@ -160,9 +164,9 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
                     attributes.pop(each, None)
                 values = np.ma.asanyarray(stored[...])
                 values = values.filled(np.nan) if values.dtype.kind == "f" else values.data
-                variables[name] = Variable(stored.dimensions, values, attributes)
+                variables[name] = PlainVariable(stored.dimensions, values, attributes)
             attributes = dict(file.__dict__)
-    except Exception as error:  # netCDF4 raises different exceptions for different damage
+    except Exception as error:  # netCDF4 raises various exceptions for damaged files
         reason = getattr(error, "strerror", None) or type(error).__name__
         raise unreadable(path, reason) from None
     for name in needed:
@@ -172,9 +176,8 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
     return PlainDataset(variables, coords, attributes)
 
 
-def coordinate_attributes(described: Described, key: str = "") -> dict[str, str]:
-    """Attributes of a coordinate: an axis, which was given by the name ``key``, or the normal
-    load."""
+def coordinate_attributes(described: Variable, key: str = "") -> dict[str, str]:
+    """Attributes of a coordinate: the normal load, or an axis for which the user wrote ``key``."""
     attributes = {
         "units": described.unit,
         "long_name": described.label,
@@ -183,7 +186,7 @@ def coordinate_attributes(described: Described, key: str = "") -> dict[str, str]
     return attributes | ({GIVEN_AS: key} if key == "load_N" else {})
 
 
-def variable_attributes(quantity: Described) -> dict:
+def variable_attributes(quantity: Variable) -> dict:
     """Attributes of a variable."""
     attributes: dict[str, Any] = coordinate_attributes(quantity)
     attributes |= {"equation": quantity.equation}
@@ -202,8 +205,8 @@ def variable_attributes(quantity: Described) -> dict:
     return attributes
 
 
-def variable_encoding(quantity: Described) -> dict:
-    """How files store a variable: with the fill value of points that a figure does not show."""
+def variable_encoding(quantity: Variable) -> dict:
+    """The encoding of a variable in files: the fill value of points that a figure does not show."""
     return {"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {}
 
 
@@ -214,8 +217,10 @@ def identity(origin: str) -> dict[str, str]:
 
 
 def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
-    """The attribute ``model_parameters`` of a dataset with the coordinates ``roughness`` [m]: a
-    flat JSON object, in SI, with lists for values that depend on the roughness."""
+    """The attribute ``model_parameters`` of a dataset with the coordinate ``roughness`` [m].
+
+    It is a flat JSON object in SI.  Values that depend on the roughness are lists.
+    """
     surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
     model = {key: getattr(parameters, name) for name, key in KEYS["body"].items()}
     for name, key in KEYS["surface"].items():
@@ -234,24 +239,29 @@ def described_grid(
     request: Mapping | None = None,
     load_key: str = "load",
 ) -> PlainDataset:
-    """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes; the load was given by the name ``load_key``.  Its SHA-256 depends on the parameters,
-    ``rtol`` and ``request``, by default the axes."""
+    """The dataset of ``values`` with coordinates and attributes.
+
+    ``values`` has an array over all ``axes`` for each variable, and ``load_key`` is the name under
+    which the user gave the load.  The SHA-256 in the attributes depends on the parameters, ``rtol``
+    and ``request``, which by default are the axes.
+    """
     variables = {
-        name: Variable(
+        name: PlainVariable(
             DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
         )
         for name, quantity in VARIABLES.items()
         if name in values
     }
     coordinates = {
-        name: Variable(
+        name: PlainVariable(
             (name,), axis, coordinate_attributes(AXES[name], load_key if name == "load" else name)
         )
         for name, axis in axes.items()
     }
     newtons = axes["load"] * parameters.newtons_per_load
-    coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
+    coordinates["normal_load"] = PlainVariable(
+        ("load",), newtons, coordinate_attributes(NORMAL_LOAD)
+    )
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol}
     configuration["request"] = request or {name: axis.tolist() for name, axis in axes.items()}
     attributes = {
@@ -266,11 +276,14 @@ def described_grid(
 
 
 def curves_of(dataset: Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """The curves of a dataset, with at least one point with a status: their conditions, SI, in the
-    order of ``CONDITION_AXES``, shape (4, curves); and their index in a variable after its load
-    axis, ``values[:, index]``."""
+    """The conditions of the curves in a dataset, and the index of these curves in its variables.
+
+    A curve has at least one point with a status.  The conditions are in SI, in the order of
+    ``CONDITION_AXES``, of shape (4, curves).  The index comes after the load axis:
+    ``values[:, index]``.
+    """
     status = dataset[STATUS].values
-    # nan where xarray has masked points, which it converts to floats
+    # xarray converts a status with masked points to floats, with nan for these points
     shown = (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
     axes = [dataset[axis.name].values for axis in CONDITION_AXES]
     conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])

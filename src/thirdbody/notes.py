@@ -1,4 +1,4 @@
-"""What an answer rests on, in sentences: the sizes of the particles, A_n, the speed and the
+"""Notes below an answer, each a sentence: on the sizes of particles, on A_n, the speed and the
 range."""
 
 from statistics import NormalDist
@@ -11,8 +11,11 @@ from thirdbody.ensembles import Ensemble
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
-    """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]: the mean and
-    largest of sizes that are normal from 0 to X_max (Eq. 6), and d below which they carry load."""
+    """A note on the sizes of particles with ``diameter`` x_a [m].
+
+    It has the mean and the largest size of the distribution, normal from 0 to X_max (Eq. 6), and
+    the separation d below which particles carry load on a ``roughness`` sigma [m].
+    """
     mean, spread = parameters.sizes(diameter)
     largest = mean + parameters.truncation * spread
     normal = NormalDist(mean, spread)
@@ -20,27 +23,26 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
     mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
     return (
-        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average and "
-        "at most "
-        f"{1e9 * largest:.4g} nm, which carry load at separations d below "
-        f"{1e9 * layer.reach[0]:.4g} nm"
+        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average "
+        f"and at most {1e9 * largest:.4g} nm, "
+        f"which carry load at separations d below {1e9 * layer.reach[0]:.4g} nm"
     )
 
 
 def few_notes(per_m2: float, area: float) -> list[str]:
-    """A note if there is less than one particle in the nominal area A_n [m2]."""
+    """A note if ``area`` A_n [m2] has less than one particle; otherwise none."""
     count = per_m2 * area
     note = f"{count:.2g} particles in A_n = {1e6 * area:.3g} mm2: most contacts have none"
     return [note] if 0.0 < count < 1.0 else []
 
 
 def area_note(parameters: Parameters | Ensemble) -> str:
-    """The area to which loads refer, in words."""
+    """A note on the nominal area A_n, to which loads refer."""
     return f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2"
 
 
 def speed_notes(ensemble: Ensemble) -> list[str]:
-    """The speed that the inputs stand for, in words; none if the density of the oil is unknown."""
+    """A note on the speed in the inputs; none if the density of the oil is unknown."""
     density = ensemble.setup.oil_density_kg_per_m3
     if density is None:
         return []
@@ -50,7 +52,7 @@ def speed_notes(ensemble: Ensemble) -> list[str]:
 
 
 def range_note(ensemble: Ensemble) -> str:
-    """What a range is, once for an answer."""
+    """A note on the meaning of ranges."""
     count = len(ensemble.members)
     if count == 1:
         return "no range: these inputs have no ensemble"

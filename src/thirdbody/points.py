@@ -1,7 +1,7 @@
-"""``solve``: the contact state of any number of points, and ``Solution``, what it returns, also
-as a dataset and as a table.
+"""``solve``: the contact state of any number of points.  It returns a ``Solution``, which becomes a
+dataset or a table.
 
-xarray, pandas and netCDF4 are imported only for these: solving takes less time.
+Only these two import xarray, pandas and netCDF4, because the import takes longer than solving.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 SOLVED = (*QUANTITIES, *FLAGS, ERROR_BOUND.name)
-POINT = "point"  # a dimension along which several conditions vary, or none does
+POINT = "point"  # a dimension along which several conditions vary, or no condition
 
 
 @with_table
@@ -60,59 +60,62 @@ def solve(
 ) -> Solution:
     """Contact state of the interface at each point, by Equations 1 to 10.
 
-    Each of the five conditions is given once, under one of its two names, and they broadcast
-    against each other. The speed is by default that of ``parameters``.  A condition is a number or
-    an array of numpy, a list of numbers, a column of pandas, an array of xarray or a quantity of
-    pint.  Numbers are in the unit of the name; quantities, and arrays of xarray with the attribute
-    ``units``, are converted.
+    Pass each of the five conditions once, under one of its two names.  They broadcast against each
+    other.  The default speed is that of ``parameters``.  A condition is a number or an array of
+    numpy, a list of numbers, a column of pandas, an array of xarray or a quantity of pint.  Numbers
+    are in the unit of the name.  Quantities, and arrays of xarray with the attribute ``units``, are
+    converted.
 
     Parameters
     ----------
     {conditions}
     parameters : Parameters or Ensemble, optional
-        Materials, geometry and interpretations of the model, by default the calibrated ones.
+        Materials, geometry and interpretations of the model, by default the calibrated inputs.
     members : bool
-        Whether all members of an ensemble are solved; by default its best set alone, as a range
-        takes as many times longer as there are members.
+        Whether all members of an ensemble are solved, by default only the best.  A call with 30
+        members takes 30 times as long.
     rtol : float
-        Requested relative error of every variable [1], from 1e-11 to 1e-2.  A larger one saves
-        little time here, much in ``grid``.
+        Requested relative error of every variable [1], from 1e-11 to 1e-2.  A larger error saves
+        little time here, but much in ``grid``.
     variables : str or collection of str, optional
-        Names of the variables to keep, by default all those of ``Solution``.
+        Names of the variables to keep, by default all variables of ``Solution``.
     progress : bool
-        Whether a long call shows its progress on a terminal, on standard error.
+        Whether a long call shows a progress bar, on standard error if it is a terminal.
 
     Returns
     -------
     Solution
-        Arrays of the broadcast shape.  Arrays of xarray broadcast by the names of their dimensions,
-        and give such arrays.  Columns of pandas, which must have equal indexes, give tables with
-        that index.  With ``members`` the first dimension is ``member``, the best first; a range is
-        ``.quantile("member")`` of a variable of ``Solution.to_dataset()``.
+        Arrays of the broadcast shape.  If conditions are arrays of xarray, they broadcast by the
+        names of their dimensions, and the results are arrays of xarray.  If conditions are columns
+        of pandas, which must have equal indexes, tables have their index.  With ``members`` the
+        first dimension is ``member``, the best first.  The range is a quantile over it:
+        ``solution.to_dataset()["separation"].quantile((0.05, 0.95), "member")``.
 
     Raises
     ------
     ValueError
-        For a condition of another kind, one that is missing or given twice, a negative, infinite or
-        missing number, a load or roughness of 0, a quantity of another dimension, and shapes that
-        do not broadcast; for a roughness outside 1e-30 to 1e30 m or one whose summits
-        ``parameters`` lift too high, and for particles so soft that the ``elastic_factor`` of
-        ``parameters`` is above 1; and for a speed with ``Parameters``, of which the density of the
-        oil is unknown.
+        For a condition of another type, a condition that is missing or given twice, a negative,
+        infinite or missing number, a load or roughness of 0, a quantity of another dimension, and
+        shapes that do not broadcast.  For a roughness outside 1e-30 to 1e30 m, or a roughness at
+        which ``parameters`` lift the summits too high.  For particles so soft that the
+        ``elastic_factor`` of ``parameters`` is above 1.  For a speed with ``Parameters``, because
+        they do not say the density of the oil.
 
     Warns
     -----
     OutOfRangeWarning
-        Once, for numbers that are probably in another unit: F_t* outside 1e-13 to 0.02, nu 3e-7 to
-        0.01 m2/s, x_a and sigma 1 nm to 1 mm, eta_a 1e6 to 1e16 m-2.
+        Once, for numbers that are probably in another unit.  The usual ranges are 1e-13 to 0.02 for
+        F_t*, 3e-7 to 0.01 m2/s for nu, 1 nm to 1 mm for x_a and sigma, and 1e6 to 1e16 m-2 for
+        eta_a.
 
     Notes
     -----
-    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The diameter is the mean of the paper:
-    with a ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The speed of a
-    disc under a ball that does not turn is twice the entrainment speed (u_1 + u_2)/2.  The density
-    of the oil is in the ``setup`` of an ensemble: that given to ``thirdbody.bearing``, or else 850
-    kg/m3.  A load in newtons is the same load for all members, though their A_n differ.
+    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The paper calls the diameter x_a a
+    mean, but with a ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The
+    speed of a disc under a ball that does not turn is twice the entrainment speed (u_1 + u_2)/2.
+    The density of the oil is in the ``setup`` of an ensemble: ``thirdbody.bearing`` sets it, and
+    the default is 850 kg/m3.  A load in newtons is the same for all members, though their A_n
+    differ.
 
     Examples
     --------
@@ -175,7 +178,7 @@ def solve(
 
 
 def _stacked(arrays: list[NDArray], members: bool) -> NDArray:
-    """The array of the best set, or those of all members along a first dimension."""
+    """The array of the best set; with ``members`` all arrays, along a new first dimension."""
     return np.stack(arrays) if members else arrays[0]
 
 
@@ -199,36 +202,36 @@ class Variables:
 @with_table
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Solution(Variables):
-    """Solved points: what ``solve`` returns.
+    """Solved points, the result of ``solve``.
 
-    Every variable is an attribute, an array of the broadcast shape of the conditions (of xarray if
-    one of them is).  Points without solution hold nan, and ``without_values`` for regime and mode.
-    In a full film hardly anything touches, and the mode says little: the printed form and tables
-    have none.
+    Every variable is an attribute: an array of the broadcast shape of the conditions, of xarray if
+    a condition is.  Points without solution have nan, and ``without_values`` for regime and mode.
+    In a full film hardly anything touches, and the mode says little: tables and the printed form
+    show no mode.
 
     Regime, mode and status are ``LubricationRegime``, ``ContactMode`` and ``SolutionStatus`` of
-    ``thirdbody.core.regimes``, integers that are equal to their names: ``solution.contact_mode ==
-    "hybrid"``. ``error_bound`` is the change of loads and areas between two separations at which
-    the forces are too large and too small, plus rounding.  Above the requested ``rtol`` the status
-    is ``not_converged``; the values are kept.
+    ``thirdbody.core.regimes``.  These integers are equal to their names:
+    ``solution.contact_mode == "hybrid"``.  ``error_bound`` is the change of loads and areas between
+    two separations, at which the forces are too large and too small, plus rounding.  If it is above
+    the requested ``rtol``, the status is ``not_converged``, and the values are kept.
 
     Attributes
     ----------
     {variables}
     variables : mapping
-        Those that were requested, by name.
+        The requested variables by name.
     conditions : mapping
-        The conditions by name, SI: arrays that broadcast to the shape.  A load that was given in
-        newtons is F_t* of the best set, also with members.
+        The conditions by name, SI: arrays that broadcast to the shape.  A load in newtons becomes
+        F_t* of the best set, also with members.
     keys : mapping
-        The name of each condition in tables: the one it was given by, for a quantity the one with
-        an engineering unit.
+        The name of each condition in tables: the name in the call, for a quantity the name with an
+        engineering unit.
     parameters : Ensemble
         The inputs.
     has_members : bool
         Whether the first dimension is ``member``.
     index : pandas.Index, optional
-        That of columns of pandas that were given.
+        The index of the columns of pandas among the conditions.
     """
 
     variables: Mapping[str, Any]
@@ -238,7 +241,7 @@ class Solution(Variables):
     has_members: bool = False
     index: pd.Index | None = None
 
-    if not TYPE_CHECKING:  # to a type checker only the variables are known
+    if not TYPE_CHECKING:  # type checkers accept only the names in ``Variables``
 
         def __getattr__(self, name: str) -> Any:
             try:
@@ -250,17 +253,17 @@ class Solution(Variables):
         return sorted([*super().__dir__(), *self.variables])
 
     def to_dataset(self) -> xr.Dataset:
-        """The points as a dataset: each variable and condition with its name, unit and symbol.
+        """The points as a dataset with the names, units and symbols of variables and conditions.
 
         Returns
         -------
         xarray.Dataset
-            The requested variables; flags are integers with ``flag_values`` and ``flag_meanings``.
-            The conditions and ``normal_load`` [N] are coordinates.  A dimension is named after the
-            condition if only one varies along it, otherwise ``point``; arrays of xarray keep their
-            dimensions and coordinates.  The index of columns of a table is a coordinate of its
-            name, or ``row``.  With members the first dimension is ``member``.  Where their loads
-            were given in newtons, the coordinate ``load`` is F_t* of the best.
+            The requested variables.  Flags are integers with ``flag_values`` and ``flag_meanings``.
+            The conditions and ``normal_load`` [N] are coordinates.  A dimension along which a
+            single condition varies has the name of this condition, others are called ``point``.
+            Arrays of xarray keep their dimensions and coordinates.  The index of columns of pandas
+            becomes a coordinate with its name, or ``row``.  With members the first dimension is
+            ``member``; for loads in newtons, the coordinate ``load`` is then F_t* of the best.
 
         Examples
         --------
@@ -283,15 +286,15 @@ class Solution(Variables):
         return labelled_dataset(self)
 
     def to_dataframe(self) -> pd.DataFrame:
-        """The points as a table: one row per point, its conditions first.
+        """The points as a table with a row for each point, the conditions first.
 
         Returns
         -------
         pandas.DataFrame
-            Conditions have the names by which they were given, such as ``load_N``, variables those
-            of ``Solution``, with the SI unit behind them if they have one: ``separation_m``.  Flags
-            are categories by name, nan where a point has none.  ``attrs["notes"]`` has A_n.  The
-            index is that of the columns of a table, if conditions are such.
+            Conditions have the names in the call, such as ``load_N``.  Variables have the names in
+            ``Solution``, with the SI unit at the end if there is one: ``separation_m``.  Flags are
+            categories by name, nan where a point has no state.  ``attrs["notes"]`` has A_n.  The
+            index is that of the columns of pandas, if conditions are such columns.
 
         Examples
         --------
@@ -322,7 +325,7 @@ class Solution(Variables):
 
 
 def _in_words(name: str, values: NDArray) -> str:
-    """A number, or the range of numbers; for a flag the names with their counts."""
+    """The text of a number or of the range of numbers; of a flag the names with their counts."""
     if name in STATES:
         states, counts = np.unique(values.astype(int), return_counts=True)
         names = ["none" if state == NO_FLAG else str(state) for state in states_of(name, states)]
@@ -340,10 +343,7 @@ def _in_words(name: str, values: NDArray) -> str:
 
 
 def labelled_dataset(solution: Solution) -> xr.Dataset:
-    """The variables and conditions of a solution, and the load in newtons.
-
-    A dimension has the name of the only condition that varies along it.
-    """
+    """The dataset of a solution, as in ``Solution.to_dataset``."""
     return _with_rows(_labelled(solution), solution.index)
 
 
@@ -375,7 +375,7 @@ def _labelled(solution: Solution) -> xr.Dataset:
         described[name] = dimensions, array, variable_attributes(VARIABLES[name])
     dataset = xr.Dataset(described, coordinates)
     newtons = dataset["load"].variable * ensemble.newtons_per_load
-    if solution.has_members and solution.keys["load"] != "load_N":  # each member has its own
+    if solution.has_members and solution.keys["load"] != "load_N":  # newtons differ by member
         per_load = [member.newtons_per_load for member in ensemble.members]
         newtons = xr.Variable(MEMBER, per_load) * dataset["load"].variable
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)
@@ -383,10 +383,7 @@ def _labelled(solution: Solution) -> xr.Dataset:
 
 
 def labelled_frame(solution: Solution) -> pd.DataFrame:
-    """A solution as a table: one row per point, flags by name.
-
-    Conditions have the names by which they were given, variables their SI unit behind their name.
-    """
+    """The table of a solution, as in ``Solution.to_dataframe``."""
     import pandas as pd
 
     dataset = _labelled(solution)
@@ -409,15 +406,17 @@ def labelled_frame(solution: Solution) -> pd.DataFrame:
 
 
 def column_name(variable: str) -> str:
-    """The name of a variable in tables: with its unit, if it has one."""
+    """The name of a variable in tables, with the unit at the end if there is one."""
     unit = VARIABLES[variable].unit
     return variable if unit == "1" else f"{variable}_{unit}"
 
 
 def _with_rows(dataset, index):
-    """A dataset with the ``index`` of the points along its last dimension as a coordinate, one for
-    each level, of its name or else ``row``; as text where netCDF has no such type.  Unchanged if
-    ``index`` is None."""
+    """A dataset with the levels of ``index`` as coordinates along its last dimension.
+
+    A level without a name is called ``row``.  Objects become text, as netCDF has no such type.  The
+    dataset is unchanged if ``index`` is None.
+    """
     if index is None:
         return dataset
     dimension, size = [*dataset.sizes.items()][-1]
@@ -432,8 +431,10 @@ def _with_rows(dataset, index):
 
 
 def _dimensions(shape: tuple[int, ...], conditions: Mapping[str, Any]) -> list[str]:
-    """A name for each axis of the points: the condition, if only one varies along it and along no
-    other.
+    """The names of the dimensions of points.
+
+    A dimension has the name of a condition if only this condition varies along it, and along no
+    other dimension.
     """
     varying = [
         [name for name, values in conditions.items() if axis in _axes(np.shape(values), shape)]
@@ -449,7 +450,7 @@ def _dimensions(shape: tuple[int, ...], conditions: Mapping[str, Any]) -> list[s
 
 
 def _placed(values, dimensions, shape):
-    """Dimensions and values of a condition, without the axes along which it is constant."""
+    """Dimensions and values of a condition; dimensions along which it is constant are removed."""
     import xarray as xr
 
     if isinstance(values, xr.DataArray):
@@ -460,5 +461,5 @@ def _placed(values, dimensions, shape):
 
 
 def _axes(sizes: tuple[int, ...], shape: tuple[int, ...]) -> list[int]:
-    """Axes (negative) of an array of ``sizes`` that are as long as those of ``shape``."""
+    """The axes, counted from the end, whose length in ``sizes`` is that in ``shape``."""
     return [axis for axis in range(-len(sizes), 0) if sizes[axis] == shape[axis]]

@@ -1,5 +1,8 @@
-"""Searches along an axis: ``find`` and ``transitions`` for crossings of levels, and of the limits
-between regimes and modes; ``turning_point`` and ``turning_window`` for maxima of A_sa,t*."""
+"""Searches along an axis.
+
+``find`` finds crossings of a level, ``transitions`` those of the limits between regimes and modes.
+``turning_point`` and ``turning_window`` find maxima of A_sa,t*.
+"""
 
 from __future__ import annotations
 
@@ -39,10 +42,10 @@ from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
 
 LOADS = (0.04, 80.0)  # first and last [N] of Table 2
 SWEEP = 32  # values along the axis
-LOADS_SWEPT = 60  # between which maxima are sought
+LOADS_SWEPT = 60  # number of loads between which maxima are sought
 RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
-TOLERANCE = 1e-6  # of its ends
-DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # for a window; any diameter
+TOLERANCE = 1e-6  # of the ends of a window
+DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # of a window; the diameter has no effect
 
 
 def find(
@@ -63,45 +66,49 @@ def find(
     Parameters
     ----------
     variable : str
-        A number of ``Solution``, except its ``error_bound``: ``solid_load_fraction``,
-        ``total_contact_area``, ...
+        Name of a number in ``Solution``, such as ``solid_load_fraction`` or
+        ``total_contact_area``, but not ``error_bound``.
     level : array_like
-        Its value, in SI, or a column of pandas; ``thirdbody.core.regimes`` has the limits between
-        regimes and modes.
+        Value of the variable in SI, also a column of pandas.  ``thirdbody.core.regimes`` has the
+        limits between regimes and modes.
     along : str
-        The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ...
+        Name of the axis, which also sets the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float
         Ends of the search in the unit of ``along``, or quantities.  By default 0.01 to 1000 N, 1 to
         1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
-        Number of sampled values, 2 or more.
+        Number of samples along the axis, 2 or more.
     parameters, members, rtol, progress, **conditions
-        As in ``thirdbody.solve``, without the axis; the conditions and ``level`` broadcast.
+        As in ``thirdbody.solve``, without the condition ``along``.  The conditions and ``level``
+        broadcast.
 
     Returns
     -------
     pandas.DataFrame
-        A row for each crossing, by query and then by value.  The index is that of columns of
-        pandas, or ``query``, the flat index into the broadcast shape; with ``members`` its first
-        level is ``member``, the best first.  The columns are the conditions, as they were given,
-        and the level; the place of the crossing, called ``along``; the bound ``error`` on its
-        error; whether the variable ``rises`` there; and the ``solution_status``.  At the distance
-        ``error`` on both sides the variable is above and below the level by more than its
-        ``error_bound``; it is infinite if float64 cannot decide that.
+        A row for each crossing, sorted by query and then by value.  The index is that of columns of
+        pandas, or ``query``, the flat index into the broadcast shape.  With ``members`` the first
+        level of the index is ``member``, the best first.
+
+        The columns are the conditions, in the units of the call; the ``level``; the value of the
+        axis at the crossing, under the name ``along``; a bound on the ``error`` of this value;
+        whether the variable ``rises`` at the crossing; and the ``solution_status``.  At the
+        distance ``error`` on both sides the variable is above and below the level by more than its
+        ``error_bound``.  Where float64 cannot decide this, ``error`` is infinite.
 
     Raises
     ------
     ValueError
         For an impossible level, ends that are not positive and increasing, a ``count`` below 2, and
-        where ``solve`` does.
+        as in ``solve``.
 
     Notes
     -----
-    Two crossings between neighbouring samples are missed, unless the curve is seen to have an
-    extremum there: where the middle of three samples is nearest to the level, and within the larger
-    of the steps beside it, both cells are sampled again, down to a 64th of the spacing.  A crossing
-    next to a value without solution is missed.  A jump across the level, at a point with several
-    roots, of which ``solve`` gives the largest, also counts as a crossing.
+    Two crossings between neighbouring samples can be missed.  The search looks for them at an
+    extremum near the level: if the middle of three samples is nearest to the level, and within the
+    larger step to its neighbours, the intervals on both sides are sampled again, down to a 64th of
+    the spacing.  A crossing next to a sample without solution is missed.  A jump across the level
+    counts as a crossing.  It occurs where the force balance has several roots, as ``solve`` returns
+    the largest.
 
     Examples
     --------
@@ -130,13 +137,13 @@ def find(
         samples = np.geomspace(*ends.with_load(inputs.best), count)
         queries = replace(Queries.of(read, inputs.best, level=levels), index=index)
         limits = [(variable, queries.columns["level"])]
-        places = _crossings(queries, along, limits, samples, inputs, rtol, progress)
-        table = queries.table(places.query, inputs.best) | _places(places, along, inputs.best)
+        crossed = _crossings(queries, along, limits, samples, inputs, rtol, progress)
+        table = queries.table(crossed.query, inputs.best) | _columns(crossed, along, inputs.best)
         table |= {
-            "rises": places.rises,
-            "solution_status": _names("solution_status", places.solution_status),
+            "rises": crossed.rises,
+            "solution_status": _names("solution_status", crossed.solution_status),
         }
-        return _indexed(table, queries, places.query)
+        return _indexed(table, queries, crossed.query)
 
     return _of_members(search, ensemble, members)
 
@@ -154,14 +161,15 @@ def transitions(
 ) -> pd.DataFrame:
     """Find where lubrication regime and contact mode change along one of the five axes.
 
-    Arguments, search and errors are those of ``thirdbody.find``.  Changes of the contact mode in a
-    full film, where hardly anything touches, are left out.
+    Arguments, search and errors are as in ``thirdbody.find``.  Changes of the contact mode in a
+    full film are left out, because hardly anything touches.
 
     Returns
     -------
     pandas.DataFrame
-        A row for each change, as in ``find``.  In place of level and direction it has the ``flag``
-        that changes, and its states ``before`` and ``after``, at smaller and larger values.
+        A row for each change, as in ``find``.  The columns ``level`` and ``rises`` are replaced by
+        the ``flag`` that changes, and its states ``before`` and ``after``, at smaller and larger
+        values.
 
     Examples
     --------
@@ -187,21 +195,21 @@ def transitions(
         samples = np.geomspace(*ends.with_load(inputs.best), count)
         queries = Queries.of(read, inputs.best)
         limits = [(quantity, np.full(queries.size, level)) for quantity, level, *_ in LIMITS]
-        places = _crossings(queries, along, limits, samples, inputs, rtol, progress)
-        points = {name: column[places.query] for name, column in queries.columns.items()}
-        points = inputs.setup.without_speed(points | {axis.name: places.value}, inputs.best)
+        crossed = _crossings(queries, along, limits, samples, inputs, rtol, progress)
+        points = {name: column[crossed.query] for name, column in queries.columns.items()}
+        points = inputs.setup.without_speed(points | {axis.name: crossed.value}, inputs.best)
         solved = solve_points(points, inputs.best, rtol, ["lubrication_regime"])
         is_full = solved["lubrication_regime"] == LubricationRegime.full_film
-        _, _, flag, below, above = np.array(LIMITS, object)[places.limit].T.reshape(5, -1)
-        table = queries.table(places.query, inputs.best)
+        _, _, flag, below, above = np.array(LIMITS, object)[crossed.limit].T.reshape(5, -1)
+        table = queries.table(crossed.query, inputs.best)
         table |= {
             "flag": flag,
-            "before": np.where(places.rises, below, above),
-            "after": np.where(places.rises, above, below),
+            "before": np.where(crossed.rises, below, above),
+            "after": np.where(crossed.rises, above, below),
         }
-        table |= _places(places, along, inputs.best)
-        table |= {"solution_status": _names("solution_status", places.solution_status)}
-        return _indexed(table, queries, places.query)[~(is_full & (flag == "contact_mode"))]
+        table |= _columns(crossed, along, inputs.best)
+        table |= {"solution_status": _names("solution_status", crossed.solution_status)}
+        return _indexed(table, queries, crossed.query)[~(is_full & (flag == "contact_mode"))]
 
     return _of_members(search, ensemble, members)
 
@@ -222,26 +230,27 @@ def turning_point(
     ----------
     between_N : pair of float
         First and last load of the curve [N], by default those of the paper (Table 2).  The maximum
-        must exceed the least values on both sides of it between them.
+        must exceed the least value before it and the least value after it on this curve.
     count : int
-        Number of loads between which maxima are sought; two within one step are missed.
+        Number of loads between which maxima are sought.  Two maxima within one step are missed.
     parameters, members, rtol, progress, **conditions
-        As in ``thirdbody.solve``, without the load; the conditions broadcast.
+        As in ``thirdbody.solve``, without the load.  The conditions broadcast.
 
     Returns
     -------
     pandas.DataFrame
-        A row for each curve, with the index of columns of pandas, or ``query``.  The columns are
-        the conditions, as they were given; whether the turning point ``exists``; F_TPCA as ``load``
-        [1] and ``load_N``, ``load_error``, a bound on the error of ``load``; ``peak_ratio``,
-        A_sa,t* [1]; ``solid_load_fraction``; ``separation_m``; ``prominence`` [1]; and ``is_cut``,
-        whether A_sa,t* rises by the prominence that is needed, but does not fall by as much before
-        the last load, so that it may turn beyond.
+        A row for each curve.  The index is that of columns of pandas, or ``query``.  The columns
+        are the conditions, in the units of the call; whether the turning point ``exists``; F_TPCA
+        as ``load`` [1] and ``load_N``; ``load_error``, a bound on the error of ``load``;
+        ``peak_ratio``, the maximum of A_sa,t* [1]; ``solid_load_fraction``; ``separation_m``;
+        ``prominence`` [1]; and ``is_cut``.  A curve ``is_cut`` if A_sa,t* rises by the prominence
+        of a turning point, but does not fall by as much up to the last load: it may turn at a
+        higher load.
 
     Raises
     ------
     ValueError
-        For loads that do not increase, a ``count`` below 2, and where ``solve`` does.
+        For loads that do not increase, a ``count`` below 2, and as in ``solve``.
 
     Examples
     --------
@@ -295,14 +304,14 @@ def turning_window(
 ) -> pd.DataFrame:
     """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
 
-    Arguments and errors are those of ``turning_point``; the conditions are the roughness and the
+    Arguments and errors are as in ``turning_point``.  The conditions are the roughness and the
     particle density.
 
     Returns
     -------
     pandas.DataFrame
-        A row for each pair of conditions, with the ends ``low`` and ``high`` [1] of the range and
-        bounds on their errors, nan if there is no such range.
+        A row for each pair of conditions.  It has the ends ``low`` and ``high`` [1] of the range,
+        and bounds ``low_error`` and ``high_error`` on their errors.  All are nan without a range.
 
     Examples
     --------
@@ -346,10 +355,10 @@ WINDOW_COLUMNS = ["low", "low_error", "high", "high_error"]
 
 @dataclass(frozen=True, eq=False)
 class Queries:
-    """The combinations of conditions along whose remaining axis is searched.
+    """Combinations of the fixed conditions, with a search along the remaining axis for each.
 
-    ``columns`` are conditions [SI] and other numbers by name, flat; ``keys`` the names of the
-    conditions in tables, and ``index`` that of columns of pandas.
+    ``columns`` are 1-D arrays of conditions [SI] and other numbers by name.  ``keys`` are the names
+    of the conditions in tables, and ``index`` is that of columns of pandas.
     """
 
     columns: dict[str, NDArray]
@@ -358,9 +367,7 @@ class Queries:
 
     @classmethod
     def of(cls, read: Conditions, parameters: Parameters, **others: Any) -> Queries:
-        """The combinations of ``others`` and of the conditions, with the load F_t* of
-        ``parameters``.
-        """
+        """The combinations of conditions and ``others``; loads are F_t* of ``parameters``."""
         if read.labelled:
             names = ", ".join(read.labelled)
             raise ValueError(f"{names} have named dimensions; allowed: their .values")
@@ -371,11 +378,11 @@ class Queries:
 
     @property
     def size(self) -> int:
-        """Their number."""
+        """The number of combinations."""
         return next(iter(self.columns.values())).size
 
     def table(self, rows: NDArray, parameters: Parameters) -> dict[str, NDArray]:
-        """The columns at ``rows``, conditions by their names in tables and in these units."""
+        """The columns at ``rows``; conditions have the names and units of tables."""
         newtons = parameters.newtons_per_load
         return {
             self.keys.get(name, name): decimal(from_si(self.keys[name], column[rows], newtons))
@@ -388,9 +395,8 @@ class Queries:
 def _of_members(
     search: Callable[[Ensemble], pd.DataFrame], ensemble: Ensemble, members: bool
 ) -> pd.DataFrame:
-    """The table of the best set, or those of all members one below the other, with their number as
-    first index.
-    """
+    """The table of the best set; with ``members`` the tables of all, the number of the member as
+    the first level of the index."""
     if not members:
         return search(ensemble)
     tables = dict(enumerate(map(search, ensemble)))
@@ -406,7 +412,7 @@ def _crossings(
     rtol: float,
     progress: bool,
 ) -> Crossings:
-    """Crossings along a condition, of which the speed is solved as a viscosity."""
+    """Crossings along a condition.  For the speed the search is along the viscosity instead."""
     axis = axis_of(along).name
     others = {name: column for name, column in queries.columns.items() if name in CONDITIONS}
     scale = 1.0
@@ -415,38 +421,39 @@ def _crossings(
         column = others.pop(name)
         if column.min() != column.max() or column[0] == 0.0:
             key = queries.keys[name]
-            raise ValueError(f"{key} is not one positive number; allowed: that, along {along}")
+            message = f"{key} is not one positive number"
+            raise ValueError(f"{message}; allowed: one positive number, if along is {along}")
         one = {"viscosity": np.ones(1), "speed": np.ones(1)} | {name: column[:1]}
         scale = inputs.setup.without_speed(one, inputs.best)["viscosity"].item()
     others = inputs.setup.without_speed(others, inputs.best)
     solved = "viscosity" if axis == "speed" else axis
     with progress_bar(samples.size * queries.size, progress) as bar:
-        places = crossings(limits, solved, scale * samples, others, inputs.best, rtol, bar.update)
-    return places._replace(value=places.value / scale, error=places.error / scale)
+        crossed = crossings(limits, solved, scale * samples, others, inputs.best, rtol, bar.update)
+    return crossed._replace(value=crossed.value / scale, error=crossed.error / scale)
 
 
-def _places(places: Crossings, along: str, parameters: Parameters) -> dict[str, NDArray]:
-    """Place and error of crossings in the unit of ``along``."""
+def _columns(crossed: Crossings, along: str, parameters: Parameters) -> dict[str, NDArray]:
+    """The values and errors of crossings in the unit of ``along``."""
     newtons = parameters.newtons_per_load
     return {
-        along: from_si(along, places.value, newtons),
-        "error": from_si(along, places.error, newtons),
+        along: from_si(along, crossed.value, newtons),
+        "error": from_si(along, crossed.error, newtons),
     }
 
 
 def _names(flag, codes):
-    """The names of states, as text."""
+    """The names of the states with these codes."""
     return [str(state) for state in states_of(flag, codes)]
 
 
 def _indexed(columns, queries, rows):
-    """A table whose rows belong to the queries ``rows``."""
+    """The table of ``columns``, with the index of the queries ``rows``."""
     table = pd.DataFrame(columns, index=pd.Index(rows, name="query"))
     return indexed(table, queries.index, rows)
 
 
 def _read_levels(variable: str, level: ArrayLike) -> NDArray:
-    """The levels of a variable [SI]; ``ValueError`` for those that it cannot have."""
+    """The levels of a variable [SI]; ``ValueError`` for a level that the variable never has."""
     checked_variables([variable], QUANTITIES)
     unit = QUANTITIES[variable].unit
     levels = numbers_in("level", level, unit)

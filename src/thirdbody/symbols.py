@@ -1,9 +1,8 @@
-"""How symbols, units and powers of ten are written: in HTML, LaTeX, mathtext of matplotlib,
-Unicode.
+"""Symbols, units and powers of ten in HTML, LaTeX, mathtext of matplotlib and Unicode.
 
-A text has symbols in ASCII, ``A_sa,t*``, ``sigma``, ``5.96e-5``, ``m-2``, or with the small letters
-and digits of Unicode, ``Aₛₐ,ₜ*``, ``10⁻⁵``; both give the same.  With ``is_symbol`` any single
-letter is a symbol: ``U/nu``.
+Texts may write symbols in ASCII, ``A_sa,t*``, ``sigma``, ``5.96e-5``, ``m-2``, or with the small
+letters and digits of Unicode, ``Aₛₐ,ₜ*``, ``10⁻⁵``.  Both give the same result.  With ``is_symbol``
+any single letter is a symbol: ``U/nu``.
 """
 
 import re
@@ -19,7 +18,7 @@ LETTER = rf"[A-Za-z{''.join(GREEK.values())}]"
 WORD = rf"(?<![A-Za-z])(?:{'|'.join(GREEK)})(?![A-Za-z])"  # a Greek letter by its name
 SMALL = r"[ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ₀-₉]"
 BELOW = rf"{SMALL}+(?:,{SMALL}+)?"
-# a letter with its index; in a text also a single letter that is no word, no unit and no panel
+# a letter with an index; below, a single letter that is no word, no unit and no panel
 SYMBOL = (
     rf"(?<!\w)({LETTER})_((?:sa|ss),t|TPCA|max|min|steel|[A-Za-z]{{1,2}}|[a-z]?[0-9])(?![A-Za-z_])"
 )
@@ -41,7 +40,7 @@ LATEX_SIGNS = {
 
 
 class Form(NamedTuple):
-    """How a symbol is written from its letter, index and star, an exponent, and any other sign."""
+    """How an output writes a symbol with index and star, an exponent, and any other sign."""
 
     symbol: str
     below: Callable[[str], str]
@@ -51,7 +50,7 @@ class Form(NamedTuple):
 
 
 def _small(index):
-    """An index in small letters; one without them, such as c, keeps its line."""
+    """An index in small letters.  Unicode has no small c: such an index stays on the line."""
     small = index.translate(TO_BELOW)
     return small if re.fullmatch(BELOW, small) else f"_{index}"
 
@@ -78,7 +77,7 @@ def unicode(text: str, is_symbol: bool = False) -> str:
 
 
 def mathtext(text: str, is_symbol: bool = False) -> str:
-    """A text for matplotlib, with powers of ten in Unicode."""
+    """A text in mathtext of matplotlib, with powers of ten in Unicode."""
     return _written(text, is_symbol, MATHTEXT)
 
 
@@ -104,7 +103,7 @@ def short(number: str) -> str:
 
 
 def _written(text: str, is_symbol: bool, form: Form) -> str:
-    """A text in a form."""
+    """A text by the rules of ``form``."""
 
     def write(match):
         letter, index, single, star, factor, sign, digits, above, other = match.groups(default="")

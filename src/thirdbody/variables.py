@@ -1,8 +1,7 @@
-"""The table of variables: what conditions and results are called, with symbols, units and
-equations.
+"""The table of all conditions and results: name, symbol, unit, equation, and texts for figures.
 
-Datasets, tables, figures, answers, the command and the page read their names here.  Symbols are
-those of the paper; units are SI as UDUNITS writes them.
+Datasets, tables, figures, answers, the command and the page take names from this table.  Symbols
+are those of the paper.  Units are SI, in the spelling of UDUNITS.
 """
 
 import inspect
@@ -19,7 +18,7 @@ from thirdbody.core.regimes import FLAG_MEANINGS
 
 @dataclass(frozen=True, kw_only=True)
 class Variable:
-    """One variable.
+    """A condition or a result: a row of the table.
 
     Attributes
     ----------
@@ -30,23 +29,23 @@ class Variable:
     unit : str
         SI unit.
     label : str
-        What it is, in words: the ``long_name`` in datasets.
+        Description in words: the ``long_name`` in datasets.
     equation : str
-        Equation or section that defines it.
+        Equation or section that defines the variable.
     comment : str
-        How to take its values.
+        Explanation of the values.
     title : str
-        What it is in headings of figures and on the page.
+        Heading in figures and on the page.
     axis_words : str
-        What stands before the symbol at its axis in figures.
+        Words before the symbol along an axis in figures.
     shown_unit : str
-        Unit in which figures and the page show it.
+        Unit in figures and on the page.
     scale : float
-        This unit in SI.
+        The ``shown_unit`` in SI.
     is_logarithmic : bool
-        Whether its axis in figures is logarithmic.
+        Whether the axis of the variable in figures is logarithmic.
     zones : str
-        Flag of the zones into which limits divide a fraction.
+        Flag that divides the values of a fraction into zones.
     """
 
     name: str
@@ -68,13 +67,15 @@ class Variable:
         return FLAG_MEANINGS.get(self.name, ())
 
     def to_si(self, values: ArrayLike) -> NDArray | float:
-        """``values`` [``shown_unit``] in SI, a number as a float: the floats nearest to the decimal
-        result, 300 nm is 3e-07 m."""
+        """``values`` [``shown_unit``] in SI; a single number as a float.
+
+        Results are the floats nearest to the decimal numbers: 300 nm is 3e-07 m.
+        """
         numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
         return numbers if numbers.ndim else numbers.item()
 
     def from_si(self, values: ArrayLike) -> NDArray:
-        """``values`` [SI] in ``shown_unit``; the last digit may differ."""
+        """``values`` [SI] in ``shown_unit``; the last digit may be wrong."""
         return np.divide(values, self.scale)
 
 
@@ -85,17 +86,17 @@ class Axis(Variable):
     Attributes
     ----------
     alias : str
-        Its name as an argument in engineering units.
+        Name of the argument in engineering units.
     alias_unit : str
-        The unit of the alias, which is ``scale`` in SI; for the load N, which depends on the
-        inputs.
+        Unit of the alias.  It is ``scale`` in SI, except for ``load_N``: the F_t* of a newton
+        depends on the inputs.
     column : str
-        Its column in tables of the workflow.
+        Name of the column in tables of the workflow.
     searched : pair of float
-        Ends of searches [``alias_unit``]: those of the paper (Table 2) and a decade beyond.
+        Ends of searches [``alias_unit``]: the ends in the paper (Table 2) and a decade beyond.
     usual : pair of float
-        Range of usual values [SI], far wider than in the paper, so that a number in another unit is
-        outside.
+        Range of usual values [SI].  It is far wider than in the paper, but a number in another unit
+        lies outside.
     """
 
     alias: str
@@ -105,7 +106,7 @@ class Axis(Variable):
     usual: tuple[float, float]
 
     def values(self, numbers: Iterable[float]) -> NDArray[np.float64]:
-        """``numbers`` [``alias_unit``] in SI, shape (n,): increasing and unique."""
+        """``numbers`` [``alias_unit``] in SI, shape (n,), sorted and without duplicates."""
         return np.unique(decimal(np.array([*numbers], float), self.scale))
 
 
@@ -114,10 +115,10 @@ def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:
     return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)
 
 
-Kind = TypeVar("Kind", bound=Variable)
+AnyVariable = TypeVar("AnyVariable", bound=Variable)
 
 
-def _by_name(*variables: Kind) -> dict[str, Kind]:
+def _by_name(*variables: AnyVariable) -> dict[str, AnyVariable]:
     return {variable.name: variable for variable in variables}
 
 
@@ -194,7 +195,7 @@ AXES = _by_name(
         usual=(1e6, 1e16),
     ),
 )
-# a sixth condition: U in Eq. 8 has the product of viscosity and speed alone
+# a sixth condition that is no axis: U in Eq. 8 contains only the product of viscosity and speed
 SPEED = Axis(
     name="speed",
     symbol="u",
@@ -281,14 +282,13 @@ QUANTITIES = _by_name(
 STATUS = names.SOLUTION_STATUS  # the flag that qualifies all other variables
 STATUS_MEANINGS = {
     "converged": "the equations hold to the error asked for",
-    "outside_film_formula": "the film carries more than a thousandth of the load where Eq. 7 has "
-    "no meaning: "
-    "it would grow with falling viscosity, is thicker than a hundredth of the ball's radius, or "
-    "presses harder "
-    "on the interface than the softer surface is",
+    "outside_film_formula": "the film carries more than a thousandth of the load "
+    "where Eq. 7 has no meaning: it would grow with falling viscosity, "
+    "is thicker than a hundredth of the ball's radius, "
+    "or presses harder on the interface than the softer surface is",
     "coverage_exceeded": "particles would cover the whole interface in Eq. 4",
-    "not_converged": "float64 does not promise the error asked for, and error_bound says what the "
-    "values are good for",
+    "not_converged": "float64 does not promise the error asked for, "
+    "and error_bound says what the values are good for",
     "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
     "load_exceeded": "the load is more than what is carried at any separation of zero or more",
 }
@@ -331,7 +331,7 @@ ERROR_BOUND = Variable(
 NUMBERS = QUANTITIES | {ERROR_BOUND.name: ERROR_BOUND}
 VARIABLES = NUMBERS | FLAGS  # of datasets
 
-# what figures and the page derive from these
+# variables that figures and the page derive from the others
 DERIVED = _by_name(
     Variable(
         name="total_contact_area_over_two_body",
@@ -355,10 +355,10 @@ Documented = TypeVar("Documented", bound=Callable)
 
 
 def with_table(documented: Documented) -> Documented:
-    """The same function or class, with rows of this table for ``{conditions}`` or ``{variables}``
-    in its docstring.
+    """Decorate a function or class whose docstring contains ``{conditions}`` or ``{variables}``.
 
-    The signature of a function that takes ``**conditions`` shows their names.
+    Rows of this table replace these words.  The signature of a function that takes ``**conditions``
+    shows the names of the conditions.
     """
     conditions, variables = [], []
     for axis in CONDITIONS.values():
@@ -371,7 +371,7 @@ def with_table(documented: Documented) -> Documented:
         symbol = f": {variable.symbol} [{variable.unit}]" if variable.name in QUANTITIES else ""
         variables += [f"{variable.name} : array", f"    The {variable.label}{symbol}."]
     for name, lines in (("{conditions}", conditions), ("{variables}", variables)):
-        docstring = inspect.cleandoc(documented.__doc__ or "")  # as Python 3.13 stores it
+        docstring = inspect.cleandoc(documented.__doc__ or "")  # Python before 3.13 keeps indents
         documented.__doc__ = docstring.replace(name, "\n".join(lines))
     if inspect.isfunction(documented):
         signature = inspect.signature(documented)

@@ -1,9 +1,9 @@
 """The version of this software, as git knows it.
 
-In a repository git is asked when it is needed, so that an editable installation says the commit
-that runs.  Elsewhere ``version.json`` says it: ``git archive`` fills in the commit, and whoever
-builds a wheel, an sdist or a release writes the version.  hatchling reads the version here too, so
-this module imports only the standard library.
+In a repository this module asks git at run time, so that an editable installation reports the
+commit that runs.  Elsewhere it reads ``version.json``: ``git archive`` writes the commit into that
+file, the build of a wheel, an sdist or a release the version.  hatchling imports this module for
+the version, so it needs only the standard library.
 """
 
 import json
@@ -16,14 +16,13 @@ from typing import NamedTuple
 
 STORED = Path(__file__).with_suffix(".json")
 REPOSITORY = Path(__file__).resolve().parents[2]
-UNKNOWN = "0+unknown"  # neither git nor the file knows it
-ELSEWHERE = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE")  # what a hook of git sets
+UNKNOWN = "0+unknown"  # neither git nor the file knows the version
+ELSEWHERE = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE")  # set by git for its hooks
 
 
 class Version(NamedTuple):
-    """The version (PEP 440), date (ISO 8601) and hash of a commit; the last two are empty if they
-    are unknown.
-    """
+    """The version (PEP 440), date (ISO 8601) and hash of a commit; an unknown date or hash is
+    empty."""
 
     text: str
     date: str = ""
@@ -31,7 +30,7 @@ class Version(NamedTuple):
 
 
 def current() -> Version:
-    """The version of what runs."""
+    """The version of the running code."""
     return _of_repository() or _stored()
 
 
@@ -59,9 +58,7 @@ def _of_repository() -> Version | None:
 
 
 def _version_of(commit: str, edited: str) -> str:
-    """The version of a commit of the repository; one without a number if a shallow clone has no
-    tag.
-    """
+    """The version of a commit of the repository, ``0+g...`` in a shallow clone without a tag."""
     tags = ("--tags", "--match=v[0-9]*", "--exclude=*[!v0-9.]*")  # v0.1.0
     try:
         return _numbered(_git("describe", "--long", *tags, commit), 0, commit, edited)
@@ -72,11 +69,12 @@ def _version_of(commit: str, edited: str) -> str:
 
 
 def _git(*arguments: str) -> str:
-    # of this repository, even in a hook of another; nothing is written
+    # A hook of another repository sets variables that would lead git there.  Optional locks would
+    # write to this repository.
     environment = {name: value for name, value in os.environ.items() if name not in ELSEWHERE}
     environment["GIT_OPTIONAL_LOCKS"] = "0"
-    # also where the folder is another user's: git refuses that, lest it run programs from there,
-    # but this module is itself a program from there
+    # git refuses a folder of another user, because it could run programs from there.  This module
+    # already runs from there.
     command = ["git", "-c", f"safe.directory={REPOSITORY.as_posix()}", *arguments]
     done = subprocess.run(
         command, cwd=REPOSITORY, env=environment, capture_output=True, encoding="utf-8", check=True
@@ -85,7 +83,7 @@ def _git(*arguments: str) -> str:
 
 
 def _numbered(described: str, distance: int, commit: str, edited: str = "") -> str:
-    """The version of a tag, or the next minor version with the number of commits since the tag."""
+    """The version of a tag.  After the tag: the next minor version with the number of commits."""
     found = re.fullmatch(r"v(\d+)\.(\d+)([\d.]*?)(?:-(\d+)-g\w+)?", described)
     major, minor, rest, since = found.groups(default="0") if found else ("0", "0", "", distance)
     if found and since == "0" and not edited:

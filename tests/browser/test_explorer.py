@@ -270,8 +270,8 @@ def test_controls_and_charts_have_names_for_screen_readers(explorer):
 def test_states_are_shown_by_more_than_colour(explorer):
     explorer.open("figure=fig11")
     assert {each.text for each in explorer.all("#claims .glyph")} >= {"✓", "✗"}
-    # dry curves are dashed; a dash or a marker for each other, and shades whose lightness differs
-    # in grey
+    # Dry curves are dashed.  Every other curve has a dash or a marker of its own, and a shade that
+    # differs from the others in grey.
     lines = explorer.run(
         """return [...document.querySelectorAll('#charts figure:first-child .line:not(.dry)')].map((line) => {
             const [r, g, b] = d3.rgb(getComputedStyle(line).stroke).formatRgb().match(/\\d+/g).map(Number);

@@ -63,7 +63,7 @@ def test_a_hardness_of_ones_own_stays(defaults):
 
 def test_unknown_bodies_are_given_together_or_refused(defaults):
     unknown = replace(defaults.best, elastic_modulus_surfaces=70e9)
-    with pytest.raises(ValueError, match="^ball, flat: not given, and not known"):
+    with pytest.raises(ValueError, match="^ball, flat: missing, and the inputs do not say"):
         tb.bearing(unknown, particle="alumina")
     bodies = dict.fromkeys(("ball", "flat", "particle"), "alumina")
     moduli = "elastic_modulus_surfaces", "elastic_modulus_particle"

@@ -129,7 +129,7 @@ class WithUnit(np.ndarray):
     """An array of a package that keeps a unit beside it."""
 
 
-OTHER_KINDS = [
+OTHER_TYPES = [
     pytest.param(lambda: np.array([300.0]).view(WithUnit), id="array of another class"),
     pytest.param(lambda: np.ma.masked_array([300.0, 500.0], [0, 1]), id="masked"),
     pytest.param(lambda: np.ma.masked_array([300.0, 500.0]) * UNIT.nm, id="masked in pint"),
@@ -149,8 +149,8 @@ OTHER_KINDS = [
 ]
 
 
-@pytest.mark.parametrize("make", OTHER_KINDS)
-def test_anything_else_is_refused_by_its_type_and_the_five_kinds_are_named(solve, make):
+@pytest.mark.parametrize("make", OTHER_TYPES)
+def test_any_other_type_is_refused_and_the_allowed_types_are_named(solve, make):
     with pytest.raises(ValueError, match="^roughness is .*numpy arrays, lists .* pint quantities$"):
         solve(roughness=make())
 

@@ -173,8 +173,8 @@ def test_every_colour_is_seen_on_white_paper(count):
         assert 1.05 / (0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05) >= 3.0
 
 
-# colours as those see them who lack the cones for medium wavelengths, linear RGB: Machado et al.
-# (2009)
+# Linear RGB as a deuteranope sees it, who lacks the cones for medium wavelengths.  Machado et al.
+# (2009) print the matrix.
 DEUTERANOPE = np.array(
     [
         [0.367322, 0.860646, -0.227968],

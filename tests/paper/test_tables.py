@@ -1,4 +1,4 @@
-"""Tidy tables: CSV there and back, their schema, and their readable forms."""
+"""Tidy tables: CSV there and back, and their schema."""
 
 import pytest
 

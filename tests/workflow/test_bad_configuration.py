@@ -11,8 +11,8 @@ TARGET = "results/extracted/table1/all.csv"  # what a run makes that is not refu
 # what Snakemake says of its own settings before it reads the workflow
 ANNOUNCED = ("Using workflow specific profile", "Config file config/")
 SECOND, CHANGES = ("--configfile", "mine.yaml"), ("--config", "changes=mine.yaml")
-# a file, what stands at its end, arguments, and what the one line must say: key or file, value,
-# allowed
+# by case: a file, the text added to its end, the arguments, and what the message must contain:
+# the key or the file, the value, and what is allowed
 CASES = {
     "key twice": (CONFIG, b"rtol: 1.0e-8\n", (), (CONFIG, "duplicate key 'rtol'")),
     "second file": (

@@ -24,6 +24,6 @@ with job(snakemake) as output:
     output.verdicts.write_text(json.dumps(words, indent=1) + "\n", encoding="utf-8")
     sizes = deviations["deviation"].abs()
     print(
-        f"deviation of {len(sizes)} printed numbers: median {sizes.median():.2%}, mean "
-        f"{sizes.mean():.2%}"
+        f"deviation of {len(sizes)} printed numbers: "
+        f"median {sizes.median():.2%}, mean {sizes.mean():.2%}"
     )

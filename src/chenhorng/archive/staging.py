@@ -49,8 +49,8 @@ def stage(
     """
     if not release.date:
         raise ValueError(
-            f"the version is {release.version}; allowed: a repository, or a copy made by "
-            "git archive or a release"
+            f"the version is {release.version}; allowed: a repository, "
+            "or a copy made by git archive or a release"
         )
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"

@@ -8,8 +8,8 @@ from typing import Any
 import yaml
 
 OF_INTERPRETATION = (
-    "# Calibrated inputs of one interpretation, made by `snakemake -c2 calibrate`; "
-    "not edited by hand.\n"
+    "# Calibrated inputs of one interpretation, "
+    "made by `snakemake -c2 calibrate`; not edited by hand.\n"
 )
 OF_LIBRARY = (
     "# The calibrated inputs of the model and their ensemble, SI, made by "

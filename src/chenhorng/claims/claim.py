@@ -192,8 +192,8 @@ class Claim:
         low, high = TOLERANCES[self.tolerance_kind]
         if not low < self.tolerance < high:
             raise ValueError(
-                f"the {self.tolerance_kind} tolerance is {self.tolerance:g}; allowed: between "
-                f"{low:g} and {high:g}"
+                f"the {self.tolerance_kind} tolerance is {self.tolerance:g}; "
+                f"allowed: between {low:g} and {high:g}"
             )
         # a window belongs to a surface, every other number to a curve
         required = ("roughness_nm",) if self.source == "window" else CONDITION_KEYS

@@ -63,8 +63,8 @@ class Conditions(BaseModel):
         others = self.__pydantic_extra__.keys()
         if unknown := sorted(others - {*CURVE_QUANTITIES, *RANGE_KEYS}):
             raise ValueError(
-                f"{unknown[0]!r:.60} is no condition; allowed: "
-                f"{', '.join(type(self).model_fields)}, "
+                f"{unknown[0]!r:.60} is no condition; "
+                f"allowed: {', '.join(type(self).model_fields)}, "
                 "a quantity, and a quantity with _min or _max"
             )
         if len(levels := sorted(others & {*CURVE_QUANTITIES})) > 1:

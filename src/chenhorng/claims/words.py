@@ -24,8 +24,8 @@ BEGINNINGS = {
     "turning_point_load": "The turning point is at",
     "bend_load": "The slope falls at",
     "total_contact_area_reversal_load": "The order reverses at",
-    "bend_load_over_mixed_load": "Over the load at which mixed lubrication begins that of the "
-    "bend is",
+    "bend_load_over_mixed_load": "Over the load at which mixed lubrication begins "
+    "that of the bend is",
     "departure_sharpness": "The sharpness of the departure is",
     "window_low": "Turning points begin at x_a/sigma of",
     "window_high": "Turning points end at x_a/sigma of",

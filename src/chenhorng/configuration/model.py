@@ -149,8 +149,8 @@ class Layer(Closed):
         covered = 0.25 * math.pi * (1e-9 * diameter) ** 2 * most["particle_density_per_m2"]
         if covered > 1.0:
             raise ValueError(
-                f"particles of {diameter:g} nm cover {covered:.3g} of the interface; allowed: at "
-                "most 1"
+                f"particles of {diameter:g} nm cover {covered:.3g} of the interface; "
+                "allowed: at most 1"
             )
         return self
 

@@ -116,8 +116,8 @@ def _check_size(name: str, scene: Mapping) -> None:
     points = scene["load_axis"]["count"] * diameters * prod(others)
     if points > MOST_POINTS:
         raise ValueError(
-            f"scenes.{name}: the curves and loads have {points:.3g} combinations; allowed: at most "
-            f"{MOST_POINTS:.3g}"
+            f"scenes.{name}: the curves and loads have {points:.3g} combinations; "
+            f"allowed: at most {MOST_POINTS:.3g}"
         )
 
 

@@ -15,8 +15,8 @@ RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fract
 AREA, FILM = Content("total_contact_area"), Content("film_thickness")
 RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=REMARKS["relative"])
 TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio", remark=REMARKS["ours"])
-# the conditions of the curves have the same name in config/scenes.yaml; other scenes need no entry
-# here
+# The conditions of the curves have the same name in config/scenes.yaml.  Other scenes need no
+# entry here.
 CURVE_FIGURES: dict[str, CurveFigure] = {
     # dry: from the p-s over the hybrid to the s-s mode
     "fig03": CurveFigure("particle_diameter", (RATIO, AREA, RELATIVE_AREA)),

@@ -1,4 +1,4 @@
-"""Rough surface against rough surface: one asperity, then a Gaussian population of summits.
+"""Rough surface against rough surface: a single asperity, and a Gaussian population of summits.
 
 The paper takes F_ss and A_ss from Zhao, Maietta & Chang (2000), J. Tribol. 122:86.  An asperity
 with interference omega first yields at omega_1 and is fully plastic from omega_2 on.  The interface
@@ -6,10 +6,10 @@ has eta_s summits per square metre, with normally distributed heights z (first h
 
     F_ss/A_n = eta_s * integral of F(omega) phi(z),   A_ss/A_n = eta_s * integral of A(omega) phi(z)
 
-over all z above d - y_s, with omega = z - (d - y_s): z is measured from the plane of the summits,
-which lies y_s above the mean plane, and d is the separation of the mean planes.  Scaled by the
-standard deviation of the heights, both depend on t = (d - y_s)/sigma_s alone, and the interference
-is w = omega/sigma_s.
+over all z above d - y_s, with omega = z - (d - y_s).  The height z is measured from the plane of
+the summits, which lies y_s above the mean plane, and d is the separation of the mean planes.  With
+the standard deviation sigma_s of the heights as the unit of length, both integrals depend only on
+t = (d - y_s)/sigma_s, and the interference is w = omega/sigma_s.
 """
 
 from __future__ import annotations
@@ -56,18 +56,19 @@ def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
 NODES, WEIGHTS = gauss_legendre(48)
 # Beyond this v the height density is below exp(-37) of its maximum: negligible in float64.
 WIDEST = np.sqrt(2.0 * 37.0)
-# Summits so far below the mean height are a fraction of 6e-16; a wider range has too few nodes.
+# Summits deeper than this below the mean height are a fraction of 6e-16 of all.  In a wider range
+# the nodes would be too far apart.
 DEEPEST = 8.0
-ELASTIC, ELASTOPLASTIC, PLASTIC = range(3)  # places of the three kinds of summits
+ELASTIC, ELASTOPLASTIC, PLASTIC = range(3)  # indices into arrays of nodes
 
 
 class _Nodes(NamedTuple):
-    """Summits at the quadrature nodes, in arrays of shape (..., 3, nodes), but ``above`` max(t, 0).
+    """Summits at the quadrature nodes, in arrays of shape (..., 3, nodes).
 
-    A summit at the height t + w, with the interference w, has the density e^(-above^2/2) e^(-v
-    (above + v/2)) of Eq. 6, with ``v`` = w + min(t, 0).  ``area`` is A/(pi R sigma_s) times the
-    second factor and the quadrature weight, and ``pressure`` F/(A H), all [1].  The first factor is
-    left out, so that the tail keeps its digits where float64 would underflow.
+    ``above`` is max(t, 0), of the shape of t.  A summit at the height t + w, with the interference
+    w, has the density e^(-above^2/2) e^(-v (above + v/2)) of Eq. 6, where ``v`` = w + min(t, 0).
+    ``area`` is A/(pi R sigma_s) times the second factor and the quadrature weight.  It lacks the
+    first factor, which would underflow at a large t.  ``pressure`` is F/(A H).  All are [1].
     """
 
     above: NDArray
@@ -80,8 +81,8 @@ class _Nodes(NamedTuple):
 class SummitPopulation:
     """Load and area of a Gaussian population of equal summits, per apparent area.
 
-    Elastic, elastoplastic and plastic summits are each integrated by Gauss-Legendre quadrature.
-    The fields, all [1], are scalars, or arrays with an element per point.
+    Elastic, elastoplastic and plastic summits have separate integrals, by Gauss-Legendre
+    quadrature.  The fields, all [1], are scalars, or arrays with an element per point.
 
     Examples
     --------
@@ -131,8 +132,8 @@ class SummitPopulation:
         return self._logarithm(nodes, nodes.area * nodes.pressure, self.hardness_ratio)[:2]
 
     def log_load_and_area(self, t: float | NDArray) -> NDArray:
-        """ln F_ss* and ln(A_ss/A_n), each with its first two derivatives with respect to ``t``:
-        shape (2, 3, ...)."""
+        """ln F_ss* and ln(A_ss/A_n), with the first two derivatives with respect to ``t``: shape
+        (2, 3, ...)."""
         nodes = self._nodes(t)
         load = self._logarithm(nodes, nodes.area * nodes.pressure, self.hardness_ratio)
         return np.stack([load, self._logarithm(nodes, nodes.area, 1.0)])
@@ -150,7 +151,7 @@ class SummitPopulation:
         start = np.maximum(-below - DEEPEST, 0.0)
         end = WIDEST**2 / (above + np.hypot(above, WIDEST)) - below
         changes = w_1[..., None] * [0.0, 1.0, self.plastic_ratio, np.inf]
-        # with the square root of w as the variable, half powers of w are smooth
+        # the variable of integration is the square root of w, in which half powers of w are smooth
         edges = np.sqrt(np.minimum(np.maximum(changes, start[..., None]), end[..., None]))
         width = (edges[..., 1:] - edges[..., :-1])[..., None]
         sqrt_w = edges[..., :-1, None] + width * NODES
@@ -169,9 +170,11 @@ class SummitPopulation:
         return _Nodes(above=above, v=v, area=area, pressure=pressure)
 
     def _logarithm(self, nodes, terms, unit):
-        """ln of the sum of ``terms`` times pi eta_s R sigma_s times ``unit``, H/E_ss of a load and
-        1 of an area, and two derivatives."""
-        # on a single axis, so that the sum at a point does not depend on other points
+        """ln of the sum of ``terms`` times pi eta_s R sigma_s times ``unit``, and two derivatives.
+
+        ``unit`` is H/E_ss for a load and 1 for an area.
+        """
+        # with all nodes on a single axis the sum at a point does not depend on other points
         above, shape = nodes.above, (*nodes.above.shape, 3 * NODES.size)
         terms, v = terms.reshape(shape), nodes.v.reshape(shape)
         total = np.maximum(terms.sum(-1), TINY)

@@ -40,7 +40,7 @@ class Forces(NamedTuple):
 
 
 def _taken(record, chosen):
-    """A record, in which others may lie, with ``chosen`` elements of its arrays."""
+    """A record, which may contain records, with the ``chosen`` elements of its arrays."""
     if isinstance(record, tuple):
         return type(record)(*(_taken(part, chosen) for part in record))
     return record.take(chosen, axis=-1)

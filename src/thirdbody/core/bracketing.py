@@ -1,7 +1,7 @@
 """Bracketed root finding without derivatives, vectorized over points.
 
-``scipy.optimize.elementwise.find_root`` has the same method, but one tolerance for all points; it
-leaves out solved points, so that each function would need the indices of the others.
+``scipy.optimize.elementwise.find_root`` has the same method, but a single tolerance for all points.
+It also leaves out solved points, so that functions would need the indices of the other points.
 """
 
 from collections.abc import Callable
@@ -49,8 +49,8 @@ def bracketed_roots(
 
 
 def _interpolated(newest, other, last, f_newest, f_other, f_last):
-    """Root by inverse quadratic interpolation, as a fraction of the way from ``newest`` to
-    ``other``; nan where the three points do not make it reliable."""
+    """The root by inverse quadratic interpolation, as a fraction of the way from ``newest`` to
+    ``other``; nan where the three points make it unreliable."""
     step, level = (newest - other) / (last - other), (f_newest - f_other) / (f_last - f_other)
     reliable = (level**2 < step) & ((1.0 - level) ** 2 < 1.0 - step)
     fraction = f_newest / (f_other - f_newest) * f_last / (f_other - f_last)

@@ -33,9 +33,7 @@ class Brackets(NamedTuple):
 
 
 class FilmAlone(NamedTuple):
-    """Separation [m] at which the film carries all of F_t, and the ends that rounding leaves; 0
-    when dry.
-    """
+    """Separation [m] at which the film carries all of F_t, with bounds for rounding; 0 when dry."""
 
     separation: NDArray
     low: NDArray
@@ -61,7 +59,7 @@ def bracket(points: Points) -> Brackets:
 
 
 def _film_alone(points):
-    """Where the film carries all of F_t."""
+    """The separations at which the film carries all of F_t."""
     separation, rounding = points.film_separation()
     return FilmAlone(
         separation=separation,
@@ -94,8 +92,10 @@ def _upper_bounds(points, guess):
 
 
 def _beyond_film_or_held(points, film, guess):
-    """Brackets where the film keeps its separation, which is 0 when dry, unless the solids need a
-    larger one.  The forces at the guess show this at most points, those at the film at all."""
+    """Brackets where the film keeps its separation, 0 when dry, unless the solids need more.
+
+    The forces at the guess decide this at most points, the forces at the film at the others.
+    """
     high = _upper_bounds(points, guess)
     guess = np.maximum(guess, film.high)
     forces = points.forces(guess)

@@ -1,8 +1,8 @@
-"""Loads and areas of the solids at a given separation, and their slopes.
+"""Loads and areas of the solids at a separation, and their slopes.
 
 Two rough surfaces are a mean separation d apart, with or without particles between them.  Loads are
-dimensionless, F* = F/(A_n E_ss); areas are relative to the apparent area A_n.  Summit load and
-area, and sums of loads, are kept as logarithms, so that the tail of the summits keeps its digits.
+dimensionless, F* = F/(A_n E_ss); areas are relative to the apparent area A_n.  Load and area of the
+summits, and sums of loads, are logarithms, so that float64 keeps the digits of very small numbers.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, has_particles, log_bare_fraction
 from thirdbody.core.summits import Summits
 
-FARTHEST = 1e60  # limit of t: nothing changes beyond it, and t^2 could overflow
-NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* below which the area underflows too
-# rounding of ln F_ss*, in EPSILON: a constant, one per size of the logarithm, and one per change
-# with d
+FARTHEST = 1e60  # limit of t: a larger t changes nothing, and t^2 could overflow
+NOTHING = np.log(TINY) - 50.0  # ln F_ss* below which the area underflows too
+# rounding of ln F_ss*, in EPSILON: a constant, and factors of the size of the logarithm and of the
+# rounding of d
 ROUNDINGS, ROUNDINGS_PER_SIZE, ROUNDINGS_OF_D = 24.0, 4.0, 2.0
 
 
 class ErrorTerms(NamedTuple):
-    """How far loads and areas at a separation d may be wrong: arrays of its shape.
+    """Errors of loads and areas at a separation d, in arrays of the shape of d.
 
-    Loads and areas are sums of contributions v of summits and particles; those that are zero in
-    float64 do not count.  Errors of d are not included.
+    Loads and areas are sums of contributions v of summits and particles.  Contributions that are
+    zero in float64 do not count.  The errors are those at an exact d.
 
     Attributes
     ----------
@@ -47,12 +47,12 @@ class ErrorTerms(NamedTuple):
 
 
 class SolidState(NamedTuple):
-    """Loads and areas of summits and particles at a separation d: arrays of its shape.
+    """Loads and areas of summits and particles at a separation d, in arrays of the shape of d.
 
-    ``log_load`` is ln F_s* [1].  For the summits beside the particles, ``log_summit_load`` is
-    ln F_ss-sa* [1] and ``log_summit_area`` ln(A_ss-sa/A_n) [1], nan if not requested.
-    ``particle_area`` is A_sa/A_n [1], and ``coverage`` [1] the fraction of the interface covered by
-    particles larger than d.  The noise in ``errors`` is that of ``log_load``.
+    ``log_load`` is ln F_s* [1].  The summits beside the particles have ``log_summit_load``,
+    ln F_ss-sa* [1], and ``log_summit_area``, ln(A_ss-sa/A_n) [1], nan if not requested.
+    ``particle_area`` is A_sa/A_n [1].  ``coverage`` [1] is the fraction of the interface that
+    particles larger than d cover.  The noise in ``errors`` is that of ``log_load``.
     """
 
     log_load: WithSlope
@@ -94,9 +94,11 @@ class Contact:
         parameters: Parameters,
         table_rtol: float | None = None,
     ) -> Contact:
-        """The solids at points with x_a [m], sigma [m] and eta_a [m-2], 1-D and of one length, all
-        with or all without particles.  ``table_rtol`` is the relative error of tables of the
-        summits, which by default are integrated."""
+        """The contact at points with x_a [m], sigma [m] and eta_a [m-2], 1-D and of equal length.
+
+        All points have particles, or none has.  ``table_rtol`` is the relative error of tables of
+        the summits; None, the default, is quadrature without tables.
+        """
         particles = None
         if has_particles(particle_diameter[0], particle_density[0]):
             particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
@@ -109,8 +111,10 @@ class Contact:
         return replace(self, summits=self.summits.take(chosen), particles=particles)
 
     def at(self, separation: NDArray, with_areas: bool = False) -> SolidState:
-        """Loads of summits and particles (Eqs. 2 and 4), the area of the particles, and if
-        requested that of the summits (Eq. 5)."""
+        """Loads of summits and particles (Eqs. 2 and 4) and the area of the particles (Eq. 5).
+
+        The area of the summits is included only ``with_areas``.
+        """
         log_load, log_area = self._summits_alone(separation, with_areas)
         rounding_of_d = np.abs(log_load.slope) * (separation + self.summits.offset)
         size = ROUNDINGS_PER_SIZE * np.abs(log_load.value)
@@ -120,7 +124,7 @@ class Contact:
         return self._with_particles(self.particles, separation, log_load, log_area, rounding)
 
     def _summits_alone(self, separation, with_areas):
-        """ln F_ss*, and ln(A_ss/A_n) if requested, as without particles."""
+        """ln F_ss* and ln(A_ss/A_n), the latter nan unless ``with_areas``, as without particles."""
         deviation = self.summits.deviation
         t = np.minimum((separation - self.summits.offset) / deviation, FARTHEST)
         if with_areas:
@@ -135,11 +139,10 @@ class Contact:
         )
 
     def _with_particles(self, particles, separation, log_load, log_area, rounding):
-        """The state with ``particles``, which take load and area from the summits they keep
-        apart."""
+        """The state with ``particles``: they take load and area from the summits."""
         area, coverage = particles.contact(separation)
         bare_area = log_bare_fraction(coverage)
-        # Eq. 4: F_ss-sa is what particles of all sizes leave of F_ss
+        # Eq. 4: F_ss-sa is F_ss times the fraction that particles of all sizes leave bare
         log_summits = log_load._replace(value=log_load.value + particles.log_bare)
         log_particles = WithSlope(  # Eqs. 4 and 5: F_sa is the hardness times A_sa
             value=np.log(area.value) + np.log(self.parameters.particle_pressure),

@@ -1,8 +1,8 @@
 """Crossings of levels along an axis: sampled, bracketed and refined.
 
 The axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of the level
-bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near the
-level, the sampling is refined ``DEPTH`` times by ``FINER``.
+bracket a crossing, and the bracket is narrowed to the requested error.  Around an extremum near the
+level the sampling is refined ``DEPTH`` times by the factor ``FINER``.
 """
 
 from __future__ import annotations
@@ -19,19 +19,18 @@ from thirdbody.core.names import ERROR_BOUND, SOLUTION_STATUS
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 
-FINER, DEPTH = 8, 2  # where a curve has an extremum near the level
-WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
+FINER, DEPTH = 8, 2  # refinements around an extremum near the level
+WIDER, ATTEMPTS = 8.0, 8  # factor and number of widenings until the signs on both sides are certain
 
 
 class Crossings(NamedTuple):
-    """Where variables cross their levels: arrays with an element per crossing, by query and then by
-    value.
+    """Crossings of levels: arrays with an element per crossing, sorted by query and value.
 
-    ``limit`` and ``query`` are indices into the limits and the queries; ``value`` is the place on
-    the axis and ``error`` bounds its error, in SI: at this distance on both sides, the variable is
-    above and below the level by more than its ``error_bound``; infinite if float64 cannot decide
-    that.  ``rises`` is whether the variable increases there, and ``solution_status`` the status of
-    the point.
+    ``limit`` and ``query`` are indices into the limits and the queries.  ``value`` is that of the
+    axis, and ``error`` a bound on its error, in SI.  At the distance ``error`` on both sides the
+    variable is above and below the level by more than its ``error_bound``.  If float64 cannot
+    decide this, ``error`` is infinite.  ``rises`` is whether the variable increases at the
+    crossing, and ``solution_status`` is the status of the point.
     """
 
     limit: NDArray
@@ -51,16 +50,16 @@ def crossings(
     rtol: float,
     callback: Callable[[int], None] | None = None,
 ) -> Crossings:
-    """Find the crossings of several variables, solved together.
+    """Find the crossings of several variables, which are solved together.
 
     Parameters
     ----------
     limits : sequence of pairs
         A variable, and its level for each query [SI], shape (queries,).
     axis : str
-        The condition along which they are sought.
+        Name of the condition along which crossings are sought.
     samples : array
-        Increasing values of it, between which changes of sign are sought.
+        Increasing values of the axis.
     others : mapping of arrays
         The other conditions of each query by name, shape (queries,).
     parameters, rtol
@@ -84,8 +83,7 @@ def crossings(
 
 @dataclass(frozen=True)
 class _Excess:
-    """Variables minus their levels, by limit and query, along an axis; other conditions by
-    query."""
+    """Variables minus their levels along an axis, for each limit and query."""
 
     names: list[str]
     levels: NDArray
@@ -96,26 +94,26 @@ class _Excess:
     callback: Callable[[int], None] | None
 
     def solved(self, query, values, callback=None):
-        """Variables by name, of queries at values of the axis."""
+        """Variables by name for the queries at ``values`` of the axis."""
         points = {name: column[query] for name, column in self.others.items()} | {self.axis: values}
         variables = {*self.names, ERROR_BOUND, SOLUTION_STATUS}
         return solve_points(points, self.parameters, self.rtol, variables, callback)
 
     def everywhere(self, samples):
-        """All limits of all queries, in columns, at each of the ``samples``."""
+        """The excess at each of the ``samples`` (rows), for all limits of all queries (columns)."""
         queries = np.arange(self.levels.shape[1])
         solved = self.solved(queries, samples[:, None], self.callback)
         columns = [solved[name] for name in self.names]
         return np.concatenate(columns, axis=1) - self.levels.ravel()
 
     def at(self, limit, query, log_value):
-        """Limits of queries at ln of the axis, nan without solution; and the variables."""
+        """The excess at ln of the axis, nan without solution, and the variables."""
         solved = self.solved(query, np.exp(log_value))
         values = np.choose(limit, [solved[name] for name in self.names])
         return values - self.levels[limit, query], solved
 
     def certain_sign(self, limit, query, log_value):
-        """The sign, 0 where the error of the variable may be larger; and the status."""
+        """The sign of the excess, 0 where its error may be larger, and the status."""
         excess, solved = self.at(limit, query, log_value)
         margin = solved[ERROR_BOUND] * np.abs(excess + self.levels[limit, query])
         sign = np.where(np.abs(excess) > margin, np.sign(excess), 0.0)
@@ -123,8 +121,8 @@ class _Excess:
 
 
 def _brackets(excess, samples):
-    """Limit and query of each change of sign, whether the variable rises there, and ln of the axis
-    on both sides."""
+    """The limit and query of each change of sign, whether the variable rises, and ln of the axis on
+    both sides."""
     limit, query = (indices.ravel() for indices in np.indices(excess.levels.shape))
     values = excess.everywhere(samples)
     log_values = np.broadcast_to(np.log(samples)[:, None], values.shape)
@@ -145,8 +143,11 @@ def _brackets(excess, samples):
 
 
 def _errors(excess, limit, query, root, error):
-    """Distances from ``root`` in ln of the axis, from ``error`` on, at which the signs on both
-    sides are certain and opposite, infinite if there are none; and the status."""
+    """Bounds on the errors of ``root`` in ln of the axis, and the status.
+
+    A bound is a distance, from ``error`` on, at which the signs on both sides are certain and
+    opposite.  It is infinite if there is no such distance.
+    """
     for _ in range(ATTEMPTS):
         sign_above, _ = excess.certain_sign(limit, query, root + error)
         sign_below, status = excess.certain_sign(limit, query, root - error)
@@ -158,9 +159,8 @@ def _errors(excess, limit, query, root, error):
 
 
 def _may_touch(excess):
-    """Whether a curve may touch its level between three neighbouring values, by the index of the
-    first.
-    """
+    """Whether a curve may touch its level between three neighbouring samples, at the index of the
+    first sample."""
     distance, sign = np.abs(excess), np.sign(excess)
     first, middle, last = distance[:-2], distance[1:-1], distance[2:]
     same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])

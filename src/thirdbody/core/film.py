@@ -25,40 +25,39 @@ from thirdbody.core.interpolation import HermiteTable
 from thirdbody.core.logarithms import EPSILON
 from thirdbody.core.parameters import Number, Parameters
 
-# exponents in the term of the roughness in Eq. 7: of sigma* and V, and of W, U and G with a minus;
-# they are used more than once, the other numbers of Eq. 7 stand in ``Film.of``
+# Exponents in the roughness term of Eq. 7: of sigma* and V, and, with a minus sign, of W, U and G.
+# The code uses them more than once.  All other numbers of Eq. 7 are in ``Film.of``.
 ROUGH_SIGMA, ROUGH_V = 1.248, 0.119
 ROUGH_W, ROUGH_U, ROUGH_G = 0.133, 0.884, 0.977
-THICKEST = 0.01  # largest H_c that still describes a film between two bodies
-# of a thickness, in EPSILON: a constant, and one per size of the logarithms
+THICKEST = 0.01  # H_c above which Eq. 7 does not describe a film between two bodies
+# rounding of a thickness, in EPSILON: a constant, and a factor of the size of the logarithms
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
-INVERSE_STEPS = 6  # reduce an initial error of up to a factor of 2 in thickness to rounding
-# table of the inverse of Eq. 7: range in ln H_c, number of pieces, and error in ln W
+INVERSE_STEPS = 6  # of Newton's method: from an error of a factor of 2 in thickness to rounding
+# table of the inverse of Eq. 7: range of ln H_c, number of pieces, and error of ln W
 INVERSE_RANGE, INVERSE_PIECES, INVERSE_ERROR = (-6.0, 14.0), 2400, 1e-13
 
 
 def log_load_parameter(log_load: Number, parameters: Parameters) -> Number:
-    """ln W [1], W = F/(E_ss R_x^2) (Eq. 8), of a load ln F* [1], F* = F/(A_n E_ss)."""
+    """ln W [1] for ln F* [1], where W = F/(E_ss R_x^2) (Eq. 8) and F* = F/(A_n E_ss)."""
     return log_load + math.log(parameters.apparent_area / parameters.ball_radius**2)
 
 
 def has_film(viscosity: NDArray) -> NDArray:
-    """Whether a kinematic ``viscosity`` [m2/s] means a film: 0 is dry."""
+    """Whether there is a film: a kinematic ``viscosity`` [m2/s] of 0 is dry contact."""
     return viscosity > 0.0
 
 
 def load_of_film(
     separation: NDArray, viscosity: NDArray, roughness: float | NDArray, parameters: Parameters
 ) -> tuple[NDArray, NDArray]:
-    """The load F* [1] whose W gives a film as thick as a separation (Eqs. 7 and 8), and d ln F*/dd
-    [m-1].
+    """The load F* [1] of a film as thick as the separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
 
     Parameters
     ----------
     separation, viscosity : array
         d [m] and nu [m2/s], of shapes that broadcast.
     roughness : array or float
-        sigma [m], per film or common to all.
+        sigma [m], for each film or for all.
     parameters : Parameters
         Inputs of the model.
 
@@ -78,12 +77,13 @@ def load_of_film(
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
 
-    The first term is the smooth film, the second the smooth film times the term of the roughness in
-    Eq. 7. ``smooth`` and ``rough`` are s and r, of the shape of the points.  Rounding grows with
-    ``smooth_size``, the sum of the absolute logarithms in s, and ``rough_size``, the sum of those
-    that r adds.  ``exponents`` are a and b.  ``turning_ratio`` is the second term over the first
-    where H_c is least over the speed U. ``greatest_log_W`` is ln W at which the mean film pressure
-    reaches the softer hardness, as Eq. 7 assumes elastic bodies.  All are dimensionless.
+    The first term is the smooth film, the second the smooth film times the roughness term of Eq. 7.
+    ``smooth`` and ``rough`` are s and r, with an element per point.  ``exponents`` are a and b.
+
+    Rounding grows with ``smooth_size``, the sum of the absolute logarithms in s, and with
+    ``rough_size``, the sum of the absolute logarithms that r adds.  ``turning_ratio`` is the second
+    term over the first at the speed U with the least H_c.  At ``greatest_log_W`` the mean film
+    pressure is the softer hardness; Eq. 7 assumes elastic bodies.  All fields are dimensionless.
     """
 
     smooth: NDArray
@@ -145,26 +145,28 @@ class Film:
         )
 
     def thickness(self, log_W: float | NDArray) -> tuple[NDArray, NDArray]:
-        """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an array over the points."""
+        """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an element per point."""
         a, b = self.exponents
         smooth = np.exp(self.smooth + a * log_W)
         rough = np.exp(self.rough + b * log_W)
         return smooth + rough, a * smooth + b * rough  # Eq. 7
 
     def rounding(self, log_W: float | NDArray, slope: float | NDArray) -> NDArray:
-        """Relative rounding error [1] of H_c, an exponential of logarithms, at ln W [1], where
-        ``slope`` is d ln H_c/d ln W [1]."""
+        """Relative rounding error [1] of H_c at ln W [1]; ``slope`` is d ln H_c/d ln W [1].
+
+        H_c is an exponential of logarithms, so that the error grows with their size.
+        """
         a, b = self.exponents
-        rough_share = (slope - a) / (b - a)  # of the second term
+        rough_share = (slope - a) / (b - a)  # the second term over H_c
         size = self.smooth_size + rough_share * self.rough_size + np.abs(slope * log_W)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
     def log_W_and_slope(self, thickness: float | NDArray) -> tuple[NDArray, NDArray]:
-        """ln W [1] at which the film has a positive ``thickness`` H_c [1], the inverse of Eq. 7,
-        and d ln W/d ln H_c [1].
+        """The inverse of Eq. 7: ln W [1] at a positive ``thickness`` H_c [1], and d ln W/d ln H_c
+        [1].
 
-        Relative to the point of equal terms in Eq. 7, all films of one ellipticity lie on one
-        curve, which is tabulated.
+        Relative to the point where both terms of Eq. 7 are equal, all films of the same ellipticity
+        have the same curve.  This curve is tabulated.
         """
         a, b = self.exponents
         log_parameter = (self.smooth - self.rough) / (b - a)  # where both terms are equal
@@ -180,10 +182,10 @@ class Film:
         return value + log_parameter, slope
 
     def is_meaningful(self, log_W: float | NDArray) -> NDArray:
-        """Whether H_c increases with viscosity at ln W [1], and surfaces can carry the film.
+        """Whether H_c increases with viscosity at ln W [1], and the surfaces can carry the film.
 
-        By Eq. 7 the film grows without bound as U goes to zero; it is not valid where dH_c/dU < 0.
-        At kappa = 1 this is where the roughness term exceeds 3.
+        As U goes to zero, H_c of Eq. 7 grows without bound.  Eq. 7 is not valid where dH_c/dU < 0;
+        at kappa = 1 the roughness term there exceeds 3.
         """
         a, b = self.exponents
         turning = (np.log(self.turning_ratio) + self.smooth - self.rough) / (b - a)
@@ -191,17 +193,20 @@ class Film:
 
 
 def _inverse(x, a, b):
-    """y of e^x = e^(a y) + e^(b y), and its first two derivatives, by Newton's method on the
-    logarithm.  It starts where one term alone equals e^x, so that it cannot overshoot."""
+    """The solution y of e^x = e^(a y) + e^(b y), and its first two derivatives.
+
+    Newton's method is applied to the logarithm.  It starts where a single term equals e^x, so that
+    it cannot overshoot.
+    """
     y = np.maximum(x / a, x / b)
     for _ in range(INVERSE_STEPS):
         y = y - (np.logaddexp(a * y, b * y) - x) / (b + (a - b) * scipy.special.expit((a - b) * y))
-    rough_share = scipy.special.expit((b - a) * y)  # of the second term
+    rough_share = scipy.special.expit((b - a) * y)  # the second term over the sum
     slope = 1.0 / (a + (b - a) * rough_share)
     return y, slope, -rough_share * (1.0 - rough_share) * (b - a) ** 2 * slope**3
 
 
 @lru_cache(maxsize=64)
 def _inverse_table(a, b):
-    """``_inverse``, tabulated for the exponents of one ellipticity."""
+    """A table of ``_inverse`` for the exponents of one ellipticity."""
     return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_PIECES)

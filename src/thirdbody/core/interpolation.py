@@ -15,7 +15,8 @@ class HermiteTable:
     """Functions of one variable and their slopes, as piecewise quintic polynomials.
 
     Each polynomial matches the value, slope and curvature of its function at both ends.  Pieces of
-    equal width need no search: many unsorted places take a tenth of the time of SciPy's ``PPoly``.
+    equal width need no search: for many unsorted x the table takes a tenth of the time of
+    ``scipy.interpolate.PPoly``.
 
     Parameters
     ----------
@@ -30,7 +31,8 @@ class HermiteTable:
     Attributes
     ----------
     error : array, shape (functions,)
-        Estimate of the largest error of the values: ``ELSEWHERE`` times the error at midpoints.
+        Estimate of the largest error of the values: ``ELSEWHERE`` times the largest error at
+        midpoints.
 
     Examples
     --------
@@ -60,8 +62,10 @@ class HermiteTable:
 
     @classmethod
     def joined(cls, tables: Sequence[HermiteTable]) -> HermiteTable:
-        """Combine tables on the same interval and pieces: all functions of the first, then of the
-        second, and so on."""
+        """Combine tables with the same interval and pieces.
+
+        The functions of the first table come first, then those of the second, and so on.
+        """
         joined = copy(tables[0])
         joined._powers = np.concatenate([table._powers for table in tables], axis=1)
         joined.error = np.concatenate([table.error for table in tables])
@@ -83,15 +87,18 @@ class HermiteTable:
 
 
 class Guesses:
-    """Approximate values of a function known at increasing ``x``, interpolated linearly between
-    ``count`` values at equal distances: much faster than ``numpy.interp``, which searches."""
+    """Approximate values of a function that is known at increasing ``x``.
+
+    They are interpolated linearly between ``count`` values at equal distances.  This is much faster
+    than ``numpy.interp``, which searches.
+    """
 
     def __init__(self, x: NDArray, values: NDArray, count: int):
         x_samples, self._step = np.linspace(x[0], x[-1], count, retstep=True)
         self._start, self._values = x[0], np.interp(x_samples, x, values)
 
     def __call__(self, x: NDArray) -> NDArray:
-        """Values at an array ``x``; those of the ends outside."""
+        """Values at an array ``x``; outside, the value at the nearest end."""
         last = self._values.size - 1
         position = np.minimum(np.maximum((x - self._start) / self._step, 0.0), last)
         step = np.minimum(position.astype(np.intp), last - 1)
@@ -100,7 +107,7 @@ class Guesses:
 
 
 def _quintics(nodes, step):
-    """Coefficients in powers of the position (0 to 1) in each piece: (6, functions, pieces)."""
+    """Coefficients of the powers of the position (0 to 1) in a piece: (6, functions, pieces)."""
     y, y_1, y_2 = nodes[:, 0, :-1], nodes[:, 1, :-1] * step, nodes[:, 2, :-1] * step**2
     z, z_1, z_2 = nodes[:, 0, 1:], nodes[:, 1, 1:] * step, nodes[:, 2, 1:] * step**2
     rise, rise_1, rise_2 = z - y - y_1 - 0.5 * y_2, z_1 - y_1 - y_2, z_2 - y_2

@@ -1,4 +1,4 @@
-"""The names of the variables of solved points; ``thirdbody.variables`` says what each is."""
+"""The names of the variables of solved points; ``thirdbody.variables`` describes the variables."""
 
 TOTAL_CONTACT_AREA = "total_contact_area"
 PARTICLE_CONTACT_AREA_RATIO = "particle_contact_area_ratio"

@@ -9,23 +9,23 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-# range of sigma [m] in which surfaces are finite for all inputs within their bounds
+# range of sigma [m] in which all inputs within their bounds give finite surfaces
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
-HIGHEST_PLANE = 1000.0  # y_s/sigma_s; farther below it, summits lose digits
-MATERIALS = (  # of which the elastic factor consists
+HIGHEST_PLANE = 1000.0  # y_s/sigma_s above which the loads of summits lose digits
+MATERIALS = (  # the inputs in the elastic factor
     *("elastic_modulus_surfaces", "elastic_modulus_particle"),
     *("hardness_surface_1", "hardness_surface_2"),
 )
-# ASSUME: what the paper leaves open.  Fixed: X_min is 0, and the film fills the separation of the
-# mean planes. To choose, by these words:
+# ASSUME: the paper leaves open some interpretations.  Two are fixed: X_min is 0, and the film fills
+# the separation of the mean planes.  These words choose the others:
 WORDS = {"particle_plane": ("surface", "summit"), "film_load": ("fluid", "total")}
-MOST_ELASTIC_FACTOR = 1.0  # up to which F_s decreases with d, and Eq. 1 has one root
+MOST_ELASTIC_FACTOR = 1.0  # up to this factor F_s decreases with d, and Eq. 1 has one root
 
 Number = TypeVar("Number", float, NDArray)  # one number, or an array of them
 
 
 class Bounds(NamedTuple):
-    """A closed interval of numbers, and their SI unit."""
+    """The least and the most of a number, both allowed, and its SI unit."""
 
     least: float
     most: float
@@ -41,8 +41,8 @@ class Bounds(NamedTuple):
         return f"a number from {self.least:g} to {self.most:g}{unit}"
 
 
-# within which the model is known to be computed correctly: much wider than real materials and
-# surfaces
+# Within these bounds the results are tested.  The bounds are much wider than real materials and
+# surfaces.
 BOUNDS = {
     "elastic_modulus_surfaces": Bounds(1e8, 1e13, "Pa"),
     "elastic_modulus_particle": Bounds(1e8, 1e13, "Pa"),
@@ -64,7 +64,7 @@ BOUNDS = {
     "summit_deviation_ratio": Bounds(0.05, 5.0, "1"),
     "summit_offset_ratio": Bounds(0.0, 5.0, "1"),
     "mean_ratio": Bounds(0.0, 2.0, "1"),
-    # narrower sizes make a step in the load that float64 cannot resolve to 1e-9
+    # a narrower distribution of sizes makes a step in the load that float64 cannot resolve to 1e-9
     "spread_ratio": Bounds(1e-6, 10.0, "1"),
     "truncation": Bounds(0.5, 10.0, "1"),
     "participation": Bounds(1e-6, 1.0, "1"),
@@ -74,7 +74,7 @@ BOUNDS = {
 
 @dataclass(frozen=True)
 class Surface:
-    """Summits of the equivalent rough surface at one roughness, or at each of several.
+    """Summits of the equivalent rough surface, for a single roughness or an array of roughnesses.
 
     Attributes
     ----------
@@ -98,14 +98,14 @@ class Parameters:
     """One set of all inputs of the model, in SI units.
 
     ``config/inputs.yaml`` has the symbol, unit and source of each field, ``BOUNDS`` the allowed
-    numbers. Fields that are words select interpretations of the paper.
-    ``thirdbody.load_parameters`` returns the calibrated sets, an ``Ensemble``.
+    numbers.  Fields that are words select interpretations of the paper.
+    ``thirdbody.load_parameters`` returns the calibrated sets as an ``Ensemble``.
 
     Raises
     ------
     ValueError
-        For a number out of bounds, a value that is not a number, and an unknown word: one line with
-        the field, its value and what is allowed.
+        For a number out of bounds, a value that is not a number, and an unknown word.  The message
+        has the field, its value and the allowed values.
 
     Examples
     --------
@@ -169,28 +169,37 @@ class Parameters:
 
     @property
     def film_shares_load(self) -> bool:
-        """Whether the load in W of Eq. 8 is F_f, which the film carries beside the solids; or F_t,
-        as printed: then its thickness is known in advance, and the solids carry all the load where
-        they need a larger separation."""
+        """Whether the load in W of Eq. 8 is F_f, so that film and solids share the load.
+
+        Otherwise it is F_t, as printed.  The film thickness is then known in advance, and the
+        solids carry all the load if they need a larger separation.
+        """
         return self.film_load == "fluid"
 
     def total_load(self, solid_load: Number, film_load: Number) -> Number:
-        """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that
-        thickness has the load ``film_load`` F* [1] in W."""
+        """F_t* [1] at a separation where the solids carry ``solid_load`` F_s* [1].
+
+        ``film_load`` F* [1] is the load in W of a film as thick as the separation.
+        """
         combine = np.add if self.film_shares_load else np.maximum
         return combine(solid_load, film_load)
 
     def particle_plane_height(self, summit_offset: float | NDArray) -> float | NDArray:
-        """Height above the mean plane [m] of the plane that particles meet: with "summit" they meet
-        the plane of the summits, at ``summit_offset`` y_s [m], as the paper has one d in both
-        integrals; with "surface" the mean plane, from which d = R_x H_c."""
-        of_surface = 0.0 * summit_offset  # of the same shape
+        """Height above the mean plane [m] of the plane that particles meet.
+
+        With "summit" it is the plane of the summits, at ``summit_offset`` y_s [m]: the paper has
+        the same d in both integrals.  With "surface" it is the mean plane, as d = R_x H_c is the
+        separation of the mean planes.
+        """
+        of_surface = 0.0 * summit_offset  # zeros of the same shape
         return summit_offset if self.particle_plane == "summit" else of_surface
 
     @cached_property
     def elastic_factor(self) -> float:
-        """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1] of Eqs. 4 and 5: what an elastic particle
-        carries, over what a plastic one does."""
+        """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1] in Eqs. 4 and 5.
+
+        It is the load of an elastic particle over the load of a plastic particle.
+        """
         particle = self.hardness_surface_1 / self.elastic_modulus_particle
         surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
         return 2.25 * math.pi**2 * (particle**2 + surface**2)
@@ -198,14 +207,13 @@ class Parameters:
     def check_particles(self) -> None:
         """Raise ``ValueError`` unless plastic particles carry at least as much as elastic ones.
 
-        Otherwise F_s could increase with d, and the forces balance at several separations.
+        Otherwise F_s could increase with d, and Eq. 1 could hold at several separations.
         """
         if self.elastic_factor > MOST_ELASTIC_FACTOR:
             materials = ", ".join(f"{name} {getattr(self, name):g}" for name in MATERIALS)
             raise ValueError(
-                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} for "
-                f"{materials}; "
-                f"allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
+                f"the elastic factor of particles (Eq. 4) is {self.elastic_factor:.3g} "
+                f"for {materials}; allowed: at most {MOST_ELASTIC_FACTOR:g}, as for hard particles"
             )
 
     def check_ball(self) -> None:
@@ -228,10 +236,11 @@ class Parameters:
 
     @cached_property
     def softer_hardness(self) -> float:
-        """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer one yields.
+        """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer surface yields.
 
-        ASSUME: the summit model of the paper (Zhao, Maietta & Chang 2000) has one hardness, Table 1
-        two; below Eq. 8 the paper uses "the Vickers hardness of softer material" for the pair.
+        ASSUME: the summit model of the paper (Zhao, Maietta & Chang 2000) has a single hardness,
+        and Table 1 has two.  Below Eq. 8 the paper uses "the Vickers hardness of softer material"
+        for both surfaces together.
         """
         return min(self.hardness_surface_1, self.hardness_surface_2)
 
@@ -243,8 +252,8 @@ class Parameters:
     def surface(self, roughness: float | NDArray) -> Surface:
         """Summits of one surface or several.
 
-        eta_s R sigma, R and y_s/sigma are assumed to follow power laws of the roughness, sigma_s to
-        be proportional to it.
+        The assumption is that eta_s R sigma, R and y_s/sigma follow power laws of the roughness,
+        and that sigma_s is proportional to the roughness.
 
         Parameters
         ----------
@@ -259,8 +268,8 @@ class Parameters:
         Raises
         ------
         ValueError
-            For a roughness that is not between 1e-30 and 1e30 m, where its power laws may overflow,
-            and where the plane of the summits is more than 1000 sigma_s above the mean plane.
+            For a roughness outside 1e-30 to 1e30 m, as the power laws may overflow, and for a plane
+            of the summits that is more than 1000 sigma_s above the mean plane.
 
         Examples
         --------
@@ -279,7 +288,7 @@ class Parameters:
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
-        # as McCool: y_s is proportional to 1/(eta_s R)
+        # McCool (1986): y_s is proportional to 1/(eta_s R)
         offset = self.summit_offset_ratio * scale**-self.summit_parameter_exponent
         highest = HIGHEST_PLANE * self.summit_deviation_ratio
         if np.max(offset) > highest:
@@ -315,10 +324,11 @@ SUMMIT_VARIANCE = 3.717e-4
 
 
 def mccool_summits(summit_parameter: float) -> dict[str, float]:
-    """Deviation and height of the summits of an isotropic surface with Gaussian heights.
+    """Deviation and mean height of the summits of an isotropic surface with Gaussian heights.
 
     The paper prints neither.  McCool (1986) derives both from the product of density, radius and
-    roughness: the summits lie above the mean plane and scatter less than the surface.
+    roughness.  The summits lie above the mean plane, and their heights vary less than those of the
+    surface.
 
     Parameters
     ----------

@@ -3,12 +3,12 @@
 Sizes are normally distributed, with mean m and standard deviation S, from X_min = 0 to
 X_max = m + truncation * S.  Their second moment above a size a is
 
-    c_1 (M(alpha) - M(truncation)),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a -
-    m)/S, c_1 = m^2 + S^2,   c_2 = 2 m S/c_1,   c_3 = S^2/c_1,
+    c_1 (M(alpha) - M(truncation)),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),
+    alpha = (a - m)/S,   c_1 = m^2 + S^2,   c_2 = 2 m S/c_1,   c_3 = S^2/c_1,
 
-with phi and Q the density and upper tail of the standard normal distribution.  The *moment* is that
-over c_1: constant below X_min and zero above X_max.  With the elastic factor e, the area A_sa is
-proportional to e (moment(d - h_e) - moment(d)) + moment(d).
+where phi and Q are the density and the upper tail of the standard normal distribution.  Below,
+*moment* is the second moment over c_1: it is constant below X_min and zero above X_max.  With the
+elastic factor e, the area A_sa is proportional to e (moment(d - h_e) - moment(d)) + moment(d).
 """
 
 from __future__ import annotations
@@ -29,21 +29,22 @@ LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overf
 FULL = -700.0  # ln of a bare fraction that counts as zero
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
-NEXT_TO_LARGEST = 0.25  # width in alpha; less where phi decays by more than e over it
-NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that width
+# width in alpha below the largest size; it is less if phi decays by more than a factor e over it
+NEXT_TO_LARGEST = 0.25
+NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over this width
 SHAPE_SAMPLES, GUESSES = np.geomspace(1e-5, 1.0, 199), 1001
 
 
 @dataclass(frozen=True)
 class ParticleLayer:
-    """Particles on a surface: one mean diameter and density for each point.
+    """Particles on a surface, with a diameter x_a and a density for each point.
 
     ``centre`` and ``spread`` are m and S [m] of the size distribution.  If particles meet the plane
-    of the summits, at d - y_s, the centre has y_s added, so that it compares with d.
-    ``scaled_depth`` is h_e/S [1]. ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1] with the
-    ``participation`` p, times the ``moment`` and H_s1 is the coverage (Eqs. 4 and 5), with H_s2 it
-    is A_sa/A_n (Eq. 5).  ``log_bare`` is ln of the fraction that all particles leave bare, the
-    round bracket of Eq. 4.
+    of the summits, at d - y_s, the centre is m + y_s, so that it compares with d.  ``scaled_depth``
+    is h_e/S [1].  ``factor`` is pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], with the ``participation`` p.
+    The factor times H_s1 and the ``moment`` is the coverage (Eqs. 4 and 5); with H_s2 in place of
+    H_s1 it is A_sa/A_n (Eq. 5).  ``log_bare`` is ln of the fraction that all particles leave bare,
+    the round bracket of Eq. 4.
     """
 
     centre: NDArray
@@ -58,8 +59,10 @@ class ParticleLayer:
     def of(
         cls, diameter: NDArray, roughness: float | NDArray, density: NDArray, parameters: Parameters
     ) -> ParticleLayer:
-        """The layer for x_a [m] and eta_a [m-2], positive and of one shape, and sigma [m], a scalar
-        or of the same shape; ``ValueError`` as of ``Parameters.check_particles``.
+        """The layer for x_a [m] and eta_a [m-2], positive, and sigma [m].
+
+        x_a and eta_a have the same shape; sigma has this shape or is a scalar.  Raises
+        ``ValueError`` as ``Parameters.check_particles``.
 
         Examples
         --------
@@ -105,8 +108,10 @@ class ParticleLayer:
 
     @property
     def reach(self) -> NDArray:
-        """Separation [m] beyond which no particle touches: X_max + h_e, plus y_s if particles meet
-        the separation of the summit planes."""
+        """Separation d [m] beyond which no particle touches.
+
+        It is X_max + h_e, plus y_s if particles meet the plane of the summits.
+        """
         return self.centre + (self.parameters.truncation + self.scaled_depth) * self.spread
 
     @property
@@ -117,17 +122,16 @@ class ParticleLayer:
     def contact(self, separation: NDArray) -> tuple[WithSlope, WithSlope]:
         """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
 
-        Returns A_sa/A_n [1], and the fraction of the interface covered by particles larger than d
-        [1].
+        Returns A_sa/A_n [1], and the fraction [1] of the interface that particles larger than d
+        cover.
         """
         alpha, elastic = (separation - self.centre) / self.spread, self.parameters.elastic_factor
 
         def weighted(above, touching):
             return (1.0 - elastic) * above + elastic * touching  # the square bracket of Eq. 5
 
-        moments, slopes = self.moment(
-            np.array([alpha, alpha - self.scaled_depth])
-        )  # above d and d - h_e
+        # of sizes above d and above d - h_e
+        moments, slopes = self.moment(np.array([alpha, alpha - self.scaled_depth]))
         area_factor = self.factor * self.parameters.hardness_surface_2
         area = WithSlope(
             value=area_factor * weighted(*moments),
@@ -141,8 +145,10 @@ class ParticleLayer:
         return area, coverage
 
     def rounding(self, separation: NDArray, area: WithSlope) -> NDArray:
-        """Relative rounding error [1] of the ``area`` that ``contact`` returns at ``separation`` d
-        [m]; 0 where no particle touches."""
+        """Relative rounding error [1] of the ``area`` from ``contact`` at ``separation`` d [m].
+
+        It is 0 where no particle touches.
+        """
         terms = (8.0 + self.moment.largest**2) * self.moment.cancellation * area.value
         lengths = separation + self.centre + self.scaled_depth * self.spread
         rounding_of_d = 2.0 * np.abs(area.slope) * lengths
@@ -152,7 +158,7 @@ class ParticleLayer:
 
 
 class Moment:
-    """M(alpha) minus its value at X_max, for a ``mean`` and a ``spread`` of sizes in any unit.
+    """M(alpha) minus M at X_max, for a ``mean`` and a ``spread`` of sizes in any unit.
 
     ``smallest`` and ``largest`` are alpha of X_min and of X_max.
     """
@@ -164,7 +170,7 @@ class Moment:
         self.near_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
         self.of_largest = float(self._untruncated(np.array([largest]))[0][0])
         nearest = max(self.near_largest, self.smallest)
-        # largest magnification of the rounding of M in the moment
+        # how much the moment, a difference, magnifies the rounding of M at most
         of_nearest, of_all = self(np.array([nearest, -np.inf]))[0].tolist()
         self.cancellation, self.of_all = 1.0 + 2.0 * self.of_largest / of_nearest, of_all
 
@@ -186,7 +192,7 @@ class Moment:
 
     @cached_property
     def inverse(self) -> Guesses:
-        """alpha [1] over ln of the moment [1]."""
+        """A table of alpha [1] over ln of the moment [1]."""
         lowest = max(self.smallest, LOWEST)
         alpha = self.largest - SHAPE_SAMPLES * (self.largest - lowest)
         return Guesses(np.log(self(alpha)[0]), alpha, GUESSES)
@@ -207,8 +213,10 @@ _moment = lru_cache(maxsize=64)(Moment)
 
 
 def log_bare_fraction(coverage: WithSlope) -> WithSlope:
-    """ln of the bare fraction [1] beside a ``coverage`` [1]; below ``FULL``, with a slope of 0,
-    where particles cover everything."""
+    """ln of the fraction [1] that a ``coverage`` [1] leaves bare.
+
+    Where particles cover everything it is below ``FULL``, with a slope of 0.
+    """
     bare = _bare_fraction(coverage.value)
     slope = np.where(bare == TINY, 0.0, -coverage.slope) / bare
     return WithSlope(value=np.log(bare), slope=slope)
@@ -229,8 +237,8 @@ def separation_carrying(log_area: float | NDArray, layer: ParticleLayer) -> NDAr
     """Approximate separation d [m] at which particles alone have the area ``log_area``,
     ln(A_sa/A_n) [1].
 
-    It is the larger of the separations at which the sizes above d, or above d - h_e, alone have
-    this area; minus infinity if all particles together have less.
+    It is the larger of two separations: at the first the sizes above d alone have this area, at the
+    second the sizes above d - h_e.  It is minus infinity if all particles together have less.
     """
     elastic = layer.parameters.elastic_factor
     log_moment = log_area - np.log(layer.factor * layer.parameters.hardness_surface_2)

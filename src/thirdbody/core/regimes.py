@@ -24,8 +24,9 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 
 class State(IntEnum):
-    """A state, equal to its code in data files and to its name; ``ValueError`` for a text that is
-    no name.
+    """A state, equal to its code in data files and to its name.
+
+    Comparison with a text that is no name raises ``ValueError``.
 
     Examples
     --------
@@ -51,7 +52,7 @@ class State(IntEnum):
 
     @classmethod
     def of(cls, name: str) -> "State":
-        """The state of a name."""
+        """The state called ``name``."""
         if name not in cls.__members__:
             raise ValueError(f"{cls.__name__} is {name!r}; allowed: {', '.join(cls.__members__)}")
         return cls[name]
@@ -63,7 +64,7 @@ class State(IntEnum):
 
 
 class LubricationRegime(State):
-    """Regime by the fraction of the load that the solids carry."""
+    """Regime of lubrication, by the fraction of the load that the solids carry."""
 
     boundary = 0
     mixed = 1
@@ -72,7 +73,7 @@ class LubricationRegime(State):
 
 
 class ContactMode(State):
-    """Mode by the fraction of the contact area that the particles have."""
+    """Mode of contact, by the fraction of the contact area that the particles have."""
 
     two_body = 0
     surface_surface = 1
@@ -82,8 +83,9 @@ class ContactMode(State):
 
 
 class SolutionStatus(State):
-    """Whether the equations hold, in the order of the codes in data files; ``MILDEST_FIRST`` is by
-    gravity.
+    """Status of a solution: whether the equations hold.
+
+    The order is that of the codes in data files.  ``MILDEST_FIRST`` sorts by gravity.
     """
 
     converged = 0
@@ -99,7 +101,7 @@ STATES = {
     CONTACT_MODE: ContactMode,
     SOLUTION_STATUS: SolutionStatus,
 }
-# states by code; -1 is the last, if there is one
+# states by code; the code -1 takes the last state
 _BY_CODE = {name: np.array([*states], object) for name, states in STATES.items()}
 # the quantity and level of each limit, the flag that changes there, and its states below and above
 LIMITS = (
@@ -108,12 +110,13 @@ LIMITS = (
     (PARTICLE_CONTACT_AREA_RATIO, PARTICLE_LIMIT, CONTACT_MODE, "hybrid", "particle_surface"),
     (PARTICLE_CONTACT_AREA_RATIO, SURFACE_LIMIT, CONTACT_MODE, "surface_surface", "hybrid"),
 )
-# what the values 0, 1, ... of each flag stand for
+# names of the values 0, 1, ... of each flag
 FLAG_MEANINGS = {name: states.names() for name, states in STATES.items()}
 LUBRICATION_REGIMES, CONTACT_MODES, SOLUTION_STATUSES = FLAG_MEANINGS.values()
-WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")  # nan, and NO_FLAG for regime and mode
+# points with these statuses have nan, and NO_FLAG for regime and mode
+WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")
 NO_FLAG = np.int8(-1)  # ``without_values``
-# Where several apply, the last of these is the status.
+# if several statuses apply, the last of them is the status of the point
 MILDEST_FIRST = (
     "outside_film_formula",
     "area_exceeded",
@@ -125,7 +128,7 @@ FILM_COUNTS = 1e-3  # of L_f: a film that carries less does not affect the other
 
 
 def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
-    """Index into ``LUBRICATION_REGIMES`` for a fraction L_s [1] of the load, of the same shape.
+    """Indices into ``LUBRICATION_REGIMES`` for fractions L_s [1] of the load.
 
     Boundary above 0.90, full film below 0.03, else mixed (section 3.1 of the paper).
 
@@ -144,11 +147,10 @@ def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
 def contact_mode(
     particle_contact_area_ratio: ArrayLike, has_particles: ArrayLike
 ) -> NDArray[np.int8]:
-    """Index into ``CONTACT_MODES`` for a ratio A_sa,t* [1] and whether there are particles; both
-    broadcast.
+    """Indices into ``CONTACT_MODES`` for ratios A_sa,t* [1], with or without particles.
 
-    Particle-surface above 0.95, surface-surface below 0.05, else hybrid (section 3.2 of the paper);
-    an interface without particles is two-body.
+    Particle-surface above 0.95, surface-surface below 0.05, else hybrid (section 3.2 of the paper).
+    An interface without particles is two-body.  Both arguments broadcast.
 
     Examples
     --------
@@ -165,13 +167,14 @@ def contact_mode(
 
 
 def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
-    """The codes of the flags among ``variables`` as people read their names: ``NO_FLAG`` for the
-    contact mode in a full film, where hardly anything touches.
+    """The codes of the flags among ``variables``, for output by name.
+
+    The contact mode in a full film becomes ``NO_FLAG``, because hardly anything touches.
 
     Examples
     --------
-    >>> found = codes_to_name({"lubrication_regime": [1, 2], "contact_mode": [2, 2]})
-    >>> found["contact_mode"].tolist()
+    >>> codes = codes_to_name({"lubrication_regime": [1, 2], "contact_mode": [2, 2]})
+    >>> codes["contact_mode"].tolist()
     [2, -1]
     """
     codes = {name: np.asarray(variables[name]) for name in FLAG_MEANINGS if name in variables}
@@ -182,20 +185,19 @@ def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
 
 
 def states_of(name: str, codes: ArrayLike) -> NDArray[np.object_]:
-    """The states of a flag called ``name`` for its codes, of the same shape."""
+    """The states of the flag ``name`` with these ``codes``, of the same shape."""
     return np.asarray(_BY_CODE[name][np.asarray(codes)], object)
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
-    """Whether points have values, a separation, loads and areas, for indices into
-    ``SOLUTION_STATUSES``.
-    """
+    """Whether points have a separation, loads and areas, for indices into ``SOLUTION_STATUSES``."""
     return ~np.isin(solution_status, [SOLUTION_STATUSES.index(name) for name in WITHOUT_VALUES])
 
 
 def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
-    """Index into ``SOLUTION_STATUSES`` of the most severe status at each point; ``applies`` are
-    bool arrays of one shape, by status.
+    """Index into ``SOLUTION_STATUSES`` of the gravest status at each point.
+
+    ``applies`` has a bool array for each status: the points to which the status applies.
     """
     status = np.zeros(next(iter(applies.values())).shape, np.int8)
     for name in MILDEST_FIRST:

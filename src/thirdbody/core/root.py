@@ -21,15 +21,15 @@ from thirdbody.core.logarithms import EPSILON
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 GROWTH = 4.0  # growth of an interval whose signs rounding hides
 SETTLED = 2.0  # of the noise: an excess below it cannot be halved for certain
-# half widths of the interval, in what the tolerance and the noise allow: wide enough for certain
-# signs, narrow enough for the bound
+# Half width of the interval, over the changes of d that the tolerance and the noise amount to.  It
+# is wide enough for certain signs, and narrow enough for the bound.
 WIDTH, NOISE_WIDTH = 0.125, 1.2
 
 
-class Balance(NamedTuple):
-    """Solved ``points``, their ``indices`` among those given to ``enclose``, and the ``forces`` at
-    two separations around the root of each, of shape (2, points).  ``certain`` is whether their sum
-    changes its sign despite rounding, or no change is needed."""
+class EnclosedRoots(NamedTuple):
+    """Solved ``points``, their ``indices`` among all points, and the ``forces`` at two separations
+    around each root, of shape (2, points).  ``certain`` is whether the sum of forces changes its
+    sign despite rounding, or need not change it."""
 
     points: Points
     indices: NDArray
@@ -39,7 +39,7 @@ class Balance(NamedTuple):
 
 def enclose(
     points: Points, brackets: Brackets, tolerance: float, iterations: int
-) -> Iterator[Balance]:
+) -> Iterator[EnclosedRoots]:
     """Narrow the brackets by Newton's method until the variables converge to ``tolerance``.
 
     Yields the points as they are solved.  When the next step would converge, the signs on both
@@ -67,7 +67,7 @@ def _fixed(points, brackets, indices):
     forces = chosen.forces(
         np.stack([brackets.low[indices], brackets.high[indices]]), with_areas=True
     )
-    return Balance(
+    return EnclosedRoots(
         points=chosen,
         indices=indices,
         forces=_rest_to_film(forces),
@@ -97,12 +97,12 @@ class Interval(NamedTuple):
 
 @dataclass
 class Search:
-    """Newton's method at many points; those that are solved leave.
+    """Newton's method at many points; solved points leave the search.
 
-    ``indices`` are those of the points among the ones given to ``enclose``.  The root is between
-    ``low`` and ``high`` [m], and forces are next evaluated at ``separation``.  ``previous`` is the
-    size of the excess before the last step, infinite unless it was one of Newton's, and
-    ``widening`` multiplies the width of the interval whose signs are checked.
+    ``indices`` are those of the points among all points.  The root is between ``low`` and ``high``
+    [m], and forces are next evaluated at ``separation``.  ``previous`` is the size of the excess
+    before the last step, or infinite if that was not a step of Newton's method.  ``widening``
+    multiplies the width of the interval whose signs are checked.
     """
 
     points: Points
@@ -149,8 +149,8 @@ class Search:
         )
         # the slope of the contribution that changes fastest, over that of the sum of forces
         ratio = steepest / np.abs(slope)
-        # error of the variables after the step, an estimate: the step squared, more where one part
-        # changes faster; the signs at both ends are checked afterwards all the same
+        # Estimated error of the variables after the step: its square, and more where a contribution
+        # changes faster.  It is only an estimate: the signs at both ends are checked afterwards.
         left = (size * ratio) ** 2 * (1.0 + ratio)
         converges = is_newton & (settled | (left <= tolerance))
         is_final = (self.high - self.low <= NARROW * self.separation) | is_last
@@ -171,7 +171,7 @@ class Search:
             is_final=is_final,
         )
 
-    def check(self, interval: Interval) -> Balance:
+    def check(self, interval: Interval) -> EnclosedRoots:
         """The points where the sum of forces changes sign in the ``interval``; they leave the
         search.
 
@@ -185,7 +185,7 @@ class Search:
         changes = above[0] & below[1]
         is_done = changes | interval.is_final
         done = np.flatnonzero(is_done)
-        solved = Balance(
+        solved = EnclosedRoots(
             points=self.points.take(which[done]),
             indices=self.indices[which[done]],
             forces=forces.take(done),

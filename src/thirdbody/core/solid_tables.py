@@ -1,7 +1,7 @@
 """The solids as functions of the separation d, interpolated to three digits or more.
 
-For given surfaces and particles, F_ss, A_ss and A_sa depend on d alone (Eqs. 2-6).  They are
-evaluated at a few hundred separations and interpolated by cubic Hermite polynomials, whose error is
+For given surfaces and particles, F_ss, A_ss and A_sa depend only on d (Eqs. 2-6).  They are
+evaluated at a few hundred separations and interpolated by cubic Hermite polynomials.  The error is
 estimated midway between the separations.
 """
 
@@ -17,17 +17,19 @@ from thirdbody.core.logarithms import WithSlope
 from thirdbody.core.parameters import Parameters
 
 STEP = 0.06  # of asinh(d/sigma) between separations
-# from the smallest to the largest particle, clustered at the largest
+# samples between the smallest (0) and the largest particle (1), denser near the largest
 SIZES = np.concatenate([np.linspace(0.0, 1.0, 40), 1.0 - np.geomspace(1e-7, 0.02, 14)])
 SMALLEST = -6.0  # (size - mean)/spread below which particles are negligible
 KINK_GAP = 1e-12  # relative distance of separations from a kink, on both sides
-SAFETY = 2.0  # times the error midway between two separations
-SUMMIT_ERROR = 1e-7  # relative, of the load and area of summits
+SAFETY = 2.0  # factor on the error midway between two separations
+SUMMIT_ERROR = 1e-7  # relative error of the load and area of summits
 
 
 class TabulatedSolids(NamedTuple):
-    """Solids at separations d, as in ``SolidState``, and the relative errors [1] of F_s, and of
-    areas and their ratios."""
+    """Loads and areas at separations d as in ``SolidState``, with bounds on relative errors [1].
+
+    ``load_error`` is that of F_s, ``area_error`` that of areas and their ratios.
+    """
 
     log_summit_load: WithSlope
     particle_area: WithSlope
@@ -37,10 +39,10 @@ class TabulatedSolids(NamedTuple):
 
 
 class SolidTable:
-    """The solids on one surface, with one particle size and density, over ``separations`` d [m].
+    """The solids for a single roughness, particle size and density, over ``separations`` d [m].
 
-    ``powers`` are coefficients of cubic polynomials between these, of shape (4, separations - 1,
-    8).
+    ``powers``, of shape (4, separations - 1, 8), are coefficients of the cubic polynomials between
+    the separations.
     """
 
     def __init__(self, separations: NDArray, powers: NDArray):
@@ -65,10 +67,10 @@ def solid_tables(
     high: NDArray,
     parameters: Parameters,
 ) -> Iterator[SolidTable]:
-    """Yield the table of each of many solids, from separation ``low`` to ``high`` [m].
+    """Yield tables of many solids, from separation ``low`` to ``high`` [m].
 
-    ``diameter`` x_a [m], ``roughness`` sigma [m] and ``density`` eta_a [m-2] are 1-D; all or none
-    have particles.
+    ``diameter`` x_a [m], ``roughness`` sigma [m] and ``density`` eta_a [m-2] are 1-D.  All solids
+    have particles, or none has.
     """
     every = Contact.of(diameter, roughness, density, parameters, SUMMIT_ERROR)
     separations = [
@@ -78,7 +80,7 @@ def solid_tables(
     stops = np.cumsum([grid.size for grid in separations])
     which = np.repeat(np.arange(diameter.size), np.diff(stops, prepend=0))
     d = np.concatenate(separations)
-    # all cells; those between one solid and the next are not used
+    # the cells between the last separation of a solid and the first of the next are not used
     cells = _Cells(d=d, parts=_parts(every.take(which), d))
     true = _parts(every.take(which[:-1]), cells.centre).value
     powers = cells.powers(_errors(cells.middle, true, parameters.particle_pressure))
@@ -87,8 +89,10 @@ def solid_tables(
 
 
 def _separations(low, high, roughness, particles, which):
-    """Separations [m] from ``low`` to ``high``: finer over the particle sizes, and on both sides of
-    every kink."""
+    """Separations [m] from ``low`` to ``high``, denser over the particle sizes.
+
+    Every kink has a separation close to it on both sides.
+    """
     first, last = np.arcsinh(np.array([low, high]) / roughness)
     steps = int(np.ceil((last - first) / STEP)) + 1
     separations = [roughness * np.sinh(np.linspace(first, last, steps + 1)), [low, high]]
@@ -106,8 +110,9 @@ def _separations(low, high, roughness, particles, which):
 
 
 def _parts(contact: Contact, d):
-    """ln F_ss, A_sa and ln A_ss of the summits beside the particles, in the order of
-    ``TabulatedSolids``: arrays of the shape (separations, 3); nan where particles cover everything.
+    """ln F_ss, A_sa and ln A_ss of the summits beside the particles, shape (separations, 3).
+
+    Their order is that of ``TabulatedSolids``.  They are nan where particles cover everything.
     """
     state = contact.at(d, with_areas=True)
     parts = state.log_summit_load, state.particle_area, state.log_summit_area
@@ -131,17 +136,17 @@ class _Cells(NamedTuple):
 
     @property
     def centre(self):
-        """Separation [m] in the middle of each cell."""
+        """Separations [m] in the middle of the cells."""
         return self.d[:-1] + 0.5 * self.width[:, 0]
 
     @property
     def middle(self):
-        """The values of the polynomials there."""
+        """Values of the polynomials in the middle of the cells."""
         value, slope = self.parts
         return 0.5 * (value[:-1] + value[1:]) - 0.125 * self.width * np.diff(slope, axis=0)
 
     def powers(self, errors):
-        """Coefficients from the third power on, of the values, their slopes, and the ``errors``."""
+        """Coefficients of values, slopes and the constant ``errors``; the third power is first."""
         value, slope = self.parts
         width, rise = self.width, np.diff(value, axis=0)
         steepness = slope[:-1] + slope[1:] - 2.0 * rise / width
@@ -158,8 +163,11 @@ class _Cells(NamedTuple):
 
 
 def _errors(interpolated, true, pressure):
-    """Bounds on the relative error of F_s, and of areas and their ratios, from the values
-    ``interpolated`` and ``true`` midway between separations, as in ``_parts``: shape (cells, 2)."""
+    """Bounds on the relative errors of F_s, and of areas and their ratios: shape (cells, 2).
+
+    They compare the values ``interpolated`` and ``true`` midway between separations.  Both have the
+    form of ``_parts``.
+    """
     log_summits, area, log_summit_area = interpolated.T
     true_log_summits, true_area, true_log_summit_area = true.T
     summits, particles = np.exp(true_log_summits), pressure * true_area

@@ -62,7 +62,7 @@ def solve_points(
     rtol : float
         Requested relative error of every variable [1].
     variables : collection of str
-        Names of those to return, of ``state.describe``.
+        Names of the variables to return, among those of ``state.describe``.
     callback : callable, optional
         Called with the number of points that have been solved since its last call.
 
@@ -81,8 +81,8 @@ def solve_points(
         left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
-            for indices, balance in _balances(columns, chosen, parameters, attempt):
-                solved = describe(balance, rtol)
+            for indices, roots in _enclosed_roots(columns, chosen, parameters, attempt):
+                solved = describe(roots, rtol)
                 for name, values in result.items():
                     values[indices] = solved[name]
                 failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
@@ -94,9 +94,7 @@ def solve_points(
 
 
 def _doubt_faint_particles(columns, result):
-    """Points with so few or small particles that float64 has too few digits for their area: values
-    without a bound.
-    """
+    """Remove the bound where particles are so few or small that their area loses digits."""
     diameter, density = columns["particle_diameter"], columns["particle_density"]
     coverage = diameter * (diameter * density)
     faint = (coverage < FAINT_COVERAGE) & (diameter > 0.0) & (density > 0.0)
@@ -110,9 +108,11 @@ def _doubt_faint_particles(columns, result):
 
 
 class Attempt(NamedTuple):
-    """How points are solved: from tables of summits with an error ``table_rtol``, or by quadrature
-    if it is None; so many at a time, to a ``tolerance`` of the variables, in at most so many
-    iterations."""
+    """A way to solve points.
+
+    Tables of summits have the error ``table_rtol``; None is quadrature.  ``chunk`` points are
+    solved together, to a ``tolerance`` of the variables, in at most ``iterations`` steps.
+    """
 
     table_rtol: float | None
     chunk: int
@@ -126,8 +126,7 @@ class Attempt(NamedTuple):
 
 
 def _attempts(rtol):
-    """Attempts at each point, until one succeeds; the first two only where tables are
-    worthwhile."""
+    """The attempts at a point, in their order: the first two are for points with tables."""
     tables = Attempt(table_rtol=rtol, chunk=CHUNK, tolerance=rtol, iterations=FEW_ITERATIONS)
     quadrature = Attempt(
         table_rtol=None,
@@ -139,30 +138,29 @@ def _attempts(rtol):
 
 
 def _worth_a_table(roughness, rtol):
-    """Which points share their roughness with enough others to tabulate its summits."""
+    """Whether enough points share the roughness of a point to tabulate its summits."""
     which = np.searchsorted(np.unique(roughness), roughness)
     return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
-def _balances(columns, chosen, parameters, attempt):
-    """Solve the ``chosen`` points: yields indices of points among all, and their balance."""
+def _enclosed_roots(columns, chosen, parameters, attempt):
+    """Solve the ``chosen`` points: yield their indices among all points, and their roots."""
     for batch in _batches(columns, chosen, attempt.chunk):
         conditions = {name: column[batch] for name, column in columns.items()}
         points = Points.of(conditions, parameters, attempt.table_rtol)
-        for balance in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
-            yield batch[balance.indices], balance
+        for roots in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
+            yield batch[roots.indices], roots
 
 
 class Kind(IntFlag):
-    """What points have that are solved together."""
+    """The kind of a point: whether it has particles, and whether it has a film."""
 
     PARTICLES = 1
     FILM = 2
 
 
 def _batches(columns, chosen, most):
-    """Yield indices of ``chosen`` points of one kind, by roughness, at ``most`` so many at a
-    time."""
+    """Yield indices of ``chosen`` points of the same kind by roughness, ``most`` at a time."""
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
     kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):

@@ -31,7 +31,7 @@ from thirdbody.core.regimes import (
     gravest_status,
     lubrication_regime,
 )
-from thirdbody.core.root import Balance
+from thirdbody.core.root import EnclosedRoots
 
 FLAGS = tuple(FLAG_MEANINGS)
 
@@ -41,9 +41,9 @@ def type_of(variable: str) -> type[np.int8 | float]:
     return np.int8 if variable in FLAGS else float
 
 
-def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
-    """All variables by name, as 1-D arrays over ``balance.points``, for a requested ``rtol``."""
-    points, ends = balance.points, balance.forces
+def describe(roots: EnclosedRoots, rtol: float) -> dict[str, NDArray]:
+    """All variables by name, as 1-D arrays over ``roots.points``, for a requested ``rtol``."""
+    points, ends = roots.points, roots.forces
     solid, fluid = fractions(ends.log_solid.value - ends.log_fluid)  # Eq. 9, F_t = F_s + F_f
     both = quantities(
         separation=ends.separation,
@@ -55,7 +55,7 @@ def describe(balance: Balance, rtol: float) -> dict[str, NDArray]:
     )
     variables = {name: 0.5 * values.sum(axis=0) for name, values in both.items()}
     error = _error_bound(ends, both)
-    error = np.where(balance.certain & (error <= 1.0), error, np.inf)
+    error = np.where(roots.certain & (error <= 1.0), error, np.inf)
     variables[ERROR_BOUND] = error
     particles = points.contact.particles
     covered = np.asarray(particles is not None and particles.covers_all)
@@ -116,9 +116,8 @@ def fractions(log_odds: NDArray) -> tuple[NDArray, NDArray]:
 
 
 def _remove_values(variables, without_values):
-    """Replace the variables of points ``without_values``, except their status, by what stands for
-    none.
-    """
+    """Replace the variables of points ``without_values``, except the status, by nan or
+    ``NO_FLAG``."""
     if not without_values.any():
         return
     for name, values in variables.items():

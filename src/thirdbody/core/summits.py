@@ -13,21 +13,22 @@ from thirdbody.core.interpolation import Guesses, HermiteTable
 from thirdbody.core.parameters import Parameters, Surface
 
 TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
-# Pieces of tables: the error, which falls with their sixth power, is at most a hundredth of rtol,
-# so that few points magnify it beyond rtol; the largest number reaches the rounding error.
+# Number of pieces of a table.  The error, which falls with their sixth power, is at most a
+# hundredth of rtol, so that few points magnify it beyond rtol.  With the most pieces it is no more
+# than rounding.
 PIECES_AT_ONE, FEWEST_PIECES, MOST_PIECES = 11.0, 45, 720
 GUESSES = 1601  # steps of half a unit of ln F_ss*
-LOAD, AREA = range(2)  # places in tables and in what the population returns
+LOAD, AREA = range(2)  # indices of the functions in a table
 QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 
 @dataclass(frozen=True, eq=False)
 class Summits:
-    """The summits at each of many points, in the form that ``thirdbody.core.contact`` needs.
+    """The summits at many points.
 
-    ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index, for all
-    points or each.  ``table`` has ln F_ss* and ln A_ss* over t for each in turn, or is None for
-    quadrature.
+    ``surfaces`` and ``population`` have an element per roughness.  ``which`` is the index of the
+    roughness, for each point or a single index for all.  ``table`` has ln F_ss* and ln A_ss* over t
+    for each roughness in turn; it is None for quadrature.
     """
 
     surfaces: Surface
@@ -37,8 +38,9 @@ class Summits:
 
     @classmethod
     def of(cls, roughness: NDArray, parameters: Parameters, table_rtol: float | None) -> Summits:
-        """The surfaces of points with ``roughness`` sigma [m], 1-D; ``table_rtol`` is the relative
-        error of the tables, or None for quadrature.
+        """The summits at points with ``roughness`` sigma [m], 1-D.
+
+        ``table_rtol`` is the relative error of the tables, or None for quadrature.
         """
         values = np.unique(roughness)
         which = np.searchsorted(values, roughness) if values.size > 1 else np.zeros((), int)
@@ -54,7 +56,7 @@ class Summits:
         )
 
     def take(self, chosen) -> Summits:
-        """The surfaces of the points selected by an index or mask ``chosen``."""
+        """The summits at the points selected by an index or mask ``chosen``."""
         return replace(self, which=self.which[chosen]) if self.which.ndim else self
 
     @cached_property
@@ -91,7 +93,7 @@ class Summits:
         return self._read(self.table, t, LOAD), self._read(self.table, t, AREA)
 
     def _read(self, table, t, function):
-        """ln F_ss* (``function`` LOAD) or ln A_ss* (AREA) and its slope, from the ``table``."""
+        """ln F_ss* (``function`` LOAD) or ln A_ss* (AREA) from the ``table``, and the slope."""
         inside = table.covers(t)
         value, slope = table(np.where(inside, t, 0.0), 2 * self.which + function)
         if not inside.all():
@@ -106,7 +108,7 @@ class Summits:
         log_load = log_total - np.log(summits.hardness_ratio * summits.scaled_density)
         plastic = _plastic_summits()
         t = plastic(log_load)
-        for _ in range(2):  # correct by a typical summit, which is not fully plastic
+        for _ in range(2):  # a correction, as a typical summit is not fully plastic
             ratio = 3.0 / (np.maximum(t, 0.0) + 1.5) / summits.yield_interference
             growth = area_growth(ratio, summits.plastic_ratio)
             softer = np.log(0.5 * growth * summits.pressure(ratio))
@@ -122,7 +124,7 @@ def pieces_for(rtol: float) -> int:
 
 @lru_cache(maxsize=128)
 def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteTable:
-    """The table of surfaces of each ``roughness`` [m] with a relative error ``rtol``."""
+    """The table of the surfaces with ``roughness`` sigma [m], with a relative error ``rtol``."""
     if len(roughness) > 1:
         return HermiteTable.joined([_table_of((each,), parameters, rtol) for each in roughness])
     summits = SummitPopulation.of(parameters.surface(roughness[0]), parameters)

@@ -1,9 +1,9 @@
-"""Grids to three digits: functions of the separation d alone are tabulated and interpolated.
+"""Grids to three digits, interpolated over the separation d.
 
-For a given surface and particles, F_ss, A_ss and A_sa are functions of d alone (Eqs. 2-6),
-independent of load and lubricant.  They are tabulated (``solid_tables``), and Eq. 1 is then solved
-at all loads and viscosities at once, by Newton's method for ln L_f.  Dry contact, and points where
-the interpolation error exceeds ``rtol``, are solved individually.
+For given surfaces and particles, F_ss, A_ss and A_sa depend only on d (Eqs. 2-6), not on load and
+lubricant.  ``solid_tables`` tabulates them.  Newton's method for ln L_f then solves Eq. 1 at all
+loads and viscosities together.  Dry contact, and points where the interpolation error exceeds
+``rtol``, are solved individually.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
@@ -23,10 +23,10 @@ from thirdbody.core.solve import solve_points
 from thirdbody.core.state import add_flags, quantities, type_of
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
-FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved individually
-MOST_LOG_LOAD = 10.0  # ln F_s* assumed where particles cover everything
+FEWEST_POINTS = 500  # with the same solids; fewer points are faster individually
+MOST_LOG_LOAD = 10.0  # ln F_s* in place of infinity where particles cover everything
 PAIRS = 500  # pairs of particle size and density whose tables are made together
-FILM_SAMPLES = 200  # separations at which films are sampled to start Newton's method
+FILM_SAMPLES = 200  # separations in the table of films that starts Newton's method
 ORDER = "particle_diameter", "roughness", "particle_density", "viscosity", "load"  # in memory
 
 
@@ -55,7 +55,7 @@ def sweep(
     rtol : float
         Requested relative error, at least ``LEAST_RTOL``.
     variables : collection of str
-        Names of those to return, of ``state.describe``.
+        Names of the variables to return, among those of ``state.describe``.
     callback : callable, optional
         Called with the number of points that have been solved since its last call.
 
@@ -63,13 +63,13 @@ def sweep(
     -------
     dict of arrays
         The variables by name, with the dimensions in the order of ``axes``.  ``error_bound`` is
-        twice the interpolation error midway between two separations, of the quantity most affected,
-        plus the remaining error of the iteration.
+        twice the interpolation error midway between two separations, for the quantity with the
+        largest error, plus the remaining error of the iteration.
     """
     shape = tuple(axes[name].size for name in ORDER)
     values = {name: np.empty(shape, type_of(name)) for name in variables}
     unsure = np.zeros(shape, bool)
-    dry_count = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
+    dry_count = np.count_nonzero(axes["viscosity"] == 0.0)  # dry rows come before rows with a film
     sizes, densities = axes["particle_diameter"], axes["particle_density"]
     with np.errstate(all="ignore"):
         for number, roughness in enumerate(axes["roughness"]):
@@ -97,8 +97,10 @@ def sweep(
 
 
 def _pairs(sizes, densities):
-    """Yield indices of particle sizes and of densities, in pairs that are all with or all without
-    particles, at most ``PAIRS`` at a time."""
+    """Yield indices of particle sizes and of densities, at most ``PAIRS`` pairs at a time.
+
+    All pairs of a batch have particles, or none has.
+    """
     three_body = has_particles(sizes[:, np.newaxis], densities)
     for alike in (three_body, ~three_body):
         size, density = np.nonzero(alike)
@@ -107,8 +109,11 @@ def _pairs(sizes, densities):
 
 
 class _Solved(NamedTuple):
-    """Variables by name for one particle size and density, ``dry`` (loads) and with ``films``
-    (films, loads), and which points with films are ``unsure``: those to solve individually."""
+    """Variables by name for a particle size and density.
+
+    Those in ``dry`` contact have the shape (loads,), those with ``films`` (films, loads).
+    ``unsure`` marks the points with films that must be solved individually.
+    """
 
     dry: dict[str, NDArray]
     films: dict[str, NDArray]
@@ -116,10 +121,10 @@ class _Solved(NamedTuple):
 
 
 class _Step(NamedTuple):
-    """A step of Newton's method for ln L_f: its ``change``, and what it starts from.
+    """A step of Newton's method: the ``change`` of ln L_f, and the state before it.
 
-    ``solids`` at the ``separation`` d [m] carry the fraction ``solid`` of F_t; ``fall`` is d ln
-    F_s/dd [m-1], ``widening`` dd/d ln L_f [m] and ``gain`` d ln(F_s + F_f)/d ln L_f [1].
+    ``solids`` at the ``separation`` d [m] carry the fraction ``solid`` of F_t.  ``fall`` is
+    d ln F_s/dd [m-1], ``widening`` is dd/d ln L_f [m], ``gain`` is d ln(F_s + F_f)/d ln L_f [1].
     """
 
     separation: NDArray
@@ -132,7 +137,7 @@ class _Step(NamedTuple):
 
 
 class _Surface:
-    """All loads and films on a surface of one roughness; arrays have the shape (films, loads)."""
+    """All loads and films at a single roughness; arrays have the shape (films, loads)."""
 
     def __init__(self, axes: Mapping[str, NDArray], roughness: float, parameters: Parameters):
         self.load, self.roughness, self.parameters = axes["load"], roughness, parameters
@@ -146,7 +151,7 @@ class _Surface:
     def solved(
         self, diameter: NDArray, density: NDArray, rtol: float, variables: Collection[str]
     ) -> Iterator[_Solved]:
-        """Yield the variables for each particle size and density."""
+        """Yield the variables for every pair of particle size and density."""
         dry = self._dry(diameter, density, rtol, variables)
         low, high = self._ends(dry[SEPARATION])
         log_film = self._log_film(low.min(), high.max()) if self.films_share else None
@@ -166,8 +171,10 @@ class _Surface:
             yield _Solved(dry=alone, films=films, unsure=unsure)
 
     def _dry(self, diameter, density, rtol, variables):
-        """Variables of dry contact by name, at half the least load and at all loads: shape (loads +
-        1, solids)."""
+        """Variables of dry contact by name, at half the least load and at all loads.
+
+        Their shape is (loads + 1, solids).
+        """
         points = {
             "load": np.append(0.5 * self.load[0], self.load)[:, np.newaxis],
             "viscosity": np.zeros(1),
@@ -179,14 +186,14 @@ class _Surface:
         return solve_points(points, self.parameters, rtol, names)
 
     def _ends(self, dry_separation):
-        """The least and largest separation [m] of each of the solids under any load and film."""
+        """The least and the largest separation [m] of the solids under all loads and films."""
         half = log_load_parameter(np.log(0.5 * self.load[0]), self.parameters)
         farthest = self.parameters.ball_radius * self.film.thickness(half)[0].max()
         low = np.nan_to_num(0.999 * dry_separation[-1])
         return low, 1.001 * np.fmax(farthest, dry_separation[0])
 
     def _explicit(self, table):
-        """Solve Eq. 1 where the total load gives the film thickness: d is known."""
+        """Solve Eq. 1 if F_t determines the film thickness: d is then known."""
         solids = table(self.film_separation)
         area = solids.particle_area.value
         solid = self._summits(solids.log_summit_load.value) + self._particles(area)
@@ -203,10 +210,9 @@ class _Surface:
         )
 
     def _sharing(self, table, log_film):
-        """Solve Eq. 1 where the film load gives its thickness: two steps of Newton's method for ln
-        L_f.
+        """Solve Eq. 1 if F_f determines the film thickness, with two Newton steps for ln L_f.
 
-        The effect of the last change of d is expanded about the previous d.
+        The solids after the last step are expanded about the separation before it.
         """
         log_fluid = self._first_fluid(table, log_film)
         first = self._step(table, log_fluid)
@@ -225,8 +231,10 @@ class _Surface:
         )
 
     def _first_fluid(self, table, log_film):
-        """Approximate ln L_f, interpolated over the load that solids and film carry at each
-        separation of the table."""
+        """Approximate ln L_f.
+
+        It is interpolated over F_s + F_f, which is known at the separations of the table.
+        """
         separations = table.separations[::-1]
         solids = table(separations)
         log_particles = np.log(solids.particle_area.value * self.parameters.particle_pressure)
@@ -234,7 +242,7 @@ class _Surface:
         log_solid = np.nan_to_num(log_solid, nan=MOST_LOG_LOAD, neginf=-np.inf)
         log_film = log_film(separations)
         log_load = np.logaddexp(log_solid, log_film)
-        # all films in a single interpolation, shifted apart
+        # a single interpolation for all films, whose loads are shifted so that they do not overlap
         apart = np.arange(len(log_load))[:, np.newaxis] * (np.ptp(log_load) + 1.0)
         log_total = np.clip(self.log_load, log_load[:, :1], log_load[:, -1:]) + apart
         log_film = np.interp(log_total, (log_load + apart).ravel(), log_film.ravel())
@@ -268,7 +276,7 @@ class _Surface:
         return quantities(**state, parameters=self.parameters) | {ERROR_BOUND: error}
 
     def _log_film(self, low, high):
-        """ln F_f* of films over the separation [m], accurate enough to start Newton's method."""
+        """A spline of ln F_f* over the separation [m], accurate enough to start Newton's method."""
         separations = np.geomspace(max(low, 0.5 * self.film_separation.min()), high, FILM_SAMPLES)
         log_film, _ = self.film.log_W_and_slope(separations / self.parameters.ball_radius)
         log_film -= log_load_parameter(0.0, self.parameters)
@@ -284,8 +292,11 @@ class _Surface:
 
 
 def _error_after(step, change_before, solid):
-    """Relative error [1] after a ``step`` of Newton's method, for the change in the one before and
-    the fraction of F_t that ``solid`` bodies then carry."""
+    """Relative error [1] after a ``step`` of Newton's method.
+
+    ``change_before`` is the change of ln L_f in the step before, and ``solid`` the fraction of F_t
+    that the solids carry after the step.
+    """
     solids = step.solids
     area, slope = solids.particle_area
     steepest = np.where(area > 0.0, np.abs(slope) / area, 0.0)
@@ -295,7 +306,7 @@ def _error_after(step, change_before, solid):
         1.0 / step.separation,
     ):
         steepest = np.maximum(steepest, np.abs(slope_of_log))
-    left = 2.0 * step.change**2 / (np.abs(change_before) + TINY)  # of ln L_f
+    left = 2.0 * step.change**2 / (np.abs(change_before) + TINY)  # error of ln L_f
     left = left + solids.load_error * solid / step.gain
     error = solids.area_error + solids.load_error
     error = error + left * np.maximum(1.0, steepest * np.abs(step.widening))

@@ -1,7 +1,7 @@
 """Loads at which the lubrication regime or contact mode of a curve changes.
 
-The loads of solids and film, and so L_s and A_sa,t*, depend on the separation d alone.  A crossing
-is found in d between two points of the curve, and Eq. 1 gives its load.
+The loads of solids and film depend only on the separation d, and so do L_s and A_sa,t*.  The search
+between two points of the curve is therefore a search for d.  Eq. 1 then gives the load.
 """
 
 from collections.abc import Mapping
@@ -34,9 +34,10 @@ def limit_crossings(
     """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
     ``separation`` d [m] and ``values`` of the quantities have the shape (loads, curves), at
-    increasing loads, nan where unknown; ``conditions`` (4, curves): viscosity, particle diameter,
-    roughness and particle density, SI.  Returns for each crossing the index of the limit and of the
-    curve, F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
+    increasing loads, nan where unknown.  ``conditions``, shape (4, curves), are viscosity, particle
+    diameter, roughness and particle density in SI.  Returns for each crossing the index of the
+    limit, the index of the curve, F_t* [1], a bound on its error [1], and whether the quantity
+    increases with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
     above, solved = excess > 0.0, np.isfinite(excess)
@@ -68,7 +69,8 @@ def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
         return value - level
 
     at_first, at_last = excess(first), excess(last)
-    # within its error a point may lie on the level
+    # A point closer to the level than its error may lie on the wrong side.  The crossing is then at
+    # this point.
     outside = (at_first > 0.0) == (at_last > 0.0)
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
     low, high = (np.where(outside, nearest, end) for end in (first, last))

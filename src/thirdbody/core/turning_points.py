@@ -2,9 +2,9 @@
 
 As the load on a contact with particles increases, the particle fraction of the real contact area,
 A_sa,t*, first increases because more particles touch, and decreases once many summits between them
-touch. "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section 3.3).  A
-curve has a turning point if A_sa,t* has a maximum within the range of loads that exceeds the least
-value at smaller loads, and the least value at larger loads, by ``PROMINENCE``.
+touch.  "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section 3.3).  A
+curve has a turning point if A_sa,t* has a maximum within the range of loads, and this maximum
+exceeds the least value at smaller loads, and the least value at larger loads, by ``PROMINENCE``.
 
 For given particles and surface, A_sa,t* depends on the separation d alone.  The maximum is
 therefore at the same separation d*, dry or lubricated, and the force balance (Eq. 1) gives its load
@@ -26,7 +26,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import has_particles
 from thirdbody.core.solve import DEFAULT_RTOL
 
-# ASSUME: prominence of a turning point on both sides [1], a line width on an axis from 0 to 1
+# ASSUME: least prominence of a turning point on both sides [1], a line width on an axis from 0 to 1
 PROMINENCE = 0.02
 # tolerance of d over that of the load: relative changes of F_t* are up to t^2 times those of d
 SEPARATION_MARGIN = 1e-3
@@ -34,12 +34,12 @@ SEPARATION_MARGIN = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class TurningPoints:
-    """The most prominent interior maximum of A_sa,t* of each curve: its turning point if
-    ``exists``.
+    """The most prominent interior maximum of A_sa,t* of each curve, a turning point if ``exists``.
 
-    Arrays of shape (curves,), nan without one: the load F_TPCA* [1] and a bound on its error,
-    A_sa,t* and L_s [1], the separation d* [m], and the ``prominence`` [1]: the excess of A_sa,t*
-    over the least value at smaller or at larger loads, whichever is less.
+    The fields have the shape (curves,), with nan for curves without a maximum.  They are the load
+    F_TPCA* [1] and a bound on its error, A_sa,t* and L_s [1], the separation d* [m], and the
+    ``prominence`` [1].  The prominence is the excess of A_sa,t* over the least value at smaller
+    loads, or over the least value at larger loads, whichever is less.
     """
 
     load: NDArray
@@ -67,8 +67,7 @@ def turning_points(
     """Find the most prominent interior maximum of A_sa,t*(F_t*) on each curve.
 
     ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, nan
-    without solution; they only bracket the maxima.  The conditions have the shape (curves,) [m2/s,
-    m, m, m-2].
+    without solution.  They only bracket the maxima.  The conditions are in SI, of shape (curves,).
     """
     found = {field.name: np.full(viscosity.shape, np.nan) for field in fields(TurningPoints)}
     three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
@@ -113,9 +112,10 @@ def ratio_maxima(
     """Find the maxima of A_sa,t* over the separation, to ``rtol`` d.
 
     ``separation`` d [m], shape (separations, curves), decreases from row to row, nan without
-    solution; ``ends``, shape (curves,), are d [m] at the first and last load.  Returns the curve of
-    each maximum, its d* [m], a bound on the error of d*, and its prominence [1]; outside the curve
-    this is minus the excess over the end, so that it passes through 0 at the end.
+    solution.  ``ends``, shape (curves,), are d [m] at the first and last load.  Returns the curve
+    of each maximum, d* [m], a bound on the error of d*, and the prominence [1].  A maximum outside
+    the curve has a negative prominence, minus its excess over the end.  The prominence is thus
+    continuous, and 0 for a maximum at the end.
     """
     falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
@@ -136,14 +136,14 @@ def ratio_maxima(
 
 
 def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
-    """Prominence of maxima (curve, d [m], A_sa,t*), given the minima and the ends [m]."""
+    """The prominence of maxima: ``maxima`` and ``minima`` have curve, d [m] and A_sa,t*."""
     curve, extremum, ratio = maxima
     first, last = ends[:, curve]
     before, after = ratio - particle_ratio(solids.take(curve), np.stack([first, last]))
     before = np.where(extremum < first, before, -np.abs(before))
     after = np.where(extremum > last, after, -np.abs(after))
     inside = (last < extremum) & (extremum < first)
-    for other, valley, least in zip(*minima, strict=True):  # rarely any
+    for other, valley, least in zip(*minima, strict=True):  # minima are rare
         between = inside & (curve == other) & (last < valley) & (valley < first)
         for side, beside in ((before, valley > extremum), (after, valley < extremum)):
             side[between & beside] = np.maximum(side, ratio - least)[between & beside]
@@ -171,8 +171,10 @@ def load_at(
 
 
 def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
-    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd; negative where no
-    particle touches."""
+    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], which has the sign of dA_sa,t*/dd.
+
+    It is negative where no particle touches.
+    """
     state = solids.at(separation, with_areas=True)
     area = state.particle_area
     slope = area.slope - area.value * state.log_summit_area.slope

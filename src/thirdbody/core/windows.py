@@ -1,7 +1,8 @@
 """Windows of particle sizes in which a curve has a turning point.
 
-Small particles do not touch between the summits, and large ones keep the summits apart; A_sa,t* of
-dry contact turns only for diameters x_a close to the roughness sigma (see ``turning_points``).
+Small particles do not touch between the summits, and large particles keep the summits apart.
+A_sa,t* of dry contact therefore turns only for diameters x_a close to the roughness sigma (see
+``turning_points``).
 """
 
 from dataclasses import dataclass
@@ -19,8 +20,10 @@ from thirdbody.core.turning_points import PROMINENCE, ratio_maxima
 
 @dataclass(frozen=True)
 class Window:
-    """Range of x_a/sigma [1] with a turning point, nan if there is none; the bounds on the errors
-    of its ends are infinite if the sweep ends inside the window."""
+    """Range of x_a/sigma [1] with a turning point, nan if no curve has one.
+
+    The bound on the error of an end is infinite if the sweep ends inside the window.
+    """
 
     low: float
     low_error: float
@@ -30,10 +33,12 @@ class Window:
 
 @dataclass(frozen=True)
 class WindowSearch:
-    """Resolution of the search for windows: the sampled x_a/sigma [1], increasing; the number of
-    separations between which maxima are sought, and their least prominence [1]; ``rtol`` of the
-    solved points, and the absolute error of both ends [1], which are interpolated if it is
-    infinite."""
+    """Resolution of the search for windows.
+
+    ``ratios`` are increasing samples of x_a/sigma [1].  Maxima are sought between so many
+    ``separations``, and need the least ``prominence`` [1].  ``rtol`` is of solved points,
+    ``tolerance`` [1] of the ends.  With an infinite tolerance the ends are only interpolated.
+    """
 
     ratios: NDArray
     separations: int = 60
@@ -49,17 +54,17 @@ def turning_point_windows(
     load_range: tuple[float, float],
     parameters: Parameters,
 ) -> list[Window]:
-    """Find the longest range of x_a/sigma with a turning point in dry contact for each
-    ``roughness`` sigma [m], at a ``density`` eta_a [m-2], between the first and last load F_t* [1].
+    """Find the longest range of x_a/sigma with a turning point in dry contact.
+
+    Returns a window for each ``roughness`` sigma [m], at a ``density`` eta_a [m-2].  ``load_range``
+    has the first and the last load F_t* [1] of the curves.
     """
     roughness = np.asarray(roughness)
     if not roughness.size:
         return []
 
     def margin(ratios, surface):
-        """Margin of the largest prominence over the least required; negative without a turning
-        point.
-        """
+        """Margin of the largest prominence over the required; negative without a turning point."""
         sigma = roughness[surface]
         columns = ratios * sigma, sigma, np.full_like(sigma, density)
         names = "particle_diameter", "roughness", "particle_density"
@@ -92,8 +97,11 @@ def turning_point_windows(
 
 
 def _ends_of_longest_runs(ratios, margins):
-    """The longest run of positive ``margins``: the ratios at its ends, their outer neighbours, and
-    the interpolated zeros between them; shape (2, ...) each."""
+    """The longest run of positive ``margins``, in arrays of shape (2, ...).
+
+    Returns the ratios at the ends of the run, the next ratios outside, and the interpolated zeros
+    between both.
+    """
     length, longest, last = np.zeros((3, *margins.shape[1:]), int)
     for index, inside in enumerate(margins > 0.0):
         length = (length + 1) * inside
@@ -105,20 +113,25 @@ def _ends_of_longest_runs(ratios, margins):
     inner, outer = (np.take_along_axis(ratios, indices, 0) for indices in (within, beyond))
     at_inner, at_outer = (np.take_along_axis(margins, indices, 0) for indices in (within, beyond))
     inner = np.where(longest > 0, inner, np.nan)
-    with np.errstate(divide="ignore", invalid="ignore"):  # an open run
+    with np.errstate(divide="ignore", invalid="ignore"):  # a run up to the last ratio
         fraction = np.where(within == beyond, 0.0, at_inner / (at_inner - at_outer))
     return inner, outer, inner + fraction * (outer - inner)
 
 
 def _margin_over_least(prominence, least):
-    """Signed square root of the prominence, nearly linear in x_a/sigma, minus the root of the
-    least; nan counts as 0."""
+    """Signed square root of the prominence minus the root of the ``least``; nan counts as 0.
+
+    It is nearly linear in x_a/sigma.
+    """
     height = np.where(np.isnan(prominence), 0.0, prominence)
     return np.copysign(np.sqrt(np.abs(height)), height) - np.sqrt(least)
 
 
 def _separations(first, last, roughness, count):
-    """Separations [m] between the ends of all curves of each roughness: shape (count, curves)."""
+    """Separations [m], shape (count, curves), equal for all curves of the same roughness.
+
+    They span these curves from end to end.
+    """
     _, surface = np.unique(roughness, return_inverse=True)
     ends = np.full((2, surface.max() + 1), np.nan)
     np.fmax.at(ends[0], surface, first)

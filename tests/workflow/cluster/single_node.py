@@ -15,8 +15,8 @@ PROGRAMS = ("munged", "slurmctld", "slurmd")
 NODE, PARTITION = "node", "batch"
 # Snakemake's plugin: not beside Snakemake, as it slows every command where no controller answers
 PLUGIN = Path(__file__).resolve().parents[3] / ".venv" / "slurm"
-# the node has a host name and temporary files of its own, and the configuration where clusters have
-# it
+# The node has a host name and temporary files of its own; its configuration is where clusters have
+# theirs.
 ANOTHER_HOST = f"""
 set -e
 hostname {NODE}
