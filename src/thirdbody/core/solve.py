@@ -81,14 +81,18 @@ def solve_points(
         left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
-            for indices, balance in _balances(columns, chosen, parameters, attempt):
-                solved = describe(balance, rtol)
-                for name, values in result.items():
-                    values[indices] = solved[name]
-                failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
-                left[indices] = failed & attempt.uses_tables
-                if callback is not None:
-                    callback(int(np.count_nonzero(~left[indices])))
+            for batch in _batches(columns, chosen, attempt.chunk):
+                here = {name: column[batch] for name, column in columns.items()}
+                points = Points.of(here, parameters, attempt.table_rtol)
+                brackets = bracket(points)
+                for balance in enclose(points, brackets, attempt.tolerance, attempt.iterations):
+                    solved, indices = describe(balance, rtol), batch[balance.indices]
+                    for name, values in result.items():
+                        values[indices] = solved[name]
+                    failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
+                    left[indices] = failed & attempt.uses_tables
+                    if callback is not None:
+                        callback(int(np.count_nonzero(~left[indices])))
         _doubt_faint_particles(columns, result)
     return {name: values.reshape(shape) for name, values in result.items()}
 
@@ -142,15 +146,6 @@ def _worth_a_table(roughness, rtol):
     """Which points share their roughness with enough others to tabulate its summits."""
     which = np.searchsorted(np.unique(roughness), roughness)
     return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
-
-
-def _balances(columns, chosen, parameters, attempt):
-    """Solve the ``chosen`` points: yields indices of points among all, and their balance."""
-    for batch in _batches(columns, chosen, attempt.chunk):
-        conditions = {name: column[batch] for name, column in columns.items()}
-        points = Points.of(conditions, parameters, attempt.table_rtol)
-        for balance in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
-            yield batch[balance.indices], balance
 
 
 class Kind(IntFlag):
