@@ -12,7 +12,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from enum import IntFlag
 from typing import NamedTuple
 
 import numpy as np
@@ -148,18 +147,11 @@ def _worth_a_table(roughness, rtol):
     return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
-class Kind(IntFlag):
-    """What points have that are solved together."""
-
-    PARTICLES = 1
-    FILM = 2
-
-
 def _batches(columns, chosen, most):
-    """Yield indices of ``chosen`` points of one kind, by roughness, at ``most`` so many at a
-    time."""
+    """Yield indices of ``chosen`` points, all with or all without particles and film, by roughness,
+    at ``most`` so many at a time."""
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
-    kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
+    kinds = 2 * three_body + has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
         indices = np.flatnonzero(chosen & (kinds == kind))
         indices = indices[np.argsort(columns["roughness"][indices], kind="stable")]
