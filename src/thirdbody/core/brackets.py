@@ -32,41 +32,21 @@ class Brackets(NamedTuple):
     held: NDArray
 
 
-class FilmAlone(NamedTuple):
-    """Separation [m] at which the film carries all of F_t, and the ends that rounding leaves; 0
-    when dry.
-    """
-
-    separation: NDArray
-    low: NDArray
-    high: NDArray
-
-
 def bracket(points: Points) -> Brackets:
     """Bracket the separation d >= 0 at which solids and film carry the load.
 
     If the film depends on F_f, it carries the load alone at d = R_x H_c(F_t), so the root is there
     or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one.
     """
-    film = _film_alone(points)
-    guess = np.maximum(first_separation(points), film.separation)
+    film, rounding = points.film_separation()
+    guess = np.maximum(first_separation(points), film)
     if points.shared_film is None:
-        return _beyond_film_or_held(points, film, guess)
+        return _beyond_film_or_held(points, guess, film * (1.0 - rounding), film * (1.0 + rounding))
     return Brackets(
         guess=guess,
-        low=film.separation * (1.0 - FILM_MARGIN),
+        low=film * (1.0 - FILM_MARGIN),
         high=_upper_bounds(points, guess),
         held=np.zeros(guess.shape, bool),
-    )
-
-
-def _film_alone(points):
-    """Where the film carries all of F_t."""
-    separation, rounding = points.film_separation()
-    return FilmAlone(
-        separation=separation,
-        low=separation * (1.0 - rounding),
-        high=separation * (1.0 + rounding),
     )
 
 
@@ -93,26 +73,27 @@ def _upper_bounds(points, guess):
     return 2.0 * far + 10.0 * points.contact.summits.deviation
 
 
-def _beyond_film_or_held(points, film, guess):
+def _beyond_film_or_held(points, guess, film_low, film_high):
     """Brackets where the film keeps its separation, which is 0 when dry, unless the solids need a
-    larger one.  The forces at the guess show this at most points, those at the film at all."""
+    larger one.  Rounding leaves it between ``film_low`` and ``film_high``.  The forces at the guess
+    show this at most points, those at the film at all."""
     high = _upper_bounds(points, guess)
-    guess = np.maximum(guess, film.high)
+    guess = np.maximum(guess, film_high)
     forces = points.forces(guess)
     beyond = forces.excess.value > forces.errors.noise
-    low = np.where(beyond, guess, film.high)
+    low = np.where(beyond, guess, film_high)
     newton = guess - forces.excess.value / forces.excess.slope
     guess = np.where(beyond & (newton < high), newton, guess)
     held, has_root = np.zeros(guess.shape, bool), beyond.copy()
     unclear = np.flatnonzero(~beyond)
     if unclear.size:
-        forces = points.take(unclear).forces(film.high[unclear])
+        forces = points.take(unclear).forces(film_high[unclear])
         held[unclear] = (forces.excess.value < 0.0) & (points.film is not None)
         has_root[unclear] = forces.excess.value >= -forces.errors.noise
         has_root &= ~held
     return Brackets(
         guess=guess,
-        low=np.where(held, film.low, np.where(has_root, low, np.nan)),
-        high=np.where(held, film.high, np.where(has_root, high, np.nan)),
+        low=np.where(held, film_low, np.where(has_root, low, np.nan)),
+        high=np.where(held, film_high, np.where(has_root, high, np.nan)),
         held=held,
     )
