@@ -34,7 +34,7 @@ try:
         parameters=rig,
     )
 except tb.OutOfRangeWarning as warning:
-    print(warning)
+    raise SystemExit(str(warning)) from warning
 assert_type(points, tb.Solution)
 assert_type(points.to_dataset(), xr.Dataset)
 points.to_dataframe().to_csv("points.csv")

@@ -46,13 +46,13 @@ def bracket(points: Points) -> Brackets:
     If the film depends on F_f, it carries the load alone at d = R_x H_c(F_t), so the root is there
     or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one.
     """
-    film = _film_alone(points)
-    guess = np.maximum(first_separation(points), film.separation)
+    film, rounding = points.film_separation()
+    guess = np.maximum(first_separation(points), film)
     if points.shared_film is None:
-        return _beyond_film_or_held(points, film, guess)
+        return _beyond_film_or_held(points, guess, film * (1.0 - rounding), film * (1.0 + rounding))
     return Brackets(
         guess=guess,
-        low=film.separation * (1.0 - FILM_MARGIN),
+        low=film * (1.0 - FILM_MARGIN),
         high=_upper_bounds(points, guess),
         held=np.zeros(guess.shape, bool),
     )
@@ -97,22 +97,22 @@ def _beyond_film_or_held(points, film, guess):
     The forces at the guess decide this at most points, the forces at the film at the others.
     """
     high = _upper_bounds(points, guess)
-    guess = np.maximum(guess, film.high)
+    guess = np.maximum(guess, film_high)
     forces = points.forces(guess)
     beyond = forces.excess.value > forces.errors.noise
-    low = np.where(beyond, guess, film.high)
+    low = np.where(beyond, guess, film_high)
     newton = guess - forces.excess.value / forces.excess.slope
     guess = np.where(beyond & (newton < high), newton, guess)
     held, has_root = np.zeros(guess.shape, bool), beyond.copy()
     unclear = np.flatnonzero(~beyond)
     if unclear.size:
-        forces = points.take(unclear).forces(film.high[unclear])
+        forces = points.take(unclear).forces(film_high[unclear])
         held[unclear] = (forces.excess.value < 0.0) & (points.film is not None)
         has_root[unclear] = forces.excess.value >= -forces.errors.noise
         has_root &= ~held
     return Brackets(
         guess=guess,
-        low=np.where(held, film.low, np.where(has_root, low, np.nan)),
-        high=np.where(held, film.high, np.where(has_root, high, np.nan)),
+        low=np.where(held, film_low, np.where(has_root, low, np.nan)),
+        high=np.where(held, film_high, np.where(has_root, high, np.nan)),
         held=held,
     )

@@ -49,7 +49,16 @@ def enclose(
     fixed = brackets.held | np.isnan(brackets.low)
     if fixed.any():
         yield _fixed(points, brackets, np.flatnonzero(fixed))
-    search = Search.of(points, brackets, np.flatnonzero(~fixed))
+    rest = np.flatnonzero(~fixed)
+    search = Search(
+        points=points.take(rest),
+        indices=rest,
+        separation=brackets.guess[rest],
+        low=brackets.low[rest],
+        high=brackets.high[rest],
+        previous=np.full(rest.shape, np.inf),
+        widening=np.ones(rest.shape),
+    )
     for iteration in range(iterations):
         if not search.indices.size:
             break
@@ -112,19 +121,6 @@ class Search:
     high: NDArray
     previous: NDArray
     widening: NDArray
-
-    @classmethod
-    def of(cls, points: Points, brackets: Brackets, indices: NDArray) -> Search:
-        """The search at the points at ``indices``, which have a root, from their ``brackets``."""
-        return cls(
-            points=points.take(indices),
-            indices=indices,
-            separation=brackets.guess[indices],
-            low=brackets.low[indices],
-            high=brackets.high[indices],
-            previous=np.full(indices.shape, np.inf),
-            widening=np.ones(indices.shape),
-        )
 
     def keep(self, kept: NDArray) -> None:
         """Go on with the points of the indices ``kept``."""

@@ -12,7 +12,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from enum import IntFlag
 from typing import NamedTuple
 
 import numpy as np
@@ -162,7 +161,7 @@ class Kind(IntFlag):
 def _batches(columns, chosen, most):
     """Yield indices of ``chosen`` points of the same kind by roughness, ``most`` at a time."""
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
-    kinds = Kind.PARTICLES * three_body + Kind.FILM * has_film(columns["viscosity"])
+    kinds = 2 * three_body + has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
         indices = np.flatnonzero(chosen & (kinds == kind))
         indices = indices[np.argsort(columns["roughness"][indices], kind="stable")]
