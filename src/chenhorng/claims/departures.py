@@ -18,7 +18,6 @@ from chenhorng.claims.judge import Judge, Verdicts, count_once, outcome
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import first_yield_depth
 
-
 AT_FIRST_YIELD = "at_first_yield"  # a word for h_e/x_a in config/calibration.yaml
 
 
