@@ -41,6 +41,8 @@ TABLES = [
     "sensitivity",
     "deviations",
     "departures",
+    "apparent_area",
+    "limits",
 ]
 FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_KINDS = ["csv", "html", "tex"]
@@ -63,6 +65,8 @@ rule all:
         "<results>/extracted/printed/all.csv",
         "<results>/extracted/table1/all.csv",
         "<results>/extracted/table2/all.csv",
+        "<results>/extracted/apparent_area/all.csv",
+        "<results>/extracted/limits/all.csv",
         expand("<results>/figures/{figure}.{kind}", figure=FIGURES, kind=FIGURE_KINDS),
         expand("<results>/figures/{figure}_wide.csv", figure=SCENES),
         expand("<results>/tables/{table}.{kind}", table=TABLES, kind=TABLE_KINDS),

@@ -26,6 +26,8 @@ TABLES = {
     "sensitivity": "How much each unprinted input changes each result",
     "deviations": "Printed numbers beside computed ones",
     "departures": "What each departure from the words of the paper is worth",
+    "apparent_area": "The apparent area A_n that the digits of the printed loads leave",
+    "limits": "What cannot be: the inputs beside what surfaces and digits allow",
 }
 
 
