@@ -44,6 +44,8 @@ TABLES = [
     "coverage",
     "coverage_of_sets",
     "profiles",
+    "apparent_area",
+    "limits",
 ]
 FIGURE_FORMATS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_FORMATS = ["csv", "html", "tex"]
@@ -67,6 +69,8 @@ rule all:
         "<results>/extracted/table1/all.csv",
         "<results>/extracted/table2/all.csv",
         expand("<results>/figures/{figure}.{format}", figure=FIGURES, format=FIGURE_FORMATS),
+        "<results>/extracted/apparent_area/all.csv",
+        "<results>/extracted/limits/all.csv",
         expand("<results>/figures/{figure}_wide.csv", figure=SCENES),
         expand("<results>/tables/{table}.{format}", table=TABLES, format=TABLE_FORMATS),
         expand("<results>/claims/claims.{format}", format=["csv", "json", "md", "html"]),

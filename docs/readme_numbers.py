@@ -32,6 +32,7 @@ import thirdbody
 from benchmarks.ranges import CONDITIONS, shares_within
 from benchmarks.work_precision import largest_errors
 from chenhorng.tables import TABLES, read_csv
+from thirdbody.core.particles import first_yield_depth
 
 ROOT = Path(__file__).resolve().parents[1]
 BITS = 1e-9  # relative difference of a number on another processor
@@ -96,7 +97,7 @@ def took_block(move: float = 0.0) -> str:
     rows = read_rows("departures", move)
     held = {row["departure"]: f"{row['holds']:g} of {row['judged']:g}" for row in rows}
     below = erf(1.0 / (inputs.spread_ratio * np.sqrt(2.0)))
-    first_yield = inputs.elastic_depth_ratio / 0.0111
+    first_yield = inputs.elastic_depth_ratio / first_yield_depth(inputs)
     lines = [
         ("all inputs as calibrated", "", "", held["as it is"]),
         (

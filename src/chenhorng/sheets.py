@@ -369,6 +369,53 @@ def _profiles(rows, _printed, _newtons_per_load) -> Sheet:
     return Sheet(title="Profiles of the objective", note=note, rows=lines)
 
 
+def _apparent_area(rows, _printed, _newtons_per_load) -> Sheet:
+    lines = []
+    *of_areas, of_axis = rows
+    for area, group in groupby(of_areas, key=lambda row: row["area_m2"]):
+        *loads, of_all = group
+        texts = {"area_m2": f"{1e6 * area:.2g}"}
+        texts |= {
+            f"{modulus}_low_m2": _from_to(of_all, f"{modulus}_{{}}_m2", 1e6)
+            for modulus in ("printed_modulus", "material_modulus")
+        }
+        line = _headed("apparent_area", texts)
+        for row in loads:
+            printed, newtons = (short(f"{row[n]:g}") for n in ("printed", "normal_load_N"))
+            heading = f"A_n E_ss by {printed}, {row['place']} [kN]"
+            line[heading] = f"{_from_to(row, 'stiffness_{}_N', 1e-3)} for {newtons} N"
+        lines.append(line | {name: of_all[name] or "" for name in ("verdict", "remark")})
+    least = short(f"{of_axis['printed']:g}")
+    note = (
+        "F_t* = F_t/(A_n E_ss), and the printed loads of lubricated contact double from step to "
+        "step. Each is rounded, which leaves A_n E_ss a range; the loads leave A_n a power of two. "
+        f"The least W of Table 2 is printed as {least}: {of_axis['remark']}."
+    )
+    return Sheet(title="The apparent area from the printed loads", note=note, rows=lines)
+
+
+def _limits(rows, _printed, _newtons_per_load) -> Sheet:
+    lines = [
+        _headed(
+            "limits",
+            {name: row[name] or "" for name in ("condition", "quantity", "verdict", "remark")}
+            | {name: rounded(row[name]) for name in ("value", "low", "high")},
+        )
+        for row in rows
+    ]
+    note = (
+        "Isotropic surfaces with Gaussian heights have α = 768 π (η_s R σ)² of at least 1.5 (Nayak "
+        "1971), and summits that scatter less than they. The loads are those in W of printed film "
+        "thicknesses, for the values of U that are rounded to the printed one."
+    )
+    return Sheet(title="What cannot be, and what digits leave open", note=note, rows=lines)
+
+
+def _from_to(row, names, scale) -> str:
+    """A range in a row, with four digits."""
+    return " to ".join(f"{scale * row[names.format(end)]:.4g}" for end in ("low", "high"))
+
+
 def _of(count, whole) -> str:
     return "" if count is None else f"{count:g} of {whole:g}"
 
@@ -389,6 +436,8 @@ SHEETS: dict[str, Callable[..., Sheet]] = {
     "coverage": _coverage,
     "coverage_of_sets": _coverage_of_sets,
     "profiles": _profiles,
+    "apparent_area": _apparent_area,
+    "limits": _limits,
 }
 
 

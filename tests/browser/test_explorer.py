@@ -116,6 +116,13 @@ def test_a_moved_slider_moves_the_curves_and_leaves_statements_unjudged(explorer
     explorer.settle()
     assert explorer.curve("dry") != before
     assert "not judged" in explorer.one("#tally").text and explorer.all("#claims.unjudged")
+    assert not explorer.one("#counts").text
+    explorer.one("#claims button[data-statement]").click()
+    explorer.settle()
+    assert "Tolerance: " in explorer.one("#claims .more").text
+    assert "Found: " not in explorer.one("#claims .more").text
+    explorer.one("#claims button[data-statement]").click()
+    explorer.settle()
     explorer.one(".control.changed .back").click()
     explorer.settle()
     assert (explorer.curve("dry"), explorer.one("#tally").text) == (before, tally)

@@ -18,7 +18,8 @@ from benchmarks.points import parameters_on_one_surface
 from chenhorng.configuration.settings import workflow_settings
 from chenhorng.home import config_directory
 from thirdbody.command import BAD_INPUT, main
-from thirdbody.core.parameters import BOUNDS, WORDS, Parameters, mccool_summits
+from thirdbody.core.parameters import BOUNDS, MATERIALS, WORDS, Parameters, mccool_summits
+from thirdbody.core.particles import first_yield_depth
 from thirdbody.files import format_value, read_yaml
 from thirdbody.netcdf import model_attribute
 
@@ -32,6 +33,17 @@ def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):
 
 def test_the_elastic_factor_to_the_printed_digits(parameters):
     assert float(f"{parameters.elastic_factor:.3g}") == 0.0885
+
+
+def test_the_depth_at_first_yield_is_the_interference_with_both_surfaces(parameters):
+    assert first_yield_depth(parameters) == pytest.approx(0.001770, rel=1e-3)
+    assert first_yield_depth(replace(parameters, yield_pressure_ratio=1.0)) == pytest.approx(
+        0.01106, rel=1e-3
+    )
+    materials = dict(zip(MATERIALS, (200e9, 150e9, 3e9, 6e9), strict=True))
+    changed = replace(parameters, yield_pressure_ratio=0.6, **materials)
+    of_each_side = [(0.75 * math.pi * 0.6 * ratio) ** 2 / 2.0 for ratio in (3 / 150, 6 / 200)]
+    assert first_yield_depth(changed) == pytest.approx(sum(of_each_side))
 
 
 # particles that would carry more while elastic than plastic

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from chenhorng.claims.departures import read_departures
 from thirdbody.core.parameters import Parameters
 from thirdbody.files import read_yaml
 from thirdbody.inputs import ensemble_of
@@ -57,6 +58,6 @@ def test_each_calibrated_file_has_all_inputs_and_members_within_bounds(path):
 def test_each_departure_is_from_the_default():
     calibration, config = (read_yaml(CONFIG / f"{name}.yaml") for name in ("calibration", "config"))
     inputs = read_yaml(ROOT / config["calibrated"])["inputs"]
-    for departure in calibration["departures"]:
+    for departure in read_departures(calibration, inputs):
         for name, value in departure["inputs"].items():
             assert inputs[name] != value, departure["name"]

@@ -17,6 +17,7 @@ from chenhorng.claims.departures import (
     departure_rows,
     departure_words,
     random_inputs,
+    read_departures,
 )
 from chenhorng.claims.evidence import QUICK_EFFORT
 from chenhorng.claims.judge import Judge, count_once
@@ -25,6 +26,7 @@ from chenhorng.claims.verdicts import claims_html, claims_json, claims_markdown
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
 from chenhorng.home import config_directory
 from chenhorng.tables import TABLES
+from thirdbody.core.particles import first_yield_depth
 from thirdbody.files import read_yaml
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
@@ -236,11 +238,13 @@ def test_everything_is_judged_by_the_real_model(parameters, some):
 
 def test_departures_are_taken_back_one_by_one(defaults, some):
     judge = Judge(some, defaults.best.as_dict(), SETTINGS["newtons"])
-    shallow = {"elastic_depth_ratio": 0.0111}
-    departures = [{"name": "one", "inputs": shallow}]
-    settings = SETTINGS | {"headline": [DRY], "departures": departures, "random_sets": 3}
+    written = [{"name": "one", "inputs": {"elastic_depth_ratio": "at_first_yield"}}]
+    settings = SETTINGS | {"headline": [DRY], "departures": written, "random_sets": 3}
+    departures = read_departures(settings, judge.base)
+    shallow = {"elastic_depth_ratio": first_yield_depth(defaults.best)}
+    assert departures == [{"name": "one", "inputs": shallow}]
     taken_back = [judge(shallow)]
-    rows = departure_rows(judge, settings, judge({}), taken_back)
+    rows = departure_rows(judge, settings, judge({}), departures, taken_back)
     unchanged, changed, least, most = rows
     names = [column.name for column in TABLES["departures"]]
     assert all([*row] == names for row in rows)
@@ -251,9 +255,9 @@ def test_departures_are_taken_back_one_by_one(defaults, some):
         assert row["headline"] == found[DRY].holds
         deviation = abs(found[DRY].value / 3.27e-6 - 1.0) if found[DRY].value > 0.0 else 1.0
         assert row["mean_deviation"] == row["median_deviation"] == pytest.approx(deviation)
-    assert (unchanged["inputs"], changed["inputs"]) == ("", "elastic_depth_ratio = 0.0111")
+    assert (unchanged["inputs"], changed["inputs"]) == ("", "elastic_depth_ratio = 0.00177")
     assert unchanged["holds"] == 2 and changed["holds"] < 2
-    (words,) = departure_words(judge, settings, taken_back)
+    (words,) = departure_words(judge, departures, taken_back)
     assert (words["name"], words["inputs"]) == ("one", shallow)
     assert list(words["verdicts"].values()).count("holds") == changed["holds"]
     counts = [count_once(some, judge(each, QUICK_EFFORT)) for each in random_inputs(settings)]

@@ -17,6 +17,8 @@ NAMES = (
     "transitions",
     "deviations",
     "departures",
+    "apparent_area",
+    "limits",
 )
 COLUMNS = TABLES | {"table1": TABLES["paper_table"], "table2": TABLES["paper_table"]}
 

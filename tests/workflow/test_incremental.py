@@ -29,9 +29,12 @@ CLAIMS = ("claims/*", "figures/claims.*")
 DEPARTURES = ("extracted/departures/*", "tables/departures.*")
 DEPARTURES += ("extracted/deviations/*", "tables/deviations.*")
 JUDGED = (*CLAIMS, *DEPARTURES)
+DIGITS = ("extracted/apparent_area/*", "extracted/limits/*")
+DIGITS += ("tables/apparent_area.*", "tables/limits.*")
 TABLES_SHOWN = ("index.html", "captions.md", "SHA256SUMS")
 PAGE = ("explorer/*", *TABLES_SHOWN)
 ALL = (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *JUDGED, *SENSITIVITY, *PAGE)
+ALL += DIGITS
 FORMATS = ("csv", "html", "tex")
 
 
@@ -101,7 +104,7 @@ def test_another_style_draws_again_and_solves_nothing(workspace):
 
 def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
     workspace.rewrite("src/chenhorng/claims/paper_tables.py", commented)
-    assert remade(workspace) == workspace.products(*PAPER_TABLES, *TABLES_SHOWN)
+    assert remade(workspace) == workspace.products(*PAPER_TABLES, *DIGITS, *TABLES_SHOWN)
     assert not workspace.pending()
 
 
@@ -138,7 +141,15 @@ def test_comments_in_the_configuration_and_dates_of_files_rerun_nothing(workspac
     for folder in ("config", "src", "workflow"):
         for path in (workspace.root / folder).rglob("*.*"):
             os.utime(path, (later, later))
-    for file in ("config", "scenes", "claims", "inputs", "calibration", "paper_tables"):
+    for file in (
+        "config",
+        "scenes",
+        "claims",
+        "inputs",
+        "calibration",
+        "paper_tables",
+        "printed_digits",
+    ):
         workspace.rewrite(f"config/{file}.yaml", lambda text: f"# a remark\n{text}")
     assert not workspace.pending()
 

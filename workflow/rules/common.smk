@@ -43,12 +43,14 @@ def figure_files(figure, category):
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
 CLAIMS = f"{CONFIG}/claims.yaml"
 PAPER_TABLES = f"{CONFIG}/paper_tables.yaml"
+DIGITS = f"{CONFIG}/printed_digits.yaml"
 INPUTS = f"{CONFIG}/inputs.yaml"
 CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
 try:  # Snakemake reads none of these files, as its errors do not name the file
     settings = read_settings(config, CONFIG, *workflow.overwrite_configfiles)
     CLAIMS_TEXT = settings_text(CLAIMS, list)
     PAPER_TABLES_TEXT = settings_text(PAPER_TABLES)
+    DIGITS_TEXT = settings_text(DIGITS)
     INPUTS_TEXT = settings_text(INPUTS)
     CALIBRATED_TEXTS = [*map(settings_text, dict.fromkeys([settings["calibrated"], *CALIBRATED]))]
 except ValueError as error:

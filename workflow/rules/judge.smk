@@ -130,3 +130,26 @@ rule gather_printed:
         "Gather the numbers that the paper prints"
     script:
         "../scripts/gather_printed.py"
+
+
+# what follows from the digits of printed numbers, and what surfaces cannot be
+rule judge_digits:
+    output:
+        apparent_area="<results>/extracted/apparent_area/all.csv",
+        limits="<results>/extracted/limits/all.csv",
+    log:
+        "<logs>/judge_digits.log",
+    params:
+        *sources_of("judge_digits.py"),
+        *SOFTWARE,
+        *CALIBRATED_TEXTS,
+        PAPER_TABLES_TEXT,
+        DIGITS_TEXT,
+        tables=PAPER_TABLES,
+        digits=DIGITS,
+        calibrated=CALIBRATED,
+        parameters=settings["parameters"],
+    message:
+        "Judge the digits of printed numbers, and what surfaces cannot be"
+    script:
+        "../scripts/judge_digits.py"

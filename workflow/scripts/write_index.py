@@ -29,6 +29,8 @@ TABLES = {
     "coverage": "Printed numbers, and ranges of the inputs that have not seen them",
     "coverage_of_sets": "Other sets of inputs within the ranges",
     "profiles": "What the statements determine: profiles of the objective",
+    "apparent_area": "The apparent area A_n that the digits of the printed loads leave",
+    "limits": "What cannot be: the inputs beside what surfaces and digits allow",
 }
 
 

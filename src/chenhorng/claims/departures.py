@@ -15,13 +15,30 @@ from chenhorng.calibration.calibration import Interpretation
 from chenhorng.calibration.choice import printed_numbers
 from chenhorng.claims.evidence import QUICK_EFFORT
 from chenhorng.claims.judge import Judge, Verdicts, count_once, outcome
+from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import first_yield_depth
+
+AT_FIRST_YIELD = "at_first_yield"  # a word for h_e/x_a in config/calibration.yaml
+
+
+def read_departures(
+    settings: Mapping[str, Any], parameters: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """The ``departures`` of ``settings``, the content of ``config/calibration.yaml``: the ``name``
+    of each and its ``inputs`` as values, SI, where the word ``at_first_yield`` is what follows from
+    the ``parameters`` of the run."""
+    known = {AT_FIRST_YIELD: first_yield_depth(Parameters(**parameters))}
+    return [
+        departure
+        | {"inputs": {name: known.get(value, value) for name, value in departure["inputs"].items()}}
+        for departure in settings["departures"]
+    ]
 
 
 def departure_words(
-    judge: Judge, settings: Mapping[str, Any], taken_back: Sequence[Verdicts]
+    judge: Judge, departures: Sequence[Mapping[str, Any]], taken_back: Sequence[Verdicts]
 ) -> list[dict[str, Any]]:
-    """The ``departures`` of ``settings``, the content of ``config/calibration.yaml``, with their
-    verdicts.
+    """The ``departures`` of ``read_departures`` with their verdicts.
 
     A departure has its ``name``, its ``inputs``, and ``verdicts``: the word of a verdict by the id
     of the statement.  ``taken_back`` are the verdicts with each departure taken back.
@@ -29,23 +46,26 @@ def departure_words(
     return [
         dict(departure)
         | {"verdicts": {claim.id: outcome(claim, verdicts[claim.id]) for claim in judge.claims}}
-        for departure, verdicts in zip(settings["departures"], taken_back, strict=True)
+        for departure, verdicts in zip(departures, taken_back, strict=True)
     ]
 
 
 def departure_rows(
-    judge: Judge, settings: Mapping[str, Any], default: Verdicts, taken_back: Sequence[Verdicts]
+    judge: Judge,
+    settings: Mapping[str, Any],
+    default: Verdicts,
+    departures: Sequence[Mapping[str, Any]],
+    taken_back: Sequence[Verdicts],
 ) -> list[dict[str, Any]]:
     """Rows of the table ``departures``.
 
     The first row has the inputs of ``judge`` as they are, with the verdicts ``default``.  A row for
-    each departure follows, with the verdicts ``taken_back``.  The last two rows are the worst and
-    the best set of random inputs.
+    each of the ``departures`` of ``read_departures`` follows, with the verdicts ``taken_back``.  The
+    last two rows are the worst and the best set of random inputs, which ``settings`` describe.
     """
-    departures = [{"name": "as it is", "inputs": {}}, *settings["departures"]]
+    every = [{"name": "as it is", "inputs": {}}, *departures]
     rows = [
-        _row(judge, settings, departure, verdicts)
-        for departure, verdicts in zip(departures, [default, *taken_back], strict=True)
+        _row(judge, settings, *pair) for pair in zip(every, [default, *taken_back], strict=True)
     ]
     counts = sorted(
         count_once(judge.claims, judge(inputs, QUICK_EFFORT)) for inputs in random_inputs(settings)
@@ -64,7 +84,10 @@ def _row(judge, settings, departure, verdicts):
     deviations = printed_numbers(judge.claims, verdicts, settings["headline"])["deviation"].abs()
     return {
         "departure": departure["name"],
-        "inputs": ", ".join(f"{name} = {value}" for name, value in departure["inputs"].items()),
+        "inputs": ", ".join(
+            f"{name} = {value if isinstance(value, str) else format(value, '.3g')}"
+            for name, value in departure["inputs"].items()
+        ),
         "holds": holds,
         "judged": judged,
         "headline": sum(verdicts[name].holds for name in settings["headline"]),

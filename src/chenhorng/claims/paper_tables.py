@@ -11,18 +11,35 @@ def _force_unit(inputs: Parameters) -> float:
     return inputs.elastic_modulus_surfaces * inputs.ball_radius**2
 
 
+def steel_modulus(poisson_ratio: float) -> float:
+    """E_ss [Pa] of two steel bodies with a printed ``poisson_ratio`` [1] (Hertz)."""
+    return GIGA * STEEL.modulus_GPa / (2.0 * (1.0 - poisson_ratio**2))
+
+
+def load_parameter(newtons: float, inputs: Parameters, modulus: float | None = None) -> float:
+    """W [1] of Eq. 8 at a load [N]; with another ``modulus`` than E_ss [Pa] if it is given."""
+    scale = 1.0 if modulus is None else modulus / inputs.elastic_modulus_surfaces
+    return newtons / (_force_unit(inputs) * scale)
+
+
+def rounding(printed: float, digits: int) -> tuple[float, float]:
+    """The least and the largest number that is rounded to ``printed`` with ``digits`` significant
+    digits."""
+    half = 0.5 * 10.0 ** (int(f"{printed:.{digits - 1}e}".partition("e")[2]) - digits + 1)
+    return printed - half, printed + half
+
+
 # Functions of the inputs and of the printed numbers of the table, by symbol.  They return the
 # entry in its own unit.
 RECOMPUTED = {
     "hertz_modulus": lambda inputs, printed: [
-        GIGA * STEEL.modulus_GPa / (2.0 * (1.0 - ratio**2)) / 1e9
-        for ratio in printed["v_s1, v_s2, v_a"]
+        steel_modulus(ratio) / 1e9 for ratio in printed["v_s1, v_s2, v_a"]
     ],
     "normal_load": lambda inputs, printed: [
         load * 1e-5 * _force_unit(inputs) for load in printed["W"]
     ],
     "load_parameter": lambda inputs, printed: [
-        newtons / _force_unit(inputs) * 1e5 for newtons in printed["F_t"]
+        load_parameter(newtons, inputs) * 1e5 for newtons in printed["F_t"]
     ],
     "speed_parameter": lambda inputs, printed: [
         inputs.speed_per_viscosity * viscosity * 1e-6 * 1e10 for viscosity in printed["nu"]

@@ -228,6 +228,28 @@ def _bare_fraction(coverage):
     return np.where(bare <= EPSILON, TINY, bare)
 
 
+def first_yield_depth(parameters: Parameters) -> float:
+    """Depth h_e of the elastic zone over x_a [1], if it ends where surfaces yield under a particle.
+
+    The paper describes h_e by the interference of a particle with surface 1 and with surface 2, and
+    prints no value. At first yield each is (3 pi k H/(4 E))^2 R, as for a summit (Zhao, Maietta &
+    Chang 2000), with the radius R = x_a/2 of the particle. The sum of both is k^2/8 of the elastic
+    factor of Eq. 4.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Of which the moduli, the hardnesses and k, ``yield_pressure_ratio``, count.
+
+    Examples
+    --------
+    >>> import thirdbody
+    >>> round(first_yield_depth(thirdbody.load_parameters().best), 5)
+    0.00177
+    """
+    return parameters.yield_pressure_ratio**2 * parameters.elastic_factor / 8.0
+
+
 def has_particles(diameter: NDArray, density: NDArray) -> NDArray:
     """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover any area in float64."""
     return diameter * diameter * density > TINY

@@ -159,7 +159,6 @@ addEventListener("resize", () => requestAnimationFrame(draw));
 // a page that was saved as it stood has them already
 for (const id of ["controls", "charts"]) $(id).replaceChildren();
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
-$("counts").textContent = `${content.held} of ${content.judged} distinct statements hold. ${content.counts}`;
 makeControls($("controls"));
 onChange(ask);
 fromFragment(location.hash);

@@ -6,7 +6,7 @@ import { change, isCalibrated, state } from "./state.js";
 import { capital } from "./names.js";
 import { readable, typeset } from "./text.js";
 
-const [list, tally] = ["claims", "tally"].map((id) => document.getElementById(id));
+const [list, tally, counted] = ["claims", "tally", "counts"].map((id) => document.getElementById(id));
 const GLYPHS = { holds: "✓", fails: "✗" };
 const UNJUDGED = "Your inputs are not judged. The verdicts are those of the calibrated inputs.";
 
@@ -37,6 +37,9 @@ export function showStatements() {
   tally.innerHTML = isCalibrated()
     ? `Of ${shown.length} shown: ${d3.sort(counts, (text) => -parseInt(text)).join(", ")}.`
     : `<strong>${UNJUDGED}</strong>`;
+  counted.textContent = isCalibrated()
+    ? `${content.held} of ${content.judged} distinct statements hold. ${content.counts}`
+    : "";
   list.classList.toggle("unjudged", !isCalibrated());
   list.innerHTML = shown.map(item).join("");
 }
@@ -55,11 +58,9 @@ function details(statement) {
   const { quote, finding, tolerance, tolerance_kind: kind, reason } = statement;
   const size = readable(kind === "relative" ? 100 * tolerance : tolerance);
   const allowed = { relative: `${size} %`, factor: `a factor of ${size}`, absolute: size }[kind];
-  const lines = [
-    `Found: ${finding}`,
-    `Tolerance: ${allowed}, ${reason}`,
-    ...verdictsTakenBack(statement),
-  ];
+  const limits = `Tolerance: ${allowed}, ${reason}`;
+  // what was found was found for the calibrated inputs
+  const lines = isCalibrated() ? [`Found: ${finding}`, limits, ...verdictsTakenBack(statement)] : [limits];
   const paragraphs = lines.map((line) => `<p>${typeset(line)}</p>`);
   return `<div class="more"><blockquote>${typeset(quote)}</blockquote>${paragraphs.join("")}</div>`;
 }
