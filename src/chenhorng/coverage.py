@@ -14,7 +14,7 @@ from scipy.stats.qmc import LatinHypercube
 from chenhorng.claims.claim import Claim
 from chenhorng.claims.judge import Verdicts
 from thirdbody.core.parameters import Parameters
-from thirdbody.ensembles import Ensemble, range_over_members
+from thirdbody.ensembles import PAPER_SETUP, Ensemble, range_over_members
 from thirdbody.points import solve
 
 DIGITS = 3  # of the ends of a range, as many as the paper prints at most
@@ -52,7 +52,7 @@ def printed_and_ranges(
             }
 
 
-def random_conditions(settings: Mapping[str, Any]) -> dict[str, np.ndarray]:
+def random_conditions(settings: Mapping[str, Any]) -> dict[str, Any]:
     """Conditions spread evenly over the logarithms between the ends in ``settings``, the entry
     ``coverage`` of ``config/calibration.yaml``, by name."""
     ends = {name: ends for name, ends in settings.items() if name != "conditions"}
@@ -64,11 +64,12 @@ def random_conditions(settings: Mapping[str, Any]) -> dict[str, np.ndarray]:
 def sets_and_ranges(
     members: Sequence[Parameters],
     sets: Mapping[str, Parameters],
-    conditions: Mapping[str, np.ndarray],
+    conditions: Mapping[str, Any],
 ) -> Iterator[dict[str, Any]]:
     """Rows of the table ``coverage_of_sets``: at how many of the ``conditions`` each of ``sets`` of
     inputs, by name, lies within the range, 5 to 95 %, of the ``members``."""
-    every = solve(parameters=Ensemble(members), members=True, progress=False, **conditions)
+    ensemble = Ensemble(members=tuple(members), setup=PAPER_SETUP)
+    every = solve(parameters=ensemble, members=True, progress=False, **conditions)
     ranges = {name: range_over_members(every.variables[name]) for name in VARIABLES}
     for set_name, inputs in sets.items():
         points = solve(parameters=inputs, progress=False, **conditions)

@@ -101,6 +101,6 @@ def _led_to(held: Held, passed: Sequence[tuple[float, Mapping[str, Any]]], level
     """Positions on the line through the last two fits, at a level."""
     if len(passed) < 2 or passed[-1][0] == passed[-2][0]:
         return held.positions(passed[-1][1])
-    (first, one), (last, other) = passed[-2:]
-    one, other = held.positions(one), held.positions(other)
+    (first, last), (before, now) = zip(*passed[-2:], strict=True)
+    one, other = held.positions(before), held.positions(now)
     return np.clip(other + (level - last) / (last - first) * (other - one), 0.0, 1.0)

@@ -60,8 +60,8 @@ def departure_rows(
     """Rows of the table ``departures``.
 
     The first row has the inputs of ``judge`` as they are, with the verdicts ``default``.  A row for
-    each of the ``departures`` of ``read_departures`` follows, with the verdicts ``taken_back``.  The
-    last two rows are the worst and the best set of random inputs, which ``settings`` describe.
+    each of the ``departures`` of ``read_departures`` follows, with the verdicts ``taken_back``.
+    The last two rows are the worst and the best set of random inputs, by the ``settings``.
     """
     every = [{"name": "as it is", "inputs": {}}, *departures]
     rows = [

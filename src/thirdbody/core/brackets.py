@@ -32,14 +32,6 @@ class Brackets(NamedTuple):
     held: NDArray
 
 
-class FilmAlone(NamedTuple):
-    """Separation [m] at which the film carries all of F_t, with bounds for rounding; 0 when dry."""
-
-    separation: NDArray
-    low: NDArray
-    high: NDArray
-
-
 def bracket(points: Points) -> Brackets:
     """Bracket the separation d >= 0 at which solids and film carry the load.
 
@@ -55,16 +47,6 @@ def bracket(points: Points) -> Brackets:
         low=film * (1.0 - FILM_MARGIN),
         high=_upper_bounds(points, guess),
         held=np.zeros(guess.shape, bool),
-    )
-
-
-def _film_alone(points):
-    """The separations at which the film carries all of F_t."""
-    separation, rounding = points.film_separation()
-    return FilmAlone(
-        separation=separation,
-        low=separation * (1.0 - rounding),
-        high=separation * (1.0 + rounding),
     )
 
 
@@ -91,10 +73,11 @@ def _upper_bounds(points, guess):
     return 2.0 * far + 10.0 * points.contact.summits.deviation
 
 
-def _beyond_film_or_held(points, film, guess):
+def _beyond_film_or_held(points, guess, film_low, film_high):
     """Brackets where the film keeps its separation, 0 when dry, unless the solids need more.
 
-    The forces at the guess decide this at most points, the forces at the film at the others.
+    Rounding leaves that separation between ``film_low`` and ``film_high``.  The forces at the guess
+    decide this at most points, the forces at the film at the others.
     """
     high = _upper_bounds(points, guess)
     guess = np.maximum(guess, film_high)

@@ -80,14 +80,18 @@ def solve_points(
         left = np.ones(roughness.shape, bool)
         for attempt in _attempts(rtol):
             chosen = left & by_table if attempt.uses_tables else left
-            for indices, roots in _enclosed_roots(columns, chosen, parameters, attempt):
-                solved = describe(roots, rtol)
-                for name, values in result.items():
-                    values[indices] = solved[name]
-                failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
-                left[indices] = failed & attempt.uses_tables
-                if callback is not None:
-                    callback(int(np.count_nonzero(~left[indices])))
+            for batch in _batches(columns, chosen, attempt.chunk):
+                conditions = {name: column[batch] for name, column in columns.items()}
+                points = Points.of(conditions, parameters, attempt.table_rtol)
+                brackets = bracket(points)
+                for roots in enclose(points, brackets, attempt.tolerance, attempt.iterations):
+                    solved, indices = describe(roots, rtol), batch[roots.indices]
+                    for name, values in result.items():
+                        values[indices] = solved[name]
+                    failed = solved[SOLUTION_STATUS] == NOT_CONVERGED
+                    left[indices] = failed & attempt.uses_tables
+                    if callback is not None:
+                        callback(int(np.count_nonzero(~left[indices])))
         _doubt_faint_particles(columns, result)
     return {name: values.reshape(shape) for name, values in result.items()}
 
@@ -142,24 +146,11 @@ def _worth_a_table(roughness, rtol):
     return np.bincount(which)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
-def _enclosed_roots(columns, chosen, parameters, attempt):
-    """Solve the ``chosen`` points: yield their indices among all points, and their roots."""
-    for batch in _batches(columns, chosen, attempt.chunk):
-        conditions = {name: column[batch] for name, column in columns.items()}
-        points = Points.of(conditions, parameters, attempt.table_rtol)
-        for roots in enclose(points, bracket(points), attempt.tolerance, attempt.iterations):
-            yield batch[roots.indices], roots
-
-
-class Kind(IntFlag):
-    """The kind of a point: whether it has particles, and whether it has a film."""
-
-    PARTICLES = 1
-    FILM = 2
-
-
 def _batches(columns, chosen, most):
-    """Yield indices of ``chosen`` points of the same kind by roughness, ``most`` at a time."""
+    """Yield indices of ``chosen`` points, ``most`` at a time, in the order of the roughness.
+
+    All points of a batch have particles, or none has; the same holds for the film.
+    """
     three_body = has_particles(columns["particle_diameter"], columns["particle_density"])
     kinds = 2 * three_body + has_film(columns["viscosity"])
     for kind in np.flatnonzero(np.bincount(kinds[chosen])):
