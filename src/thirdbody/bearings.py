@@ -105,7 +105,8 @@ def bearing(
 
     What is not given stays as it is in ``parameters``, also the product of density and speed and
     the pressure-viscosity coefficient that U and G stand for, the materials of the other bodies,
-    and A_n.
+    and A_n.  Where A_n is given and members differ in it, their calibrated inputs follow, as in
+    ``Ensemble.changed``.
 
     Parameters
     ----------
@@ -144,6 +145,8 @@ def bearing(
     -----
     OutOfRangeWarning
         For unusual numbers.
+    UserWarning
+        For an A_n that is far from those of all members.
 
     Examples
     --------
@@ -188,7 +191,7 @@ def bearing(
         changes["apparent_area"] = 1e-6 * numbers["apparent_area_mm2"]
     if "ellipticity" in numbers:
         changes["ellipticity"] = numbers["ellipticity"]
-    return replace(ensemble.changed(**changes), setup=setup)
+    return replace(ensemble._with(changes, stacklevel=3), setup=setup)
 
 
 def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup, dict[str, float]]:

@@ -15,6 +15,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.conditioning import conditioned, differing_numbers, far_texts
 from thirdbody.conditions import OIL_DENSITY, checked_number, checked_numbers, numbers_in
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
 
@@ -171,7 +172,8 @@ class Ensemble:
     for.
 
     An input of an ensemble is that of its best set: ``ensemble.ball_radius``.  What is changed or
-    was given is known: all members have it.
+    was given is known: all members have it, and the inputs that were calibrated together with it
+    follow.
 
     Parameters
     ----------
@@ -235,6 +237,11 @@ class Ensemble:
         """The same with other ``inputs``, SI or quantities, in all members; where no member then
         differs from the best, the best alone.
 
+        Where members differ in an input, it was calibrated together with others.  These follow, in
+        each member by their regression on what is given (Matheron's rule), in logarithms if they
+        are always positive, and within their bounds.  Inputs in which all members agree are only
+        set, also those that were given before: give together what belongs together.
+
         Raises
         ------
         ValueError
@@ -246,7 +253,9 @@ class Ensemble:
         UserWarning
             For a modulus, hardness or radius without G, V or U/nu, which depend on it:
             ``thirdbody.bearing`` changes them together; and for another mean of the sizes, plane of
-            the particles or load of the film without the inputs that were calibrated for it.
+            the particles or load of the film without the inputs that were calibrated for it, where
+            all members agree in it.  For a number that is far from those of all members: the other
+            inputs then follow only as far as members tell.
 
         Examples
         --------
@@ -260,11 +269,11 @@ class Ensemble:
     def _with(self, inputs: Mapping[str, Any], stacklevel: int) -> Ensemble:
         """``changed``, for a caller that the warning names by its ``stacklevel`` here."""
         changes = checked_inputs(inputs)
-        members = tuple(replace(member, **changes) for member in self.members)
+        members = tuple(conditioned(self.members, changes))
         best, *others = members
-        if {"ball_radius", "apparent_area"} & changes.keys():
+        if changes:
             best.check_ball()
-        for message in _what_stays(changes, self.best):
+        for message in (*far_texts(self.members, changes), *_what_stays(changes, self.members)):
             warnings.warn(message, UserWarning, stacklevel=stacklevel)
         return replace(self, members=members if set(others) - {best} else (best,))
 
@@ -307,9 +316,11 @@ def checked_inputs(changes: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def _what_stays(changes: Mapping[str, Any], before: Parameters) -> Iterator[str]:
-    """Words on each input that differs from ``before`` without those that belong to its value."""
-    for name in BELONGS_TO.keys() & changes.keys():
+def _what_stays(changes: Mapping[str, Any], members: Sequence[Parameters]) -> Iterator[str]:
+    """Words on each input that differs from the best without those that belong to its value; these
+    follow where members differ in it."""
+    before = members[0]
+    for name in BELONGS_TO.keys() & changes.keys() - {*differing_numbers(members)}:
         dependents, reason = BELONGS_TO[name]
         stay = ", ".join(other for other in dependents if other not in changes)
         value, old = changes[name], getattr(before, name)

@@ -36,7 +36,8 @@ def load_parameters(
     -------
     Ensemble
         The best set of inputs and the other members, SI.  What the file and ``inputs`` have is
-        known: all members have it.
+        known: all members have it, and the inputs that were calibrated together with it follow, as
+        in ``Ensemble.changed``.
 
     Raises
     ------
@@ -46,7 +47,7 @@ def load_parameters(
     Warns
     -----
     UserWarning
-        As in ``Ensemble.changed``, for inputs that belong to others.
+        As in ``Ensemble.changed``.
 
     Examples
     --------
