@@ -103,6 +103,7 @@ def bearing(
 
     All else stays as it is in ``parameters``: A_n, the materials of the other bodies, the product
     of density and speed that U contains, and the pressure-viscosity coefficient that G contains.
+    If members differ in A_n, a new A_n moves their calibrated inputs, as in ``Ensemble.changed``.
 
     Parameters
     ----------
@@ -142,6 +143,8 @@ def bearing(
     -----
     OutOfRangeWarning
         For unusual numbers.
+    UserWarning
+        For an A_n that is far from those of all members.
 
     Examples
     --------
@@ -186,7 +189,7 @@ def bearing(
         changes["apparent_area"] = 1e-6 * numbers["apparent_area_mm2"]
     if "ellipticity" in numbers:
         changes["ellipticity"] = numbers["ellipticity"]
-    return replace(ensemble.changed(**changes), setup=setup)
+    return replace(ensemble._with(changes, stacklevel=3), setup=setup)
 
 
 def _of_materials(ensemble: Ensemble, materials: dict[str, Any]) -> tuple[Setup, dict[str, float]]:

@@ -14,6 +14,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.conditioning import conditioned, differing_numbers, far_texts
 from thirdbody.conditions import OIL_DENSITY, checked_number, checked_numbers, numbers_in
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
 
@@ -174,7 +175,7 @@ class Ensemble:
     """Sets of inputs that explain the paper about equally well, and the setup that they share.
 
     ``ensemble.ball_radius``, like every input, is the value of the best set.  An input that a user
-    sets has the same value in all members.
+    sets is known: all members have it, and the inputs that were calibrated with it follow.
 
     Parameters
     ----------
@@ -239,6 +240,11 @@ class Ensemble:
 
         If no member then differs from the best, the ensemble is the best alone.
 
+        Where members differ in an input, it was calibrated together with others.  These follow, in
+        each member by their regression on what is given (Matheron's rule), in logarithms if they
+        are always positive, and within their bounds.  Inputs in which all members agree are only
+        set, also those that were given before: give together what belongs together.
+
         Raises
         ------
         ValueError
@@ -249,8 +255,10 @@ class Ensemble:
         -----
         UserWarning
             For a modulus, hardness or radius without G, V or U/nu, which depend on it;
-            ``thirdbody.bearing`` changes them together.  Also for another ``mean_ratio``,
-            ``particle_plane`` or ``film_load`` without the inputs that were calibrated for it.
+            ``thirdbody.bearing`` changes them together.  For another ``mean_ratio``,
+            ``particle_plane`` or ``film_load`` that all members share, without the inputs that were
+            calibrated for it.  For a number far from those of all members: the other inputs then
+            follow only as far as the members reach.
 
         Examples
         --------
@@ -264,11 +272,11 @@ class Ensemble:
     def _with(self, inputs: Mapping[str, Any], stacklevel: int) -> Ensemble:
         """``changed``, with the ``stacklevel`` of warnings."""
         changes = checked_inputs(inputs)
-        members = tuple(replace(member, **changes) for member in self.members)
+        members = tuple(conditioned(self.members, changes))
         best, *others = members
-        if {"ball_radius", "apparent_area"} & changes.keys():
+        if changes:
             best.check_ball()
-        for message in _what_stays(changes, self.best):
+        for message in (*far_texts(self.members, changes), *_what_stays(changes, self.members)):
             warnings.warn(message, UserWarning, stacklevel=stacklevel)
         return replace(self, members=members if set(others) - {best} else (best,))
 
@@ -310,9 +318,13 @@ def checked_inputs(changes: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def _what_stays(changes: Mapping[str, Any], before: Parameters) -> Iterator[str]:
-    """Yield a message for each input that changes while its dependent inputs do not."""
-    for name in BELONGS_TO.keys() & changes.keys():
+def _what_stays(changes: Mapping[str, Any], members: Sequence[Parameters]) -> Iterator[str]:
+    """Yield a message for each input that changes while its dependent inputs do not.
+
+    Dependent inputs follow where members differ in the input.
+    """
+    before = members[0]
+    for name in BELONGS_TO.keys() & changes.keys() - {*differing_numbers(members)}:
         dependents, reason = BELONGS_TO[name]
         stay = ", ".join(other for other in dependents if other not in changes)
         value, old = changes[name], getattr(before, name)

@@ -36,7 +36,7 @@ def load_parameters(
     -------
     Ensemble
         The best set of inputs and the other members, SI.  All members have the inputs of the file
-        and of ``inputs``.
+        and of ``inputs``; those that were calibrated with them follow, as in ``Ensemble.changed``.
 
     Raises
     ------

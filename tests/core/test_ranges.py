@@ -2,6 +2,7 @@
 range.
 """
 
+import math
 import pickle
 import warnings
 from dataclasses import replace
@@ -17,7 +18,7 @@ import thirdbody as tb
 from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, shares_within
 from chenhorng.home import config_directory
 from thirdbody.core.parameters import WORDS
-from thirdbody.ensembles import BELONGS_TO, CALIBRATED, ENDS, Ensemble
+from thirdbody.ensembles import BELONGS_TO, CALIBRATED, ENDS, Ensemble, range_over_members
 from thirdbody.files import read_yaml
 
 CALIBRATED_FILE = config_directory() / "calibrated" / "half_free.yaml"
@@ -110,12 +111,11 @@ def test_the_members_are_those_of_the_calibrated_file(own, defaults):
 
 
 def test_a_file_with_some_inputs_gives_them_to_the_members(write, defaults):
-    inputs = tb.load_parameters(write({"participation": 0.25}))
-    assert {member.participation for member in inputs.members} == {0.25}
+    inputs = tb.load_parameters(write({"participation": 0.6}))
+    assert {member.participation for member in inputs.members} == {0.6}
     assert len(inputs.members) == len(defaults.members)
-    # each keeps what the file does not have
-    radii = [member.summit_radius for member in inputs.members]
-    assert radii == [member.summit_radius for member in defaults.members]
+    # each has its own of what the file does not have
+    assert differing(inputs.members) == differing(defaults.members) - {"participation"}
 
 
 def test_a_file_with_all_that_differs_leaves_no_ensemble(write, defaults):
@@ -224,6 +224,102 @@ def test_a_bearing_is_known_to_all_members(defaults):
     for name in ("ball_radius", "apparent_area", "speed_per_viscosity"):
         assert {getattr(member, name) for member in inputs.members} == {getattr(inputs, name)}
     assert differing(inputs.members) == differing(defaults.members) - {"apparent_area"}
+
+
+# ---- what is given narrows
+
+
+@pytest.fixture
+def gaussian(defaults):
+    """Members whose logarithms follow each other with a scatter, and an exponent with them."""
+    common, own, other = np.random.default_rng(3).normal(size=(3, 200))
+    members = tuple(
+        replace(
+            defaults.best,
+            apparent_area=5e-6 * math.exp(0.1 * one),
+            summit_radius=1e-4 * math.exp(0.2 * one + 0.05 * two),
+            summit_radius_exponent=-0.5 * one + 0.1 * three,
+        )
+        for one, two, three in zip(common, own, other, strict=True)
+    )
+    return Ensemble(members, defaults.setup)
+
+
+def test_members_are_moved_by_the_regression_and_keep_their_own_residual(gaussian):
+    given = gaussian.changed(apparent_area=5.5e-6)
+    steps = [math.log(5.5e-6 / each.apparent_area) for each in gaussian.members]
+    pairs = list(zip(gaussian.members, given.members, strict=True))
+    radius = [math.log(new.summit_radius / old.summit_radius) for old, new in pairs]
+    exponent = [new.summit_radius_exponent - old.summit_radius_exponent for old, new in pairs]
+    np.testing.assert_allclose(radius, 2.0 * np.array(steps), rtol=0.1)
+    np.testing.assert_allclose(exponent, -5.0 * np.array(steps), rtol=0.1)
+    left = np.std([math.log(each.summit_radius) for each in given.members])
+    assert left == pytest.approx(0.05, rel=0.15)  # the scatter alone, of 0.2
+    # one after the other is together
+    both = {"apparent_area": 5.5e-6, "summit_radius": 1.2e-4}
+    in_steps, together = given.changed(summit_radius=1.2e-4), gaussian.changed(**both)
+    for one, two in zip(in_steps.members, together.members, strict=True):
+        assert one.summit_radius_exponent == pytest.approx(two.summit_radius_exponent, abs=1e-9)
+
+
+def test_moved_inputs_stay_within_their_bounds(defaults):
+    members = tuple(
+        replace(defaults.best, participation=part, summit_offset_ratio=offset)
+        for part, offset in ((0.6, 0.01), (0.8, 0.2), (0.9, 0.4))
+    )
+    moved = Ensemble(members, defaults.setup).changed(participation=0.4)
+    assert moved.summit_offset_ratio == 0.0
+
+
+def test_what_is_far_from_all_members_is_told_and_moves_them_no_farther(gaussian):
+    with pytest.warns(UserWarning, match="^apparent_area is 2e-05, and .* do not belong to this"):
+        far = gaussian.changed(apparent_area=2e-5)
+    with pytest.warns(UserWarning, match="^apparent_area is 3e-05"):
+        farther = gaussian.changed(apparent_area=3e-5)
+    radii = [[each.summit_radius for each in one.members] for one in (far, farther)]
+    assert radii[0] == radii[1] and far.apparent_area == 2e-5
+    with pytest.warns(UserWarning) as told:
+        tb.bearing(gaussian, apparent_area_mm2=20.0)
+    assert [each.filename for each in told] == [__file__]
+
+
+# a narrower range is one line in a figure; relative to the value where that has no scale
+NARROW = {"solid_load_fraction": 0.01, "particle_contact_area_ratio": 0.01}
+RELATIVE = 0.01
+
+
+@pytest.fixture(scope="module")
+def widths_if_given():
+    """Width of each range with an input given as the best has it, over that without; a row for
+    each input, condition and variable."""
+    ensemble, rows = tb.load_parameters(), []
+    conditions = random_conditions(50, SEED)
+
+    def widths(inputs):
+        points = tb.solve(**conditions, parameters=inputs, members=True)
+        return {name: np.ptp(range_over_members(getattr(points, name)), 0) for name in VARIABLES}
+
+    values, before = tb.solve(**conditions), widths(ensemble)
+    for given in sorted(differing(ensemble.members)):
+        after = widths(ensemble.changed(**{given: getattr(ensemble, given)}))
+        for name in VARIABLES:
+            least = NARROW.get(name, RELATIVE * np.abs(getattr(values, name)))
+            seen = (before[name] > least) & np.isfinite(after[name])
+            rows += [(given, name, ratio) for ratio in (after[name] / before[name])[seen]]
+    return pd.DataFrame(rows, columns=["given", "variable", "ratio"])
+
+
+def test_what_is_given_narrows_the_ranges(widths_if_given):
+    ratio = widths_if_given["ratio"]
+    # quantiles of few members scatter, and where members have two modes a single one counts
+    assert ratio.mean() < 0.95
+    assert (widths_if_given.groupby("given")["ratio"].median() <= 1.02).all()
+    assert (ratio > 1.02).mean() < 0.12 and (ratio > 1.1).mean() < 0.03
+
+
+def test_the_area_of_the_default_narrows_the_share_of_the_solids(defaults):
+    given = tb.bearing(apparent_area_mm2=1e6 * defaults.apparent_area)
+    assert np.ptp(range_of(given)) < np.ptp(range_of(defaults))
 
 
 OTHERS = {"mean_ratio": lambda value: 1.0 - value}

@@ -232,12 +232,10 @@ def test_a_scene_whose_figure_has_more_panels_than_letters_is_refused():
 
 
 def test_a_roughness_that_the_inputs_cannot_have_is_refused(shipped, from_root):
-    settings = changed(shipped, "inputs", {"summit_parameter_exponent": 1.5})
+    settings = changed(shipped, "inputs", {"summit_parameter_exponent": 2.0})
     settings = changed(settings, "scenes.fig03.curves.0.roughness_nm", [1])
     message = refusal(workflow_settings, settings, CONFIG)
-    assert message.startswith(
-        "inputs: roughness is 1e-09 m, at which summit_parameter_exponent 1.5"
-    )
+    assert message.startswith("inputs: roughness is 1e-09 m, at which summit_parameter_exponent 2 ")
 
 
 @pytest.mark.parametrize("name", ["oil_wide", "oil_tpca_loads", "oil_transitions", "claims"])

@@ -1,5 +1,5 @@
-// Ranges: 5 to 95 % over the ensemble of the calibrated inputs. What the reader has changed is known, as in the
-// library: all members have it.
+// Ranges: 5 to 95 % over the ensemble of the calibrated inputs. What the reader has changed is known:
+// all members have it. Here their other inputs stay, while in the library they follow.
 
 import { currentInputs, memberInputs } from "./state.js";
 import { currentEngine, memberEngines } from "./engine.js";
