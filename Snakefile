@@ -41,6 +41,7 @@ TABLES = [
     "sensitivity",
     "deviations",
     "departures",
+    "held_out",
 ]
 FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_KINDS = ["csv", "html", "tex"]

@@ -26,6 +26,7 @@ TABLES = {
     "sensitivity": "How much each unprinted input changes each result",
     "deviations": "Printed numbers beside computed ones",
     "departures": "What each departure from the words of the paper is worth",
+    "held_out": "What other papers say of the model, which no search for inputs has seen",
 }
 
 

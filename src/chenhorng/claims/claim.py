@@ -118,9 +118,9 @@ class Claim:
         Whether it fails, instead of being not tested, if no load meets its conditions, because the
         paper draws them.
     figures : sequence of int
-        Of a conclusion or the abstract: the figures that it repeats.  A statement is left out of a
-        search together with all others of its figures (cross-validation, see
-        ``config/calibration.yaml``).
+        Of a conclusion or the abstract: the figures that it repeats; of a statement of another
+        paper, those that say the same.  A statement is left out of a search together with all
+        others of its figures (cross-validation, see ``config/calibration.yaml``).
     contradicts : sequence of str
         Statements in which the paper says the opposite; of each such pair at least one has
         ``aside``.
