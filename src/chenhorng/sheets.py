@@ -317,7 +317,7 @@ def _departures(rows, _printed, _newtons_per_load) -> Sheet:
 
 
 def _held_out(rows, _printed, _newtons_per_load) -> Sheet:
-    shown = "place", "quote", "statement", "curves", "computed", "figures", "verdict"
+    shown = "place", "quote", "statement", "curves", "finding", "figures", "verdict"
     lines = [_headed("own_claims", {name: row[name] or "" for name in shown}) for row in rows]
     names = [(row["cluster"] or row["id"], row["verdict"]) for row in rows]
     new = [name for name, row in zip(names, rows, strict=True) if not row["figures"]]
@@ -326,7 +326,8 @@ def _held_out(rows, _printed, _newtons_per_load) -> Sheet:
     note = (
         "Other papers say this of the same model, and no search for inputs has seen it. "
         f"{held} of {tested} hold, repeats counted once; {_of(*counted_once(new))} where no figure "
-        f"of the paper says the same. {untested} cannot be tested within the loads of Table 2."
+        f"of the paper says the same. {untested} cannot be tested within the loads of Table 2. Curves "
+        "in an order must be apart by their tolerance somewhere."
     )
     return Sheet(title="Statements that no search has seen", note=note, rows=lines)
 

@@ -24,7 +24,8 @@ PRINTED = ("extracted/printed/*", *FIGURES, "tables/tpca_*", "tables/transitions
 PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("figures/fig0[12].*",)
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
-CLAIMS = ("claims/*", "figures/claims.*")
+CLAIMS = ("claims/claims.*", "figures/claims.*")
+HELD_OUT = ("claims/held_out.csv", "tables/held_out.*")
 # what carries the agreement, and by how much printed numbers are missed
 DEPARTURES = ("extracted/departures/*", "tables/departures.*")
 DEPARTURES += ("extracted/deviations/*", "tables/deviations.*")
@@ -32,6 +33,7 @@ JUDGED = (*CLAIMS, *DEPARTURES)
 TABLES_SHOWN = ("index.html", "captions.md", "SHA256SUMS")
 PAGE = ("explorer/*", *TABLES_SHOWN)
 ALL = (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *JUDGED, *SENSITIVITY, *PAGE)
+ALL += HELD_OUT
 KINDS = ("csv", "html", "tex")
 
 
@@ -123,10 +125,11 @@ STATEMENT = ("config/claims.yaml", "0/statement", "Particles matter.")
         (CONFIG, "rtol", 1e-8, (*ALL_CURVES, *GATHERED, *PAGE)),
         (CONFIG, "windows/roughness_nm", [100, 300], SHOWN_WINDOWS),
         (*STATEMENT, (*JUDGED, *PRINTED, *PAGE)),
+        ("config/held_out.yaml", "0/statement", "Particles matter.", (*HELD_OUT, *TABLES_SHOWN)),
         (CONFIG, "schematics/fig01/0/load_N", 21.0, FIRST),
         (DEFAULT, "inputs/truncation", 1.8, ALL),
     ],
-    ids=["rtol", "windows", "a statement", "a drawing", "calibrated"],
+    ids=["rtol", "windows", "a statement", "a held-out statement", "a drawing", "calibrated"],
 )
 def test_another_setting_reruns_what_it_enters(workspace, file, key, value, patterns):
     workspace.put(file, key, value)
@@ -138,7 +141,7 @@ def test_comments_in_the_configuration_and_dates_of_files_rerun_nothing(workspac
     for folder in ("config", "src", "workflow"):
         for path in (workspace.root / folder).rglob("*.*"):
             os.utime(path, (later, later))
-    for file in ("config", "scenes", "claims", "inputs", "calibration", "paper_tables"):
+    for file in ("config", "scenes", "claims", "inputs", "calibration", "paper_tables", "held_out"):
         workspace.rewrite(f"config/{file}.yaml", lambda text: f"# a remark\n{text}")
     assert not workspace.pending()
 

@@ -84,7 +84,7 @@ rule render_sensitivity:
 rule write_table:
     input:
         parts=lambda wildcards: (
-            "<results>/claims/held_out.csv"
+            ["<results>/claims/held_out.csv"]
             if wildcards.table == "held_out"
             else expand(
                 "<results>/extracted/{table}/{part}.csv",
