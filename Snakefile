@@ -31,7 +31,7 @@ report: "workflow/report/workflow.rst"
 
 SCHEMATICS = ["fig01", "fig02"]
 SCENES = [f"fig{number:02d}" for number in range(3, 14)]
-FIGURES = [*SCHEMATICS, *SCENES, "claims", "sensitivity"]
+FIGURES = [*SCHEMATICS, *SCENES, "claims", "sensitivity", "profiles"]
 TABLES = [
     "table1",
     "table2",
@@ -41,6 +41,9 @@ TABLES = [
     "sensitivity",
     "deviations",
     "departures",
+    "coverage",
+    "coverage_of_sets",
+    "profiles",
     "held_out",
 ]
 FIGURE_KINDS = ["svg", "pdf", "png", "csv", "md", "json"]

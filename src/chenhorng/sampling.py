@@ -12,6 +12,7 @@ TINY = 1e-300  # least argument of logarithms, so that vanishing quantities can 
 CURVE_QUANTITIES = (
     *("load", "solid_load", "solid_load_fraction", "particle_contact_area_ratio"),
     *("total_contact_area", "total_contact_area_slope", "film_thickness"),
+    "real_contact_pressure",
 )
 # Keys of conditions that bound a range of loads: the quantity, and the sign for which sign * (bound
 # - value) is positive outside the bound.

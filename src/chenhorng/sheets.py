@@ -18,7 +18,7 @@ from thirdbody.core.film import has_film
 from thirdbody.curves import row_key
 from thirdbody.plotting.scales import ABSENT, note
 from thirdbody.symbols import html, latex, short, unicode
-from thirdbody.variables import AXES, CONDITION_AXES
+from thirdbody.variables import AXES, CONDITION_AXES, QUANTITIES
 
 DIGITS = 3
 NEGLIGIBLE = 0.005  # of an elasticity
@@ -332,6 +332,60 @@ def _held_out(rows, _printed, _newtons_per_load) -> Sheet:
     return Sheet(title="Statements that no search has seen", note=note, rows=lines)
 
 
+def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
+    lines = [
+        {
+            "place": row["place"].removesuffix(", section 3.3"),
+            "statement": row["statement"],
+            "printed": short(f"{row['printed']:.4g}"),
+            "default": "none" if row["computed"] is None else short(f"{row['computed']:.3g}"),
+            "range without its figure": " to ".join(
+                short(f"{row[end]:.3g}") for end in ("low", "high")
+            ),
+            "inside": row["inside"],
+        }
+        for row in rows
+    ]
+    inside = sum(row["inside"] == "yes" for row in rows)
+    note = (
+        f"Of {len(rows)} printed numbers {inside} lie within the range, 5 to 95 %, of the members of "
+        "the ensemble that were fitted without their figure."
+        if rows
+        else "The inputs of this run are not the calibrated ones, whose ensemble this table judges."
+    )
+    return Sheet(title="Printed numbers and ranges that have not seen them", note=note, rows=lines)
+
+
+def _coverage_of_sets(rows, _printed, _newtons_per_load) -> Sheet:
+    lines: dict[str, dict[str, str]] = {}
+    for row in rows:
+        line = lines.setdefault(row["set"], {"inputs": row["set"]})
+        line[QUANTITIES[row["variable"]].symbol] = _percent(row["inside"] / row["conditions"])
+    widths = {row["variable"]: row["relative_width"] for row in rows}
+    texts = [f"{QUANTITIES[name].symbol} {_percent(width)}" for name, width in widths.items()]
+    note = (
+        "At how many random conditions of Table 2 other sets of inputs lie within the range, 5 to 95 "
+        f"%, of the calibrated ensemble. Median width of the range: {', '.join(texts)}."
+    )
+    title = "Other sets of inputs within the range of the ensemble"
+    return Sheet(title=title, note=note, rows=[*lines.values()])
+
+
+def _profiles(rows, _printed, _newtons_per_load) -> Sheet:
+    least = min(row["objective"] for row in rows)
+    lines = [
+        {
+            "held": row["along"].replace("_", " "),
+            "interpretation": row["interpretation"],
+            "level": short(f"{row['level']:.4g}"),
+            "rise of the objective": f"{row['objective'] - least:.1f}",
+        }
+        for row in rows
+    ]
+    note = "All other unknowns are fitted again at each level; the CSV file has them."
+    return Sheet(title="Profiles of the objective", note=note, rows=lines)
+
+
 def _of(count, whole) -> str:
     return "" if count is None else f"{count:g} of {whole:g}"
 
@@ -349,6 +403,9 @@ SHEETS: dict[str, Callable[..., Sheet]] = {
     "sensitivity": _sensitivities,
     "deviations": _deviations,
     "departures": _departures,
+    "coverage": _coverage,
+    "coverage_of_sets": _coverage_of_sets,
+    "profiles": _profiles,
     "held_out": _held_out,
 }
 

@@ -1,18 +1,19 @@
 # Calibration: `snakemake -c2 calibrate`, not part of the default run.  Each search for the
-# unprinted inputs is a job that stores its evaluations; their results are sampled and summarised.
+# unprinted inputs is a job that stores its evaluations; folds are sampled, and results summarised.
 # The summary goes to config/calibrated/, which is kept in git and read by the default run.
 from chenhorng.calibration.searches import Searches
 
 CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
-SEARCHES = Searches(CALIBRATION, lambda: checkpoints.shortlist.get().output.chosen)
+SEARCHES = Searches(CALIBRATION)
 OF_INTERPRETATION = "<results>/calibration/{{interpretation}}"
 
 
 wildcard_constraints:
     seed="[0-9]+",
     fold="[0-9]+",
+    along="[a-z_]+",
 
 
 rule scatter_inputs:
@@ -73,61 +74,55 @@ use rule search_inputs as search_fold with:
         "Search inputs of {wildcards.interpretation} without fold {wildcards.fold}"
 
 
-checkpoint shortlist:
+rule sample_fold:
     input:
-        evaluations=expand(
-            "<results>/calibration/{interpretation}/seed{seed}.csv",
-            interpretation=SEARCHES.wide(),
-            seed=SEEDS[0],
-        ),
+        evaluations="<results>/calibration/{interpretation}/fold{fold}.csv",
     output:
-        chosen="<results>/calibration/shortlist.json",
+        samples="<results>/calibration/{interpretation}/fold{fold}_samples.csv",
     log:
-        "<logs>/shortlist.log",
-    localrule: True
-    params:
-        *sources_of("choose_shortlist.py"),
-        within=CALIBRATION["shortlist"]["within"],
-        most=CALIBRATION["shortlist"]["most"],
-    message:
-        "Choose the shortlist"
-    script:
-        "../scripts/choose_shortlist.py"
-
-
-rule sample_inputs:
-    input:
-        evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation),
-    output:
-        samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
-    log:
-        "<logs>/sample_inputs/{interpretation}_{seed}.log",
+        "<logs>/sample_fold/{interpretation}_{fold}.log",
     resources:
         runtime=30,
     params:
-        *sources_of("sample_inputs.py"),
+        *sources_of("sample_fold.py"),
         *SOFTWARE,
         CLAIMS_TEXT,
         claims=CLAIMS,
         settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
     message:
-        "Sample inputs of {wildcards.interpretation}, seed {wildcards.seed}"
+        "Sample inputs of {wildcards.interpretation} without fold {wildcards.fold}"
     script:
-        "../scripts/sample_inputs.py"
+        "../scripts/sample_fold.py"
+
+
+rule profile_inputs:
+    input:
+        evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation)[0],
+    output:
+        profile="<results>/calibration/{interpretation}/profile_{along}.csv",
+    log:
+        "<logs>/profile_inputs/{interpretation}_{along}.log",
+    resources:
+        runtime=60,
+    params:
+        *sources_of("profile_inputs.py"),
+        *SOFTWARE,
+        CLAIMS_TEXT,
+        claims=CLAIMS,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
+        parameters=settings["uncalibrated"],
+        levels=lambda wildcards: SEARCHES.levels(wildcards.interpretation, wildcards.along),
+    message:
+        "Profile of {wildcards.interpretation} along {wildcards.along}"
+    script:
+        "../scripts/profile_inputs.py"
 
 
 rule summarise_inputs:
     input:
         evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation),
-        samples=branch(
-            lambda wildcards: SEARCHES.is_cross_validated(wildcards.interpretation),
-            then=expand(f"{OF_INTERPRETATION}/seed{{seed}}_samples.csv", seed=SEEDS),
-        ),
-        folds=branch(
-            lambda wildcards: SEARCHES.is_cross_validated(wildcards.interpretation),
-            then=expand(f"{OF_INTERPRETATION}/fold{{fold}}.csv", fold=FOLDS),
-        ),
+        folds=expand(f"{OF_INTERPRETATION}/fold{{fold}}.csv", fold=FOLDS),
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",
     log:
@@ -147,11 +142,20 @@ rule summarise_inputs:
 SUMMARISED = expand(
     "<results>/calibration/{interpretation}.yaml", interpretation=CALIBRATION["interpretations"]
 )
+SAMPLES = [
+    f"<results>/calibration/{CALIBRATION['ensemble']['of']}/fold{fold}_samples.csv"
+    for fold in FOLDS
+]
+PROFILES = [
+    f"<results>/calibration/{each['of']}/profile_{each['along']}.csv"
+    for each in CALIBRATION["profiles"]
+]
 
 
 rule choose_default:
     input:
         calibrated=SUMMARISED,
+        samples=SAMPLES,
     output:
         chosen="<results>/calibration/chosen.json",
         ranking="<results>/calibration/ranking.csv",
@@ -176,6 +180,7 @@ rule calibrate:
         calibrated=SUMMARISED,
         chosen="<results>/calibration/chosen.json",
         ranking="<results>/calibration/ranking.csv",
+        profiles=PROFILES,
     output:
         adopted="<results>/calibration/adopted.txt",
     log:

@@ -81,6 +81,23 @@ rule render_sensitivity:
         "../scripts/render_sensitivity.py"
 
 
+rule render_profiles:
+    input:
+        data="<results>/tables/profiles.csv",
+        style=STYLE,
+    output:
+        **figure_files("profiles", "Statements"),
+    log:
+        "<logs>/render_profiles.log",
+    params:
+        *sources_of("render_profiles.py"),
+        acceptance=settings["calibration"]["acceptance"],
+    message:
+        "Draw the profiles of the objective"
+    script:
+        "../scripts/render_profiles.py"
+
+
 rule write_table:
     input:
         parts=lambda wildcards: (

@@ -1,4 +1,6 @@
-# The verdict on every statement of the paper, and what carries the agreement.
+# The verdict on every statement of the paper, what carries the agreement, and what the ranges are worth.
+
+PROFILES_TABLE = f"{CONFIG}/calibrated/profiles.csv"
 
 
 rule judge_claims:
@@ -9,6 +11,7 @@ rule judge_claims:
         ],
     output:
         table="<results>/claims/claims.csv",
+        coverage="<results>/extracted/coverage/all.csv",
         text="<results>/claims/claims.md",
         page=report(
             "<results>/claims/claims.html",
@@ -78,6 +81,41 @@ rule judge_departures:
         "Judge the statements without each departure from the print"
     script:
         "../scripts/judge_departures.py"
+
+
+# how often the ranges are right about what their members have not seen
+rule score_ranges:
+    input:
+        profiles=PROFILES_TABLE,
+    output:
+        coverage="<results>/extracted/coverage_of_sets/all.csv",
+    log:
+        "<logs>/score_ranges.log",
+    params:
+        *sources_of("score_ranges.py"),
+        *SOFTWARE,
+        *CALIBRATED_TEXTS,
+        default=settings["calibrated"],
+        conditions=settings["calibration"]["coverage"],
+    message:
+        "Score the ranges of the ensemble"
+    script:
+        "../scripts/score_ranges.py"
+
+
+rule gather_profiles:
+    input:
+        profiles=PROFILES_TABLE,
+    output:
+        table="<results>/extracted/profiles/all.csv",
+    log:
+        "<logs>/gather_profiles.log",
+    params:
+        *sources_of("gather_profiles.py"),
+    message:
+        "Gather the profiles of the calibration"
+    script:
+        "../scripts/gather_profiles.py"
 
 
 rule gather_printed:

@@ -1,8 +1,9 @@
-"""Copy the calibrated inputs of the best interpretations to where the default run and the library
-read them.
+"""Copy the calibrated inputs of the best interpretations, the ranking of all and the profiles to
+where the default run and the library read them.
 """
 
 import json
+import shutil
 from pathlib import Path
 
 import pandas as pd
@@ -15,7 +16,8 @@ PLACE, LIBRARY = Path("config/calibrated"), Path("src/thirdbody/calibrated.yaml"
 
 with job(snakemake) as output:
     PLACE.mkdir(parents=True, exist_ok=True)
-    default = json.loads(Path(snakemake.input.chosen).read_text(encoding="utf-8"))
+    chosen = json.loads(Path(snakemake.input.chosen).read_text(encoding="utf-8"))
+    default, members = chosen["interpretation"], chosen["members"]
     ranking = pd.read_csv(snakemake.input.ranking)["interpretation"]
     kept = set(ranking[: snakemake.params.kept])
     for old in PLACE.glob("*.yaml"):
@@ -25,13 +27,16 @@ with job(snakemake) as output:
         content = read_yaml(source)
         if content["interpretation"] not in kept:
             continue
-        is_default = content["interpretation"] == default["interpretation"]
-        if is_default:
-            content |= default
-        content["inputs"] = {**snakemake.params.base, **content["inputs"]}
+        known = {**snakemake.params.base, **content["inputs"]}
+        content["ensemble"] = [content["inputs"], *(member["inputs"] for member in members)]
+        content["unseen"] = [[], *(member["unseen"] for member in members)]
+        content["inputs"] = known
         (PLACE / source.name).write_text(calibrated_text(content), encoding="utf-8")
-        if is_default and LIBRARY.is_file():  # in the repository
+        if content["interpretation"] == default and LIBRARY.is_file():  # in the repository
             LIBRARY.write_text(library_text(content), encoding="utf-8")
-    line = f"{PLACE / default['interpretation']}.yaml is the default by the rule"
+    profiles = pd.concat(map(pd.read_csv, snakemake.input.profiles))
+    profiles.to_csv(PLACE / "profiles.csv", index=False, float_format="%.6g")
+    shutil.copyfile(snakemake.input.ranking, PLACE / "ranking.csv")
+    line = f"{PLACE / default}.yaml is the default by the rule"
     output.adopted.write_text(line + "\n", encoding="utf-8")
     print(f"{line}: set it as calibrated in config/config.yaml")

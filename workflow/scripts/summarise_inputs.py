@@ -12,7 +12,6 @@ with job(snakemake) as output:
     content = summary(
         Interpretation.of(snakemake.wildcards.interpretation, settings),
         [read_rows(path) for path in snakemake.input.evaluations],
-        [read_rows(path) for path in snakemake.input.samples],
         [read_rows(path) for path in snakemake.input.folds],
         load_claims(snakemake.params.claims),
         settings,

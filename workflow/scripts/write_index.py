@@ -26,6 +26,9 @@ TABLES = {
     "sensitivity": "How much each unprinted input changes each result",
     "deviations": "Printed numbers beside computed ones",
     "departures": "What each departure from the words of the paper is worth",
+    "coverage": "Printed numbers, and ranges of the inputs that have not seen them",
+    "coverage_of_sets": "Other sets of inputs within the ranges",
+    "profiles": "What the statements determine: profiles of the objective",
     "held_out": "What other papers say of the model, which no search for inputs has seen",
 }
 

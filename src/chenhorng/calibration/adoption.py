@@ -1,4 +1,4 @@
-"""The files that a calibration replaces: those of ``config/calibrated/``, and the inputs of the
+"""The files that a calibration replaces: the files of ``config/calibrated/``, and the inputs of the
 library.
 """
 
@@ -24,7 +24,7 @@ def calibrated_text(content: Mapping[str, Any]) -> str:
 
 
 def library_text(content: Mapping[str, Any]) -> str:
-    """The text of ``src/thirdbody/calibrated.yaml``, from the content of a file of
+    """The text of ``src/thirdbody/calibrated.yaml``, from the ``content`` of a file of
     ``config/calibrated/``.
     """
     return OF_LIBRARY + _text({key: content[key] for key in KEPT_BY_LIBRARY})

@@ -1,8 +1,8 @@
 """Calibration of the unprinted inputs as an inverse problem.
 
-An *interpretation* of the printed equations fixes some inputs and leaves others unknown, as defined
-in ``config/calibration.yaml``.  The search works on *positions*: the value of each unknown between
-its bounds, scaled to 0 to 1, linearly or logarithmically.
+An *interpretation* of the printed equations fixes some inputs and leaves the others unknown;
+``config/calibration.yaml`` defines the interpretations.  The search works on *positions*.  The
+position of an unknown is its value, scaled from its bounds to 0 to 1, linearly or logarithmically.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from chenhorng.claims.claim import MISSING_SCORE, Claim
 from chenhorng.claims.evidence import QUICK_EFFORT
 from chenhorng.claims.judge import Judge
 
-# The loss of a statement that fails badly is nearly flat: this slope still rewards improvement.
+# The loss of a statement that fails badly is nearly flat.  This slope still rewards improvement.
 SLOPE_OF_LOSS = 0.1
 
 
 @dataclass(frozen=True)
 class Unknown:
-    """An input that is searched between ``bounds`` and penalised outside the ``usual`` range."""
+    """An input, searched between its ``bounds`` and penalised outside its ``usual`` range."""
 
     name: str
     bounds: tuple[float, float]
@@ -34,22 +34,22 @@ class Unknown:
     logarithmic: bool
 
     def value(self, position: float) -> float:
-        """Value of the input at a position between 0 and 1."""
+        """Value of the input at a ``position`` between 0 and 1."""
         low, high = self.bounds
         if self.logarithmic:
             return float(low * (high / low) ** position)
         return float(low + (high - low) * position)
 
     def position(self, value: float) -> float:
-        """Position of a value, the inverse of ``value``, clipped to 0 and 1."""
+        """Position of a ``value``, clipped to 0 and 1; the inverse of the method ``value``."""
         low, high = self.bounds
         if self.logarithmic:
             low, high, value = np.log(low), np.log(high), np.log(value)
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """Squared distance of a value from the usual range, in decades or in widths of the range
-        [1].
+        """Squared distance [1] of a ``value`` from the usual range, in decades or in widths of the
+        range.
         """
         low, high = self.usual
         if self.logarithmic:
@@ -59,8 +59,8 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of
-    positions.
+    """An interpretation of the printed equations: its fixed inputs, SI, and its unknowns in the
+    order of the positions.
     """
 
     name: str
@@ -72,11 +72,11 @@ class Interpretation:
         """The interpretation of this name in the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
         unknowns = []
-        for each in (*settings["always"], *entry.get("unknowns", ())):
-            if each not in entry["fixed"]:
-                given = settings["unknowns"][each]
-                ends = tuple(given["bounds"]), tuple(given["usual"])
-                unknowns.append(Unknown(each, *ends, given["scale"] == "logarithmic"))
+        for unknown in (*settings["always"], *entry.get("unknowns", ())):
+            if unknown not in entry["fixed"]:
+                definition = settings["unknowns"][unknown]
+                ends = tuple(definition["bounds"]), tuple(definition["usual"])
+                unknowns.append(Unknown(unknown, *ends, definition["scale"] == "logarithmic"))
         return cls(name, entry["fixed"], tuple(unknowns))
 
     def values(self, positions: Iterable[float]) -> dict[str, float]:
@@ -95,8 +95,8 @@ class Interpretation:
 
 @dataclass(frozen=True)
 class Objective:
-    """The objective of a calibration [1]: weighted losses of statements and penalties for unusual
-    inputs.
+    """The objective of a calibration [1]: the sum of weighted losses of statements and of penalties
+    for unusual inputs.
     """
 
     judge: Judge
@@ -106,9 +106,10 @@ class Objective:
     def of(
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
-        """The objective over ``claims`` that are not set aside, with the weight of their kind
-        divided among the statements of a cluster; ``base`` has all other inputs."""
-        fitted = [claim for claim in claims if not claim.aside]
+        """The objective over the ``claims`` that are neither set aside nor impossible.  Those of a
+        cluster share the weight of their kind.  ``base`` has the inputs that no interpretation sets.
+        """
+        fitted = [claim for claim in claims if not (claim.aside or claim.impossible)]
         sizes = Counter(claim.counted_as for claim in fitted)
         weights = [
             settings["weights"].get(claim.kind, 1.0) / sizes[claim.counted_as] for claim in fitted
@@ -117,12 +118,12 @@ class Objective:
 
     @property
     def claims(self) -> Sequence[Claim]:
-        """Statements to which the inputs are fitted."""
+        """The statements to which the inputs are fitted."""
         return self.judge.claims
 
     def scores(self, interpretation: Interpretation, inputs: Mapping[str, Any]) -> NDArray:
-        """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these
-        inputs.
+        """The score of each of ``claims`` in tolerances [1]; the largest score if no surface has
+        these inputs.
         """
         try:
             verdicts = self.judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
@@ -131,16 +132,17 @@ class Objective:
         return np.array([verdict.score for verdict in verdicts.values()])
 
     def losses(self, scores: ArrayLike, claims: Sequence[Claim]) -> NDArray:
-        """The weighted loss [1] of each of some ``claims`` with these scores."""
+        """The weighted losses [1] of some ``claims`` with these ``scores``."""
         weights = dict(zip((claim.id for claim in self.claims), self.weights, strict=True))
         return np.array([weights[claim.id] for claim in claims]) * loss(np.asarray(scores))
 
     def value(self, penalty: float, scores: ArrayLike) -> float:
-        """The objective [1]: the penalty plus the weighted losses of the scores."""
+        """The objective [1]: the ``penalty`` plus the weighted losses of the ``scores``."""
         return float(penalty + np.sum(self.weights * loss(np.asarray(scores))))
 
     def take(self, every: Objective, scores: NDArray) -> NDArray:
-        """The columns of ``scores`` [..., statements of ``every``] that belong to ``claims``."""
+        """The columns of ``scores`` that belong to ``claims``; ``scores`` has the shape (...,
+        statements of ``every``)."""
         ids = {claim.id for claim in self.claims}
         return scores[..., [claim.id in ids for claim in every.claims]]
 
@@ -151,41 +153,48 @@ class Objective:
 
 
 def loss(score: NDArray) -> NDArray:
-    """Loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1]: steepest at the tolerance,
-    and nearly flat far away, so that a statement that cannot hold does not outweigh the others."""
+    """The loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1].
+
+    The loss is steepest at the tolerance.  Far away it is nearly flat, so that a statement that
+    cannot hold does not outweigh the others.
+    """
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
 class Fold(NamedTuple):
-    """One fold of the cross-validation: statements of some figures are ``left_out`` and judged with
-    the result of a search over those ``fitted``, which neither refer to these figures nor repeat or
-    contradict them."""
+    """A fold of the cross-validation.
+
+    The statements ``left_out`` are those of some figures.  They are judged with the result of a
+    search over the statements ``fitted``, which neither refer to these figures nor repeat or
+    contradict a statement left out.
+    """
 
     left_out: tuple[Claim, ...]
     fitted: tuple[Claim, ...]
 
 
 def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> list[Fold]:
-    """Divide the statements into folds: each is judged once, in the fold of its first figure."""
+    """Divide the statements into folds by ``figures``; each statement is left out once, in the fold
+    of its first figure."""
     folds = []
-    for part in map(set, figures):
-        left_out = tuple(claim for claim in claims if min(claim.all_figures) in part)
-        seen = {claim.counted_as for claim in left_out}
-        seen |= {other for claim in left_out for other in claim.contradicts}
+    for figures_of_fold in map(set, figures):
+        left_out = tuple(claim for claim in claims if min(claim.all_figures) in figures_of_fold)
+        related = {claim.counted_as for claim in left_out}
+        related |= {other for claim in left_out for other in claim.contradicts}
         fitted = tuple(
             claim
             for claim in claims
-            if not (claim.all_figures & part or {claim.id, claim.counted_as} & seen)
+            if not (claim.all_figures & figures_of_fold or {claim.id, claim.counted_as} & related)
         )
         folds.append(Fold(left_out=left_out, fitted=fitted))
     return folds
 
 
 def write_rows(path: Path, rows: NDArray) -> None:
-    """Write positions and objectives, shape (rows, unknowns + 1), with all digits."""
+    """Write ``rows`` of positions and objectives, shape (rows, unknowns + 1), with all digits."""
     np.savetxt(path, rows, fmt="%.17g", delimiter=",")
 
 
 def read_rows(path: Path) -> NDArray:
-    """Read a file of ``write_rows``."""
+    """Read the rows in a file that ``write_rows`` wrote."""
     return np.loadtxt(path, delimiter=",", ndmin=2)

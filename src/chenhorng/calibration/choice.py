@@ -1,16 +1,13 @@
-"""The rule that chooses the default among calibrated interpretations, and the ensemble of its
-equals.
+"""The rule that chooses the default among calibrated interpretations.
 
-1. The loss of what was left out: that of the objective, over the statements of each fold, for the
-   inputs
-   that were found without them.
+1. Each interpretation has a left-out loss.  It sums the losses of the statements of all folds,
+   for the inputs that were found without them.
 2. Interpretations are equal if their loss is above the least by no more than one standard error of
-   the
-   difference, from the differences by figure (Breiman et al. 1984, Classification and Regression
-   Trees; Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning, section 7.10).
-3. Of equals, the least mean deviation of the printed numbers; then the fewest unknowns; then the
-   least
-   penalty.
+   the difference, from the differences by figure (Breiman et al. 1984, Classification and
+   Regression Trees; Hastie, Tibshirani & Friedman 2009, The Elements of Statistical Learning,
+   section 7.10).
+3. The default is the equal with the fewest unknowns: the most parsimonious model within one
+   standard error.  Then the least left-out loss decides, then the least penalty.
 """
 
 import math
@@ -28,9 +25,12 @@ from chenhorng.claims.judge import Judge, Verdicts, count_once
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """An interpretation that may be the default: the ``content`` of its calibrated file, the
-    ``verdicts`` for its inputs, those ``predicted``, of each statement for the inputs found in the
-    fold that leaves it out, and the statements left out of each of the ``folds``."""
+    """An interpretation that may be the default.
+
+    ``content`` is that of its calibrated file, and ``verdicts`` are for its inputs.  ``predicted``
+    has the verdict on each statement for the inputs of the fold that leaves the statement out.
+    ``folds`` are the statements that each fold leaves out.
+    """
 
     content: Mapping[str, Any]
     verdicts: Verdicts
@@ -39,8 +39,8 @@ class Candidate:
 
     @classmethod
     def of(cls, judge: Judge, content: Mapping[str, Any], verdicts: Verdicts | None = None) -> Self:
-        """Evaluate all statements for a calibrated file; ``verdicts`` are those for its inputs, if
-        known.
+        """Evaluate all statements for the ``content`` of a calibrated file; ``verdicts`` are for
+        its inputs, if they are known.
         """
         entries = content.get("folds", ())
         folds: list[Sequence[Claim]] = []
@@ -59,13 +59,13 @@ class Candidate:
 
     @property
     def fold_counts(self) -> list[tuple[int, int]]:
-        """Numbers of statements left out of each fold that hold and are tested."""
+        """For each fold, how many of the statements left out hold, and how many are tested."""
         return [count_once(left_out, self.predicted) for left_out in self.folds]
 
 
 def left_out_losses(objective: Objective, predicted: Verdicts) -> pd.Series:
-    """Loss [1] of the statements ``predicted`` without their figures, by the figure of a statement;
-    empty if there are none."""
+    """Losses [1] of the ``predicted`` statements, summed by their first figure; empty without
+    predicted statements."""
     claims = [claim for claim in objective.claims if claim.id in predicted]
     figures = [min(claim.all_figures) for claim in claims]
     losses = objective.losses([predicted[claim.id].score for claim in claims], claims)
@@ -73,8 +73,8 @@ def left_out_losses(objective: Objective, predicted: Verdicts) -> pd.Series:
 
 
 def excess_over(losses: pd.Series, least: pd.Series) -> tuple[float, float]:
-    """Sum of the differences of two ``left_out_losses`` [1], and its standard error from those by
-    figure.
+    """Sum of the differences of two ``left_out_losses`` [1], and its standard error from the
+    differences by figure.
     """
     differences = losses - least
     return differences.sum(), math.sqrt(len(differences)) * differences.std()
@@ -83,8 +83,8 @@ def excess_over(losses: pd.Series, least: pd.Series) -> tuple[float, float]:
 def printed_numbers(
     claims: Iterable[Claim], verdicts: Verdicts, ids: Sequence[str]
 ) -> pd.DataFrame:
-    """Each number that the statements ``ids`` print, the computed one, and the relative deviation
-    of the latter; -1 where the model has no such number."""
+    """Each printed number of the statements ``ids``, the computed number, and its relative
+    deviation, which is -1 if the model has no such number."""
     rows: list[dict[str, Any]] = []
     for claim in claims:
         if claim.id not in ids or claim.published is None or isinstance(claim.published, str):
@@ -104,12 +104,16 @@ def printed_numbers(
 def rank_interpretations(
     judge: Judge, candidates: Iterable[Candidate], settings: Mapping[str, Any]
 ) -> pd.DataFrame:
-    """Compare the interpretations, in the order of the rule: a row for each, with the loss of what
-    was left out, by how much that is above the least, the standard error of the excess, and whether
-    it is ``equal``."""
+    """Compare the interpretations: a row for each, in the order of the rule.
+
+    A row has the left-out loss, its excess above the least loss, the standard error of the excess,
+    and whether the interpretation is ``equal``.
+    """
     objective = Objective.of(judge.claims, settings, judge.base)
     candidates = list(candidates)
-    losses = {each.name: left_out_losses(objective, each.predicted) for each in candidates}
+    losses = {
+        candidate.name: left_out_losses(objective, candidate.predicted) for candidate in candidates
+    }
     totals = {name: series.sum() if len(series) else np.nan for name, series in losses.items()}
     cross_validated = {name: total for name, total in totals.items() if not math.isnan(total)}
     best = min(cross_validated, key=cross_validated.__getitem__, default=None)
@@ -151,14 +155,14 @@ def rank_interpretations(
     if table.empty:
         return table
     table["unequal"] = ~table["equal"]
-    # what is not equal is in the order of its loss
+    # interpretations that are not equal are in the order of their losses
     table["first"] = table["left_out_loss"].where(table["unequal"], 0.0)
-    order = ["unequal", "first", "mean_deviation", "unknowns", "penalty"]
+    order = ["unequal", "first", "unknowns", "left_out_loss", "penalty"]
     return table.sort_values(order, ignore_index=True).drop(columns=["unequal", "first"])
 
 
 def largest_summit_parameter(inputs: Mapping[str, Any], settings: Mapping[str, Any]) -> float:
-    """The largest eta_s R sigma [1] of ``inputs`` on the surfaces of Table 2."""
+    """The largest eta_s R sigma [1] of the ``inputs`` on the surfaces of Table 2."""
     ends = 1e-9 * np.array(settings["roughness_nm"])
     relative = ends / inputs["reference_roughness"]
     power = inputs["summit_parameter_exponent"]
@@ -167,33 +171,9 @@ def largest_summit_parameter(inputs: Mapping[str, Any], settings: Mapping[str, A
 
 def choose_default(
     judge: Judge, contents: Sequence[Mapping[str, Any]], settings: Mapping[str, Any]
-) -> tuple[dict[str, Any], pd.DataFrame]:
-    """What the calibrated file of the default has beside its own content, and all interpretations
-    in the order of the rule, from the ``contents`` of their calibrated files."""
-    candidates = {each["interpretation"]: Candidate.of(judge, each) for each in contents}
-    table = rank_interpretations(judge, candidates.values(), settings)
-    equals = table.loc[table["equal"], "interpretation"]
-    members, names = equal_ensemble(
-        [candidates[name].content for name in equals], settings["ensemble"]
+) -> pd.DataFrame:
+    """The table of all interpretations in the order of the rule, the default first, from the
+    ``contents`` of their calibrated files."""
+    return rank_interpretations(
+        judge, [Candidate.of(judge, content) for content in contents], settings
     )
-    chosen = {
-        "interpretation": table.loc[0, "interpretation"],
-        "ensemble": members,
-        "ensemble_interpretations": names,
-    }
-    return chosen, table
-
-
-def equal_ensemble(
-    contents: Sequence[Mapping[str, Any]], least: int
-) -> tuple[list[dict[str, Any]], list[str]]:
-    """The inputs of an ensemble of at least ``least`` members, SI, and the interpretation of each:
-    as many from each of the calibrated files, evenly among theirs, those of the default first."""
-    members, names = [], []
-    count = math.ceil(least / len(contents))
-    for content in contents:
-        sets = content["ensemble"]
-        places = np.linspace(0, len(sets) - 1, count).round().astype(int)
-        members += [{**content["inputs"], **sets[place]} for place in places]
-        names += [content["interpretation"]] * count
-    return members, names

@@ -1,50 +1,39 @@
 """Results of the searches for the unprinted inputs, as the content of calibrated files."""
 
 from collections.abc import Mapping, Sequence
-from itertools import combinations
 from typing import Any
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from chenhorng.calibration.calibration import Interpretation, make_folds
+from chenhorng.calibration.search import best_of
 from chenhorng.claims.claim import Claim
 
 DIGITS = 6  # significant digits of numbers in the file
-IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
-NOTABLE_CORRELATION = 0.6  # smaller coefficients are left out
-QUANTILES = 0.05, 0.5, 0.95  # of the sample of each seed
-PROFILE_BINS = 12  # equal parts of an input's bounds
 
 
 def summary(
     interpretation: Interpretation,
     searches: Sequence[NDArray],
-    samples: Sequence[NDArray],
     folds: Sequence[NDArray],
     claims: Sequence[Claim],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """The content of the calibrated file of an interpretation, SI, from positions and objectives,
-    shape (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist.
-    ``claims`` are all statements."""
-    rows = np.concatenate([*searches, *samples])
-    good = acceptable(rows, settings["acceptance"])
-    pooled = np.concatenate(samples) if samples else good[:0]
-    drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
-    inputs = inputs_of(interpretation, good[0])
-    members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
-    best = [found[found[:, -1].argmin()] for found in folds]
-    figures_of_folds = settings["folds"] if folds else ()
-    parts = make_folds(claims, figures_of_folds)
+    """The content of the calibrated file of an interpretation, SI.
+
+    ``searches`` have rows of positions and objectives, shape (rows, unknowns + 1), for each seed;
+    ``folds`` have them for each fold.  ``claims`` are all statements.
+    """
+    best = best_of(np.concatenate(searches))
+    inputs = inputs_of(interpretation, best)
+    parts = make_folds(claims, settings["folds"])
     return {
         "interpretation": interpretation.name,
-        "objective": rounded(good[0, -1]),
+        "objective": rounded(best[-1]),
         "penalty": rounded(interpretation.penalty(inputs)),
-        "objective_of_each_seed": [rounded(each[:, -1].min()) for each in searches],
+        "objective_of_each_seed": [rounded(search[:, -1].min()) for search in searches],
         "evaluations": sum(map(len, searches)),
-        "acceptable": len(good),
         "inputs": {**interpretation.fixed, **inputs},
         "folds": [
             {
@@ -53,26 +42,33 @@ def summary(
                 "objective": rounded(row[-1]),
                 "inputs": {**interpretation.fixed, **inputs_of(interpretation, row)},
             }
-            for figures, fold, row in zip(figures_of_folds, parts, best, strict=True)
+            for figures, fold, row in zip(
+                settings["folds"], parts, map(best_of, folds), strict=True
+            )
         ],
-        "ensemble": [inputs, *members],
-        "ensemble_interpretations": [interpretation.name] * (1 + len(members)),
-        "identification": _identification(interpretation, rows, good, samples),
-        "correlations": _correlations(interpretation, pooled),
     }
 
 
-def acceptable(rows: NDArray, acceptance: float) -> NDArray:
-    """Unique evaluations with an objective up to ``acceptance`` above the least, best first."""
-    ordered = np.unique(rows, axis=0)
-    ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
-    return ordered[ordered[:, -1] <= ordered[0, -1] + acceptance]
+def fold_members(
+    interpretation: Interpretation,
+    samples: Sequence[NDArray],
+    figures: Sequence[Sequence[int]],
+    count: int,
+) -> list[dict[str, Any]]:
+    """The members of an ensemble: ``count`` sets of inputs, SI, from the sample of each fold, with
+    the ``figures`` that the set has not seen.
 
-
-def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]:
-    """The shortlisted interpretations, by their least objectives, best first."""
-    ranking = sorted(least, key=least.__getitem__)
-    return [name for name in ranking if least[name] <= least[ranking[0]] + within][:most]
+    A sample has rows of positions and objectives, shape (rows, unknowns + 1), in the order in which
+    it was drawn.  Sets are taken at even distances.
+    """
+    return [
+        {
+            "unseen": list(unseen),
+            "inputs": {**interpretation.fixed, **inputs_of(interpretation, row)},
+        }
+        for unseen, rows in zip(figures, samples, strict=True)
+        for row in rows[np.linspace(0, len(rows) - 1, count).round().astype(int)]
+    ]
 
 
 def inputs_of(interpretation: Interpretation, row: NDArray) -> dict[str, float]:
@@ -83,35 +79,3 @@ def inputs_of(interpretation: Interpretation, row: NDArray) -> dict[str, float]:
 def rounded(value: float) -> float:
     """``value`` with ``DIGITS`` significant digits."""
     return float(f"{value:.{DIGITS}g}")
-
-
-def _identification(interpretation, rows, good, samples) -> dict:
-    """For each unknown its acceptable range, sample, and least objective along it."""
-    result = {}
-    for index, unknown in enumerate(interpretation.unknowns):
-        low, high = good[:, index].min(), good[:, index].max()
-        part = np.minimum((rows[:, index] * PROFILE_BINS).astype(int), PROFILE_BINS - 1)
-        drawn = [
-            [rounded(unknown.value(place)) for place in np.quantile(each[:, index], QUANTILES)]
-            for each in samples
-        ]
-        least = [rows[part == each, -1].min(initial=np.inf) for each in range(PROFILE_BINS)]
-        result[unknown.name] = {
-            "acceptable": [rounded(unknown.value(low)), rounded(unknown.value(high))],
-            "identified": bool(high - low < IDENTIFIED),
-            "median_of_each_seed": [median for _, median, _ in drawn],
-            "range_of_each_seed": [[first, last] for first, _, last in drawn],
-            "profile": [rounded(value) if np.isfinite(value) else None for value in least],
-        }
-    return result
-
-
-def _correlations(interpretation, sample) -> list[dict]:
-    """Pairs of unknowns that are correlated in the sample."""
-    names = [unknown.name for unknown in interpretation.unknowns]
-    coefficients = pd.DataFrame(sample[:, :-1], columns=names).corr()
-    return [
-        {"between": [one, other], "coefficient": float(f"{coefficients.loc[one, other]:.2f}")}
-        for one, other in combinations(names, 2)
-        if abs(coefficients.loc[one, other]) >= NOTABLE_CORRELATION
-    ]

@@ -1,9 +1,10 @@
-"""Search for the inputs that explain most of the paper, and samples of those that explain about as
+"""Search for the inputs that explain most of the paper, and samples of inputs that explain about as
 much.
 
-The objective has many narrow valleys.  A search therefore goes from scattered sets of inputs to the
-nearest valleys by least squares, first with a loss that has a slope far from a statement too.  From
-the deepest valley it hops to others nearby, and then follows the best by an evolution strategy.
+The objective has many narrow valleys.  A search therefore starts from scattered sets of inputs.
+Least squares descend to the nearest valleys, first with a loss that also has a slope far from a
+statement.  The search then hops from the deepest valley to valleys nearby.  At last an evolution
+strategy follows the best valley.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -20,32 +21,33 @@ from scipy.stats.qmc import LatinHypercube
 from chenhorng.calibration.calibration import SLOPE_OF_LOSS, Interpretation, Objective
 
 DIFFERENCES = 0.01, 0.004  # steps of the slopes in both rounds of a descent, in the unit cube
-# iterations of least squares from every start, and in both rounds from the best and after a hop
+# iterations of least squares: from every start, in both rounds from the best, and after a hop
 SCREENING, DESCENT, HOPPING = 6, (20, 20), (8, 10)
 HOP = 0.1  # standard deviation of a hop, in the unit cube
 # standard deviations of the first steps of both evolutions, in the unit cube
 FIRST_STEPS = 0.03, 0.01
-SAME_HEIGHT = 0.03  # a search has converged when objectives differ by no more [1]
-START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, per unknown
-# Steps by the difference of two walkers; full-length steps move between valleys.
+SAME_HEIGHT = 0.03  # largest difference of objectives in a converged search [1]
+START_ABOVE_BEST = 1.0  # largest excess of the objective where walkers start, per unknown [1]
+# Walkers step by the difference of two other walkers.  Full-length steps move between valleys.
 MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
 
 def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray:
-    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns); every second one
-    has summits of at least ``budget["elastic_radius"]``."""
+    """Positions that fill the unit cube of the unknowns, shape (scattered, unknowns).  Every second
+    row has a summit radius of at least ``budget["elastic_radius"]``."""
     unknowns = interpretation.unknowns
-    places = LatinHypercube(len(unknowns), rng=np.random.default_rng(0)).random(budget["scattered"])
+    cube = LatinHypercube(len(unknowns), rng=np.random.default_rng(0))
+    positions = cube.random(budget["scattered"])
     for column, unknown in enumerate(unknowns):
         if unknown.name == "summit_radius":
             least = unknown.position(budget["elastic_radius"])
-            places[::2, column] = least + (1.0 - least) * places[::2, column]
-    return places
+            positions[::2, column] = least + (1.0 - least) * positions[::2, column]
+    return positions
 
 
 def nearby_starts(interpretation: Interpretation, other: Interpretation, rows: NDArray) -> NDArray:
-    """The start of a search near to the best inputs of the ``other`` interpretation, from ``rows``
-    of its positions and objectives: shape (1, unknowns)."""
+    """The start of a search at the best inputs of the ``other`` interpretation, shape (1,
+    unknowns).  ``rows`` are the positions and objectives of the other."""
     known = other.fixed | other.values(best_of(rows)[:-1])
     return interpretation.positions(known)[None]
 
@@ -58,13 +60,16 @@ def scattered_starts(
     seeds: Sequence[int],
 ) -> NDArray:
     """The starts of ``seeds`` among scattered positions, shape (starts, unknowns): the best for
-    ``objective``, from ``rows`` of positions and the scores of all statements, those of ``every``.
-    Each seed of the ``settings`` has starts of its own."""
-    places, scores = np.split(rows, [-len(every.claims)], axis=1)
+    ``objective``.
+
+    ``rows`` are the scattered positions and the scores of all statements, in the order of
+    ``every``.  Each seed of the ``settings`` has starts of its own.
+    """
+    positions, scores = np.split(rows, [-len(every.claims)], axis=1)
     ranking = rank_starts(objective, objective.take(every, scores))
     among, most = settings["seeds"], settings["budget"]["starts"]
     ranks = [ranking[among.index(seed) :: len(among)][:most] for seed in seeds]
-    return places[np.concatenate(ranks)]
+    return positions[np.concatenate(ranks)]
 
 
 def find_inputs(
@@ -76,37 +81,37 @@ def find_inputs(
     seed: int,
 ) -> NDArray:
     """Search the unknowns for the least objective from several ``starts``, shape (starts,
-    unknowns): all positions with the objective [1] in the last column.
+    unknowns).  Returns all positions, with the objective [1] in the last column.
 
-    Least squares descend from every start, and from the best ``budget["descents"]`` of what they
-    find; then from ``hops`` random steps away from the best so far.  Two evolutions follow from the
-    best of all.
+    Least squares descend from every start.  They descend again from the best
+    ``budget["descents"]`` ends, and from ``hops`` random steps away from the best so far.  Two
+    evolutions follow from the best of all.
     """
     rows, most = [], budget["iterations"]
-    descent, hopping = (np.minimum(each, most).tolist() for each in (DESCENT, HOPPING))
+    descent, hopping = (np.minimum(rounds, most).tolist() for rounds in (DESCENT, HOPPING))
     for start in starts:
         how = min(SCREENING, most), _wide_loss, DIFFERENCES[0]
         rows.append(descend(interpretation, objective, start, *how))
     ends = sorted(map(best_of, rows), key=lambda row: row[-1])
     for end in ends[: budget["descents"]]:
-        rows.append(_descend_twice(interpretation, objective, end[:-1], descent))
+        rows.append(descend_twice(interpretation, objective, end[:-1], descent))
     random = np.random.default_rng(seed)
     for _ in range(hops):
         best = best_of(np.vstack(rows))[:-1]
-        place = np.clip(best + HOP * random.normal(size=best.size), 0.0, 1.0)
-        rows.append(_descend_twice(interpretation, objective, place, hopping))
+        start = np.clip(best + HOP * random.normal(size=best.size), 0.0, 1.0)
+        rows.append(descend_twice(interpretation, objective, start, hopping))
     for step in FIRST_STEPS:
         best = best_of(np.vstack(rows))[:-1]
         rows.append(search(interpretation, objective, best, budget, seed, step))
     return np.vstack(rows)
 
 
-def _descend_twice(interpretation, objective, start, iterations):
-    """Least squares with the wide loss, then with that of the objective: rows as from
+def descend_twice(interpretation, objective, start, iterations):
+    """Least squares with the wide loss, then with the loss of the objective: rows as from
     ``descend``."""
     first = descend(interpretation, objective, start, iterations[0], _wide_loss, DIFFERENCES[0])
-    place = best_of(first)[:-1]
-    second = descend(interpretation, objective, place, iterations[1], _loss, DIFFERENCES[1])
+    best = best_of(first)[:-1]
+    second = descend(interpretation, objective, best, iterations[1], _loss, DIFFERENCES[1])
     return np.vstack([first, second])
 
 
@@ -116,7 +121,8 @@ def best_of(rows: NDArray) -> NDArray:
 
 
 def rank_starts(objective: Objective, scores: NDArray) -> NDArray:
-    """The order of sets of inputs by their ``scores``, shape (sets, statements), the best first."""
+    """The indices of sets of inputs, the best first, from their ``scores``, shape (sets,
+    statements)."""
     return np.argsort(_wide_loss(scores**2)[0] @ objective.weights, kind="stable")
 
 
@@ -128,15 +134,15 @@ def descend(
     loss_of: Callable[[NDArray], NDArray],
     difference: float,
 ) -> NDArray:
-    """Least squares of the scores from ``start``: all positions with the objective [1] in the last
-    column. ``loss_of`` gives the loss and its first two derivatives over the squared scores."""
+    """Least squares of the scores from ``start``: all positions, with the objective [1] in the last
+    column.  ``loss_of`` returns the loss and its first two derivatives over the squared scores."""
     rows = []
 
     def scores(positions):
         inputs = interpretation.values(positions)
-        found = objective.scores(interpretation, inputs)
-        rows.append([*positions, objective.value(interpretation.penalty(inputs), found)])
-        return found
+        values = objective.scores(interpretation, inputs)
+        rows.append([*positions, objective.value(interpretation.penalty(inputs), values)])
+        return values
 
     edge = 1e-6  # least squares starts inside its bounds
     least_squares(
@@ -153,7 +159,7 @@ def descend(
 
 
 def _wide_loss(squares):
-    """A loss with a slope near and far, sqrt(1 + s^2) - 1, and its derivatives over s^2."""
+    """The wide loss sqrt(1 + s^2) - 1, with a slope near and far, and its derivatives over s^2."""
     root = np.sqrt(1.0 + squares)
     return np.stack([root - 1.0, 0.5 / root, -0.25 / root**3])
 
@@ -179,9 +185,12 @@ def search(
     seed: int,
     first_step: float = FIRST_STEPS[0],
 ) -> NDArray:
-    """Search the unknowns, at least two, for the least objective, by a CMA evolution strategy with
-    a quadratic surrogate (Hansen 2019, doi:10.1145/3321707.3321842): all positions with the
-    objective [1] in the last column."""
+    """Search the unknowns, at least two, for the least objective.  Returns all positions, with the
+    objective [1] in the last column.
+
+    The search is a CMA evolution strategy with a quadratic surrogate (Hansen 2019,
+    doi:10.1145/3321707.3321842).
+    """
     rows = []
 
     def function(positions):
@@ -210,9 +219,12 @@ def posterior_sample(
     budget: Mapping[str, int],
     seed: int,
 ) -> NDArray:
-    """Sample sets of inputs with the density exp(-objective) by walkers that start from the best of
-    a search: rows as from ``search``, without the first quarter of the steps (Foreman-Mackey et al.
-    2013, doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9)."""
+    """Sample sets of inputs with the density exp(-objective): rows as from ``search``.
+
+    Walkers start from the best of the ``evaluations`` of a search.  The first quarter of their
+    steps is dropped (Foreman-Mackey et al. 2013, doi:10.1086/670067; ter Braak & Vrugt 2008,
+    doi:10.1007/s11222-008-9104-9).
+    """
 
     def log_density(positions):
         if ((positions < 0.0) | (positions > 1.0)).any():
@@ -228,5 +240,5 @@ def posterior_sample(
     sampler = EnsembleSampler(walkers, unknowns, log_density, moves=MOVES)
     sampler.run_mcmc(State(start, random_state=random.get_state()), steps)
     dropped = steps // 4
-    places = sampler.get_chain(discard=dropped, flat=True)
-    return np.column_stack([places, -sampler.get_log_prob(discard=dropped, flat=True)])
+    positions = sampler.get_chain(discard=dropped, flat=True)
+    return np.column_stack([positions, -sampler.get_log_prob(discard=dropped, flat=True)])

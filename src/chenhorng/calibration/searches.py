@@ -1,30 +1,20 @@
-"""The searches of a calibration: which there are, and the files from which each starts."""
+"""The searches of a calibration, and the files from which each starts."""
 
-import json
-from collections.abc import Callable, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 FOLDER = "<results>/calibration"
 
 
 class Searches:
-    """The searches by the settings of a calibration.
+    """The searches that the ``settings`` of a calibration ask for."""
 
-    ``shortlist`` returns the path of a file with the names on the shortlist, once it is chosen.
-    """
-
-    def __init__(self, settings: Mapping[str, Any], shortlist: Callable[[], str]) -> None:
+    def __init__(self, settings: Mapping[str, Any]) -> None:
         self.settings, self.entries = settings, settings["interpretations"]
-        self.shortlist = shortlist
-
-    def wide(self) -> list[str]:
-        """The interpretations that are not searched from the best inputs of another one."""
-        return [name for name, entry in self.entries.items() if "nearby" not in entry]
 
     def nearby(self, name: str) -> list[str]:
-        """The interpretation from whose best inputs that of ``name`` is searched, if there is
-        one."""
+        """The interpretation whose best inputs start the search of interpretation ``name``, if
+        there is one."""
         return [self.entries[name]["nearby"]] if "nearby" in self.entries[name] else []
 
     def settings_of(self, name: str) -> dict[str, Any]:
@@ -39,7 +29,8 @@ class Searches:
         return [f"{FOLDER}/{name}/scattered.csv"]
 
     def starts_of_fold(self, name: str, fold: int | str) -> list[str]:
-        """The files with the inputs from which a search without a fold starts."""
+        """The files with the inputs from which a search without a fold starts.  No search over all
+        statements is among them."""
         for other in self.nearby(name):
             return [f"{FOLDER}/{other}/fold{fold}.csv"]
         return [f"{FOLDER}/{name}/scattered.csv"]
@@ -47,15 +38,14 @@ class Searches:
     def found(self, name: str) -> list[str]:
         """The files of the searches over all statements of an interpretation."""
         seeds = self.settings["seeds"]
-        seeds = seeds if name in self.shortlisted() else seeds[:1]
-        return [f"{FOLDER}/{name}/seed{seed}.csv" for seed in seeds]
+        searched = seeds[:1] if self.nearby(name) else seeds
+        return [f"{FOLDER}/{name}/seed{seed}.csv" for seed in searched]
 
-    def shortlisted(self) -> list[str]:
-        """The names on the shortlist."""
-        return json.loads(Path(self.shortlist()).read_text(encoding="utf-8"))
-
-    def is_cross_validated(self, name: str) -> bool:
-        """Whether an interpretation, or that from which its searches start, is on the shortlist."""
-        while nearby := self.nearby(name):
-            (name,) = nearby
-        return name in self.shortlisted()
+    def levels(self, name: str, along: str) -> list[float]:
+        """The levels of the quantity ``along`` in the profile of an interpretation."""
+        (entry,) = (
+            entry
+            for entry in self.settings["profiles"]
+            if (entry["of"], entry["along"]) == (name, along)
+        )
+        return entry["levels"]

@@ -1,4 +1,5 @@
-"""Quantities that compare whole curves: where two of them part or cross, and how sharply."""
+"""Quantities that compare whole curves: the load at which two curves part or cross, and the
+sharpness of the departure."""
 
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
     from chenhorng.claims.claim import Claim
     from chenhorng.claims.evidence import Evidence
 
-BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
+BEND = 0.1  # decrease of the slope at a visible bend of a curve [1]
 
 
 def crossings(load: NDArray, areas: NDArray) -> NDArray:
@@ -23,8 +24,8 @@ def crossings(load: NDArray, areas: NDArray) -> NDArray:
 
 
 def bend_load(load: NDArray, slope: NDArray, reference: NDArray) -> float:
-    """The load F_t* [1] at which the ``slope`` of A_t* has fallen by ``BEND`` below that of the
-    reference.
+    """The load F_t* [1] at which the ``slope`` of A_t* has fallen by ``BEND`` below the slope of
+    the reference.
     """
     return first_fall(load, BEND - (reference - slope))
 
@@ -35,7 +36,7 @@ def reversal_load(claim: "Claim", evidence: "Evidence") -> list[float]:
 
 
 def bend_loads(claim: "Claim", evidence: "Evidence") -> list[float]:
-    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below that of the
+    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below the slope of the
     reference."""
     slope = "total_contact_area_slope"
     pairs = claim.pairs(evidence)
@@ -46,14 +47,16 @@ def mixed_loads(claim: "Claim", evidence: "Evidence") -> list[float]:
     """Loads F_t* [1] at which mixed lubrication begins."""
     curves = [evidence.curves[condition] for condition in claim.curves]
     excess = [logarithm(curve["solid_load_fraction"] / BOUNDARY_LIMIT) for curve in curves]
-    return [first_fall(curve["load"], each) for curve, each in zip(curves, excess)]
+    return [first_fall(curve["load"], above) for curve, above in zip(curves, excess)]
 
 
 def departure_sharpness(claim: "Claim", evidence: "Evidence") -> list[float]:
-    """Sharpness of the departure of H_c from the reference [1]: the largest change of the slope of
-    their ratio on logarithmic axes within a tenth of a decade, over the largest slope; 1 at a kink.
+    """Sharpness of the departure of H_c from the reference [1]; 1 at a kink.
+
+    The ratio of both H_c has a slope on logarithmic axes.  The sharpness is the largest change of
+    this slope within a tenth of a decade, divided by the largest slope.
     """
-    found = []
+    sharpness = []
     for dry, wet in claim.pairs(evidence):
         log_load = np.log(wet["load"])
         slope = np.diff(logarithm(wet["film_thickness"] / dry["film_thickness"])) / np.diff(
@@ -61,8 +64,8 @@ def departure_sharpness(claim: "Claim", evidence: "Evidence") -> list[float]:
         )
         middle = 0.5 * (log_load[1:] + log_load[:-1])
         later = np.interp(middle + 0.1 * np.log(10.0), middle, slope)
-        found.append(np.max(later - slope) / np.maximum(np.max(slope), TINY))
-    return found
+        sharpness.append(np.max(later - slope) / np.maximum(np.max(slope), TINY))
+    return sharpness
 
 
 LOADS_BETWEEN_CURVES = {

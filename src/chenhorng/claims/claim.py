@@ -1,8 +1,8 @@
-"""One statement of the paper, called a *claim*, and its verdict: what all kinds of claims have in
-common.
+"""What all kinds of claims have in common.  A *claim* is one statement of the paper.
 
-A claim has conditions, the statement of the paper on them, and a tolerance.  It is checked on
-curves solved by ``chenhorng.claims.evidence``, and holds if it is off by at most one tolerance.
+A claim has conditions, the statement of the paper on them, and a tolerance.
+``chenhorng.claims.evidence`` solves the curves on which the claim is checked.  A claim holds if the
+model misses the statement by at most one tolerance.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -31,7 +31,7 @@ from thirdbody.variables import CONDITION_AXES
 if TYPE_CHECKING:
     from chenhorng.claims.evidence import Evidence
 
-MISSING_SCORE = 10.0  # the largest score, also used if there is nothing to compare
+MISSING_SCORE = 10.0  # the largest score, and that of a claim without a number to compare
 # Loads may miss the bound of a claim by this before its score grows: a line width.
 BOUND_TOLERANCE = 0.02
 TURNING_POINT_QUANTITIES = {
@@ -41,22 +41,23 @@ TURNING_POINT_QUANTITIES = {
     "turning_point_solid_load": lambda point: point.solid_load_fraction * point.load,
 }
 WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
-TOLERANCES = {  # what each kind is between
+TOLERANCES = {  # the smallest and the largest tolerance of each kind, both excluded
     "absolute": (0.0, np.inf),
     "relative": (0.0, 1.0),
     "factor": (1.0, np.inf),
 }
-CONDITION_KEYS = tuple(axis.alias for axis in CONDITION_AXES)  # they distinguish curves
+CONDITION_KEYS = tuple(axis.alias for axis in CONDITION_AXES)  # the keys that distinguish curves
 
 
 class Verdict(NamedTuple):
-    """Result of checking a claim: the result of the model as text, its distance from the published
-    value in tolerances [1], and the largest deviation, computed minus published, relative [1] if
-    the tolerance is.
+    """Result of checking a claim.
 
-    ``numbers`` are those compared [unit of the quantity], ``worst`` the index of that with the
-    deviation. A claim is ``tested`` if the model reaches its condition within the loads.
-    ``finding`` is a sentence.
+    ``computed`` is the result of the model as text.  ``distance`` is its distance from the
+    published value in tolerances [1].  ``deviation`` is the largest difference, computed minus
+    published; it is relative [1] if the tolerance is relative.  ``numbers`` are the compared
+    numbers [unit of the quantity], and ``worst`` is the index of the number with the largest
+    deviation.  A claim is ``tested`` if the model reaches its condition within the loads.
+    ``finding`` states the result as a sentence.
     """
 
     computed: str
@@ -69,8 +70,8 @@ class Verdict(NamedTuple):
 
     @property
     def score(self) -> float:
-        """The distance, 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one
-        large miss does not outweigh the rest."""
+        """The score [1]: the distance up to 1, then 1 plus the logarithm of the distance, and at
+        most ``MISSING_SCORE``.  So one large miss does not outweigh the other claims."""
         if np.isnan(self.distance):
             return MISSING_SCORE
         growth = float(np.log(max(self.distance, 1.0)))
@@ -83,7 +84,7 @@ class Verdict(NamedTuple):
 
     @property
     def value(self) -> float:
-        """The number with the largest deviation [unit of the quantity]; nan if there are none."""
+        """The number with the largest deviation [unit of the quantity]; nan without numbers."""
         return self.numbers[self.worst] if self.numbers else np.nan
 
 
@@ -92,65 +93,72 @@ CLOSED = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
 @dataclass(frozen=True, kw_only=True, config=CLOSED)
 class Claim:
-    """What every entry of ``config/claims.yaml`` has; the subclasses in ``kinds`` add the rest.
+    """The fields of every entry of ``config/claims.yaml``; the subclasses in ``kinds`` add others.
 
     Attributes
     ----------
     id, place, statement, quote : str
-        A name; where the paper says it, with figure and panel; our words; and the words of the
-        paper.
+        The name of the claim; its place in the paper, with figure and panel; the statement in our
+        words; and the words of the paper.
     kind : str
         A key of ``chenhorng.claims.kinds.KINDS``.
     conditions : mapping
-        Conditions in engineering units, such as ``viscosity_cSt``; lists give the curves, element
-        by element.  Particles are 1e11 per m2 if the paper names no density.  ``load`` is a single
-        F_t*; a quantity, such as ``solid_load_fraction``, names the load at which it falls to a
-        level.  ``load_min``, ``load_max``, ``load_max_N`` and ``QUANTITY_min``, ``QUANTITY_max``
-        bound the loads, which otherwise are those of Table 2, 0.04 to 80 N.  A level not reached
-        within the loads is extrapolated with the last slope, and reported as > the last load.  If
-        the verdict depends on this, or if no load is within the bounds, the statement is not
-        tested.
+        Conditions in engineering units, such as ``viscosity_cSt``.  A list has one value for each
+        curve.  Particles are 1e11 per m2 if the paper names no density.  ``load`` is a single F_t*.
+        A quantity, such as ``solid_load_fraction``, names the load at which it falls to a level.
+        ``load_min``, ``load_max``, ``load_max_N`` and ``QUANTITY_min``, ``QUANTITY_max`` bound the
+        loads; without bounds the loads are those of Table 2, 0.04 to 80 N.  If a curve does not
+        reach the level within the loads, its last slope is extrapolated, and the load is reported
+        as > the last load.  The statement is not tested if its verdict depends on the extrapolation
+        or if no load is within the bounds.
     tolerance, tolerance_kind, reason : float, str, str
-        In the file ``tolerance: {absolute: ..., reason: ...}``: in the unit of the quantity if
-        "absolute", a fraction of it [1] if "relative", and a factor on both sides [1] if "factor";
-        and the reason for it.
+        In the file ``tolerance: {absolute: ..., reason: ...}``.  An "absolute" tolerance has the
+        unit of the quantity, a "relative" one is a fraction of the published value [1], and a
+        "factor" multiplies and divides the published value [1].  ``reason`` says why the tolerance
+        has this size.
     must_be_reached : bool
-        Whether it fails, instead of being not tested, if no load meets its conditions, because the
-        paper draws them.
+        Whether the claim fails, instead of being not tested, if no load meets its conditions: the
+        paper draws such loads.
     figures : sequence of int
-        Of a conclusion or the abstract: the figures that it repeats; of a statement of another
-        paper, those that say the same.  A statement is left out of a search together with all
-        others of its figures (cross-validation, see ``config/calibration.yaml``).
+        The figures that a statement of the conclusion or the abstract repeats; of a statement of
+        another paper, those that say the same.  The cross-validation leaves out all statements of
+        a figure together (see ``config/calibration.yaml``).
     contradicts : sequence of str
-        Statements in which the paper says the opposite; of each such pair at least one has
-        ``aside``.
+        Statements in which the paper says the opposite.  At least one statement of each such pair
+        has ``aside``.
     limit : str
-        What no inputs can meet: how near algebra on the numbers of the paper lets the model come.
+        The part of the statement that no inputs can meet: how near algebra on the numbers of the
+        paper lets the model come.
     aside : str
-        Why the other one of a pair is used: it is left out of all counts and of the calibration,
-        and is listed.
+        Why the claim is set aside for the statement that it contradicts.  It is listed, but left
+        out of all counts and of the calibration.
     cluster : str
-        Common name of repeated statements: they count once, as held if all tested ones hold, and
-        share a weight in the objective of the calibration.
+        Common name of repeated statements.  They count once, as held if all tested statements among
+        them hold.  In the objective of the calibration they share one weight.
+    by_definition : str
+        Why it holds under any inputs: such statements are told apart beside the score.
+    impossible : str
+        Why no inputs can meet it.  It is judged and counted, and no search is fitted to it.
     quantity : str
-        A variable of the datasets; ``solid_load``, L_s F_t*; ``total_contact_area_slope``, d ln
-        A_t*/d ln F_t*; ``turning_point_load``, F_TPCA*, and ``turning_point_ratio``,
-        ``_solid_load_fraction``, ``_solid_load`` at that load; ``bend_load``, at which the slope
-        has fallen 0.1 below that of the reference, and ``bend_load_over_mixed_load``, the same over
-        the load at which L_s falls to 0.9; ``total_contact_area_reversal_load``, above which A_t*
-        rises from curve to curve in the order listed; ``departure_sharpness``, the greatest change
-        of the slope of ln(H_c/H_c of the reference) over ln F_t* within a tenth of a decade, over
-        the greatest slope: 1 at a kink.
+        A variable of the datasets, or one of the following.  ``solid_load`` is L_s F_t*.
+        ``total_contact_area_slope`` is d ln A_t*/d ln F_t*.  ``turning_point_load`` is F_TPCA*;
+        ``turning_point_ratio``, ``_solid_load_fraction`` and ``_solid_load`` are values at that
+        load.  ``bend_load`` is the load at which the slope of A_t* has fallen 0.1 below the slope
+        of the reference; ``bend_load_over_mixed_load`` divides it by the load at which L_s falls to
+        0.9.  Above ``total_contact_area_reversal_load``, A_t* rises from curve to curve in the
+        order listed.  ``departure_sharpness`` is the greatest change of the slope of ln(H_c/H_c of
+        the reference) over ln F_t* within a tenth of a decade, divided by the greatest slope: 1 at
+        a kink.
     reference : mapping
-        Conditions that differ on the reference curve; a value or trend is then the relative change
-        from it.
+        Conditions that differ on the reference curve.  A value or trend with a reference is the
+        relative change from the reference.
     extreme : str
-        ``minimum`` or ``maximum`` over the load.
+        ``minimum`` or ``maximum`` of the quantity over the load.
     against : str
-        Abscissa of the comparison.
+        Abscissa on which curves are compared.
 
-    A turning point is visible if the maximum of A_sa,t* has a prominence of 0.02, a line
-    width on an axis from 0 to 1.
+    A turning point is visible if the maximum of A_sa,t* has a prominence of 0.02.  That is the
+    width of a line on an axis from 0 to 1.
     """
 
     id: str
@@ -168,9 +176,12 @@ class Claim:
     limit: str = ""
     aside: str = ""
     cluster: str = ""
+    by_definition: str = ""
+    impossible: str = ""
 
-    # fields of some kinds: what the other kinds have in their place; annotations would make them
-    # fields of all. A kind that must have one says so by field(), or this would be its default.
+    # The values of the optional fields for the kinds that lack them.  Annotations would make them
+    # fields of all kinds.  A kind that requires such a field declares it by Field(); otherwise
+    # the value below would be its default.
     quantity = direction = along = extreme = ""
     against = "load"
     published = None  # type: Any
@@ -184,7 +195,7 @@ class Claim:
                 f"the {self.tolerance_kind} tolerance is {self.tolerance:g}; allowed: between "
                 f"{low:g} and {high:g}"
             )
-        # a window is that of a surface, all else is that of a curve
+        # a window belongs to a surface, every other number to a curve
         required = ("roughness_nm",) if self.source == "window" else CONDITION_KEYS
         if missing := [key for key in required if key not in self.conditions]:
             raise ValueError(f"conditions have no {missing[0]}; allowed: {', '.join(required)}")
@@ -194,24 +205,24 @@ class Claim:
             )
 
     def check(self, evidence: "Evidence") -> Verdict:
-        """Compare the model with the statement, whether or not it is tested."""
+        """Compare the model with the statement, whether or not the statement is tested."""
         raise NotImplementedError
 
     def is_tested(self, evidence: "Evidence") -> bool:
-        """Whether the statement, once checked, is decided within the loads."""
+        """Whether the computed loads decide the statement; called after ``check``."""
         return True
 
     def verdict(self, evidence: "Evidence") -> Verdict:
-        """Compare the model with the statement; ``evidence`` must have its curves."""
+        """Compare the model with the statement; ``evidence`` must have the curves of the claim."""
         try:
-            found = self.check(evidence)._replace(tested=self.is_tested(evidence))
+            verdict = self.check(evidence)._replace(tested=self.is_tested(evidence))
         except NotReached as short:
             (lack,) = short.args
             text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
             condition = (
                 "the condition, which the paper draws" if self.must_be_reached else "the condition"
             )
-            found = Verdict(
+            verdict = Verdict(
                 computed=text,
                 distance=distance,
                 deviation=np.nan,
@@ -220,35 +231,35 @@ class Claim:
                     f"No load of the paper meets {condition}; the nearest misses it by {lack:.3g}."
                 ),
             )
-        return self._if_visible(found, evidence) if self.source == "turning_point" else found
+        return self._if_visible(verdict, evidence) if self.source == "turning_point" else verdict
 
-    def _if_visible(self, found, evidence):
-        """The verdict on turning points, which fails where they do not stand out."""
-        # of any curve, the one that agrees best must have a turning point
-        curves = [self.curves[found.worst]] if self.any_curve else self.curves
-        every = (evidence.turning_points[each] for each in (*curves, *self.references))
-        least = np.min([point.prominence for point in every])
+    def _if_visible(self, verdict, evidence):
+        """The verdict on turning points, which fails if a turning point does not stand out."""
+        # with any_curve, only the curve that agrees best needs a turning point
+        curves = [self.curves[verdict.worst]] if self.any_curve else self.curves
+        points = (evidence.turning_points[curve] for curve in (*curves, *self.references))
+        least = np.min([point.prominence for point in points])
         height = least / evidence.effort.window.prominence
-        # smooth: 1 where it is just visible, 0 from twice that height on
+        # the faintness is 1 for a maximum that is just visible, and 0 from twice its height on
         faintness = max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
-        distance = float(np.maximum(found.distance, faintness))
+        distance = float(np.maximum(verdict.distance, faintness))
         if height < 1.0:
-            found = found._replace(
-                computed=f"{found.computed}; stands out by {least:.2g}",
-                finding=f"{found.finding} One maximum of A_sa,t* stands out by {least:.2g} only.",
+            verdict = verdict._replace(
+                computed=f"{verdict.computed}; stands out by {least:.2g}",
+                finding=f"{verdict.finding} One maximum of A_sa,t* stands out by {least:.2g} only.",
             )
-        return found._replace(distance=distance)
+        return verdict._replace(distance=distance)
 
     @cached_property
     def curves(self) -> tuple[Condition, ...]:
-        """Conditions of the compared curves, SI: lists are combined element by element."""
-        given = [np.atleast_1d(self.conditions.get(key, np.nan)) for key in CONDITION_KEYS]
-        rows = zip(*np.broadcast_arrays(*given), strict=True)
+        """Conditions of the compared curves, SI: a list has one value for each curve."""
+        columns = [np.atleast_1d(self.conditions.get(key, np.nan)) for key in CONDITION_KEYS]
+        rows = zip(*np.broadcast_arrays(*columns), strict=True)
         return tuple(Condition.of(dict(zip(CONDITION_KEYS, row, strict=True))) for row in rows)
 
     @cached_property
     def references(self) -> tuple[Condition, ...]:
-        """Conditions of the reference of each curve, SI; empty without reference."""
+        """Conditions of the reference of each curve, SI; empty without a reference."""
         changes = {
             axis.name: float(axis.to_si(self.reference[axis.alias]))
             for axis in CONDITION_AXES
@@ -258,13 +269,14 @@ class Claim:
 
     @cached_property
     def all_figures(self) -> frozenset[int]:
-        """Numbers of the figures in its place, and of those it repeats."""
+        """Numbers of the figures that ``place`` names, and of the figures that the claim
+        repeats."""
         return figures_named(self.place).union(self.figures)
 
     @cached_property
     def limits(self) -> dict[str, float]:
-        """The conditions that bound or give the loads, by key."""
-        return {key: each for key, each in self.conditions.items() if key not in CONDITION_KEYS}
+        """The conditions on the loads, by key: loads, levels and bounds."""
+        return {key: value for key, value in self.conditions.items() if key not in CONDITION_KEYS}
 
     @property
     def curves_text(self) -> str:
@@ -276,17 +288,17 @@ class Claim:
 
     @property
     def published_text(self) -> str:
-        """The published value as text; empty if it is neither numbers nor a sequence of states."""
+        """The published value as text; empty if no numbers and no states are published."""
         return "" if self.published is None else ", ".join(map(str, np.atleast_1d(self.published)))
 
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
-        """Extreme, quantity and value of each printed number that is a point of a figure."""
+        """Extreme, quantity and value of each printed number that is a point in a figure."""
         return ()
 
     @property
     def counted_as(self) -> str:
-        """The name under which it is counted: its cluster, or its id."""
+        """The name under which the claim is counted: its cluster, or else its id."""
         return self.cluster or self.id
 
     @property
@@ -303,13 +315,13 @@ class Claim:
 
     @property
     def step(self) -> float:
-        """The tolerance [unit of the quantity]; the logarithm of its upper end [1] if logarithms
-        are compared.
+        """The tolerance [unit of the quantity]; if logarithms are compared, the logarithm of its
+        upper end [1].
         """
         return float(np.log(self.interval(1.0)[1])) if self.relative else self.tolerance
 
     def interval(self, value: float) -> tuple[float, float]:
-        """Both ends of the tolerance about a published ``value`` [unit of the quantity]."""
+        """The ends of the tolerance about a published ``value`` [unit of the quantity]."""
         if self.tolerance_kind == "factor":
             return value / self.tolerance, value * self.tolerance
         margin = abs(value) * self.tolerance if self.relative else self.tolerance
@@ -318,7 +330,8 @@ class Claim:
     def table(
         self, evidence: "Evidence", group: Sequence[Condition], quantity: str
     ) -> tuple[NDArray, NDArray]:
-        """Abscissa [points] and quantity [curves, points] of curves, in the range of the claim."""
+        """Abscissa (points,) and quantity (curves, points) of the curves of ``group``, at the loads
+        of the claim."""
         curves = [evidence.curves[condition] for condition in group]
         # Bounds of the load apply to a curve, not to its reference.
         x = loads_within(self.limits, curves[-1], curves[bool(self.references) :])
@@ -330,27 +343,27 @@ class Claim:
         return x, np.array(values)
 
     def pairs(self, evidence: "Evidence") -> Iterator[tuple[SolvedCurve, SolvedCurve]]:
-        """The reference of each curve, and the curve."""
+        """Pairs of each reference and its curve."""
         for reference, condition in zip(self.references, self.curves, strict=True):
             yield evidence.curves[reference], evidence.curves[condition]
 
     def courses(self, evidence: "Evidence") -> list[NDArray]:
         """The quantity along each curve, or its relative change from the reference."""
         if not self.references:
-            return [self.table(evidence, [each], self.quantity)[1][0] for each in self.curves]
+            return [self.table(evidence, [curve], self.quantity)[1][0] for curve in self.curves]
         pairs = zip(self.references, self.curves, strict=True)
         tables = [self.table(evidence, pair, self.quantity)[1] for pair in pairs]
         return [curve / reference - 1.0 for reference, curve in tables]
 
     def gaps(self, evidence: "Evidence") -> Iterator[NDArray]:
-        """Excess of each curve over its reference, or over the curve before it, scaled as
+        """Excess of each curve over its reference, or over the curve before it, in the scale of
         ``step``."""
         pairs = zip(self.references, self.curves, strict=True)
         for group in pairs if self.references else [self.curves]:
             yield from np.diff(self.scaled(self.table(evidence, group, self.quantity)[1]), axis=0)
 
     def scaled(self, values: NDArray) -> NDArray:
-        """Values as they are compared: their logarithms if the tolerance is relative."""
+        """The ``values``, or their logarithms if the tolerance is relative."""
         return logarithm(values) if self.relative else values
 
     def against_published(self, computed: ArrayLike, text: str, finding: str = "") -> Verdict:
@@ -359,8 +372,8 @@ class Claim:
         deviation = np.ravel(computed - published)
         distance = np.abs(deviation) / self.tolerance
         if self.relative:
-            # A ratio of logarithms, 1 at both ends of the tolerance: it keeps growing where a
-            # quantity is far too small, so that a calibration has a slope.
+            # The distance is a ratio of logarithms, 1 at both ends of the tolerance.  It keeps
+            # growing as a quantity falls far below the published one, so a calibration has a slope.
             ratio = np.maximum(np.ravel(computed / published), TINY)
             deviation = ratio - 1.0
             low, high = self.interval(1.0)
@@ -377,7 +390,7 @@ class Claim:
         )
 
     def missed(self, text: str, miss: float, finding: str = "") -> Verdict:
-        """The verdict if a course or an order is missed by ``miss``, scaled as ``step``."""
+        """The verdict on a course or an order missed by ``miss``, in the scale of ``step``."""
         return Verdict(
             computed=text,
             distance=float(np.maximum(miss / self.step, 0.0)),
@@ -389,8 +402,8 @@ class Claim:
 def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
     """The ``conditions`` that distinguish curves, as text: ``nu = 0, 90 cSt``."""
     return [
-        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} "
+        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(values))} "
         f"{axis.alias_unit}"
         for axis in CONDITION_AXES
-        if (given := conditions.get(axis.alias)) is not None
+        if (values := conditions.get(axis.alias)) is not None
     ]

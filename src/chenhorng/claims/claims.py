@@ -1,5 +1,5 @@
-"""The statements of the paper in ``config/claims.yaml``: read, with the curves that they need, and
-their printed numbers as a table."""
+"""The statements of the paper, read from ``config/claims.yaml``; the conditions that they need; and
+the table of their printed numbers."""
 
 from collections.abc import Iterable, Sequence
 from itertools import product
@@ -19,7 +19,7 @@ from thirdbody.files import read_yaml
 
 
 class Head(BaseModel):
-    """What an entry of ``config/claims.yaml`` has before its kind is known."""
+    """The fields of an entry of ``config/claims.yaml`` that are read before its kind is known."""
 
     model_config = ConfigDict(extra="allow", strict=True, allow_inf_nan=False)
 
@@ -29,8 +29,9 @@ class Head(BaseModel):
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order; ``ValueError`` in one line for one without a
-    field of its kind, with another, with a value that is not allowed, or with the id of another."""
+    """Read the statements of the paper, in order.  ``ValueError``, in one line, names a statement
+    that lacks a field of its kind, or has a field of another kind, a value that is not allowed, or
+    the id of another statement."""
     claims: dict[str, Claim] = {}
     for number, entry in enumerate(read_yaml(path, list), 1):
         name = entry.get("id", number) if isinstance(entry, dict) else number
@@ -47,8 +48,8 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """The conditions needed to evaluate ``claims``, for ``solve_evidence``: a set of ``Condition``
-    for ``curve`` and ``turning_point``, of sigma [m] for ``window``."""
+    """The conditions that ``solve_evidence`` must solve for ``claims``: a set of ``Condition`` for
+    ``curve`` and ``turning_point``, and a set of sigma [m] for ``window``."""
     asked: dict[str, set] = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
         for condition in claim.curves + claim.references:
@@ -57,8 +58,8 @@ def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
 
 
 def printed_rows(claims: Iterable[Claim]) -> list[dict]:
-    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves;
-    none for a change from a reference, which is not a point of a figure."""
+    """Rows of the table ``printed``: a printed number with its tolerance, for each of its curves.
+    A change from a reference has no row, as it is not a point in a figure."""
     rows = []
     for claim in claims:
         number = FIGURE.match(claim.place)

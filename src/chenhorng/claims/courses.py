@@ -1,5 +1,5 @@
-"""Courses of a quantity, and sequences of states: how far a course is from the one that a claim
-names.
+"""Courses of a quantity, and sequences of states: how far a curve is from the course or the
+sequence that a claim names.
 """
 
 from collections.abc import Sequence
@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from chenhorng.sampling import SolvedCurve
 from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
-SATURATED = 1e-12  # closer to 0 or 1, the odds of a ratio have lost their digits
+SATURATED = 1e-12  # the odds of a ratio that is closer to 0 or 1 have lost their digits
 
-# Regimes and modes of sections 3.1 and 3.2: the decisive quantity and its interval.
+# Regimes and modes of sections 3.1 and 3.2: the decisive quantity and its interval of a state.
 STATES = {
     "boundary": ("solid_load_fraction", BOUNDARY_LIMIT, np.inf),
     "mixed": ("solid_load_fraction", FULL_FILM_LIMIT, BOUNDARY_LIMIT),
@@ -25,21 +25,25 @@ STATES = {
 
 
 def rise_miss(values: NDArray, step: float) -> float:
-    """The deepest fall within a course, or its shortfall from a total rise of two steps."""
+    """The deepest fall within a course, or its shortfall from a total rise of two steps if that is
+    larger."""
     relapse = np.max(np.maximum.accumulate(values) - values)
     return np.max([relapse, 2.0 * step - (values[-1] - values[0])])
 
 
 def peak_height(values: NDArray) -> float:
-    """Height of the most prominent interior maximum over the higher of the minima on both sides."""
+    """Height of the most prominent interior maximum above the higher of the minima beside it."""
     left = values - np.minimum.accumulate(values)
     right = values - np.minimum.accumulate(values[::-1])[::-1]
     return np.max(np.minimum(left, right))
 
 
 def peak_miss(values: NDArray, step: float) -> float:
-    """Shortfall of a course of ratios from an interior maximum of two steps; without a maximum also
-    its distance from turning, by the slope of ln(v/(1 - v)), so that a calibration has a slope."""
+    """Shortfall of a course of ratios from an interior maximum of two steps.
+
+    A course without a maximum also has a distance from turning, from the slope of ln(v/(1 - v)), so
+    that a calibration has a slope.
+    """
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
     odds = np.copysign(np.log(size[free] / (1.0 - size[free])), values[free])
@@ -52,7 +56,7 @@ def peak_miss(values: NDArray, step: float) -> float:
     return (2.0 + lack) * step - peak_height(values)
 
 
-# Shortfall of a course of values from the named course, from (values, step).
+# Shortfall from a course, by its name: functions of the values and the step.
 COURSES = {
     "increasing": rise_miss,
     "decreasing": lambda values, step: rise_miss(-values, step),
@@ -66,15 +70,18 @@ COURSES = {
 def sequence_miss(
     curve: SolvedCurve, published: Sequence[str], tolerance: float, open_end: bool
 ) -> float:
-    """Largest excursion of a curve from the ``published`` sequence of states, if its points are
-    assigned to the steps in order so that it is minimal.  Each step must have a point that is
-    inside by the ``tolerance``, except with ``open_end`` the last."""
+    """Largest excursion of a curve from the ``published`` sequence of states.
+
+    The points are assigned to the steps in order, so that the largest excursion is least.  Each
+    step must have a point that is inside by the ``tolerance``; with ``open_end`` the last step
+    need not.
+    """
     excursions = np.array([_excursion(curve, step) for step in published])
     if np.isnan(excursions).any():
         return np.nan
     required = excursions[:-1] if open_end else excursions
     unmet = max(np.max(np.min(required, axis=1)) + tolerance, 0.0)
-    # the least miss up to a point, if it belongs to each step
+    # the least miss of the points so far, if the current point belongs to each of the steps
     reached = np.append(-np.inf, np.full(len(excursions), np.inf))
     for here in np.maximum(excursions, 0.0).T:
         reached[1:] = np.maximum(np.minimum(reached[1:], reached[:-1]), here)
@@ -83,8 +90,8 @@ def sequence_miss(
 
 
 def _excursion(curve, step):
-    """Distance of each point outside a step, such as "mixed hybrid or full_film"; negative
-    inside."""
+    """Distance of each point from a step, such as "mixed hybrid or full_film"; negative for a
+    point inside."""
     excursions = []
     for alternative in step.split(" or "):
         outside = []

@@ -1,8 +1,8 @@
-"""What carries the agreement with the paper: verdicts with departures from its print taken back.
+"""Verdicts with departures from the print taken back, which show what carries the agreement.
 
-The calibrated inputs depart from the words of the paper, and from the simplest values, in several
-places. Each departure is taken back alone.  The baseline has all inputs as the text words them; and
-inputs drawn at random from their usual ranges show what no search at all gives.
+Several calibrated inputs depart from the words of the paper, or from the simplest values.  Each
+departure is taken back alone.  The baseline has all inputs as the text words them.  Inputs drawn at
+random from their usual ranges show the agreement without any search.
 """
 
 from collections.abc import Mapping, Sequence
@@ -18,27 +18,34 @@ from chenhorng.claims.judge import Judge, Verdicts, count_once, outcome
 
 
 def departure_words(
-    judge: Judge, settings: Mapping[str, Any], found: Sequence[Verdicts]
+    judge: Judge, settings: Mapping[str, Any], taken_back: Sequence[Verdicts]
 ) -> list[dict[str, Any]]:
-    """Of each of the ``departures`` of ``settings`` (the content of ``config/calibration.yaml``)
-    its ``name``, its ``inputs`` and, by the id of a statement, the verdict ``found`` with it taken
-    back, as a word."""
+    """The ``departures`` of ``settings``, the content of ``config/calibration.yaml``, with their
+    verdicts.
+
+    A departure has its ``name``, its ``inputs``, and ``verdicts``: the word of a verdict by the id
+    of the statement.  ``taken_back`` are the verdicts with each departure taken back.
+    """
     return [
         dict(departure)
         | {"verdicts": {claim.id: outcome(claim, verdicts[claim.id]) for claim in judge.claims}}
-        for departure, verdicts in zip(settings["departures"], found, strict=True)
+        for departure, verdicts in zip(settings["departures"], taken_back, strict=True)
     ]
 
 
 def departure_rows(
-    judge: Judge, settings: Mapping[str, Any], default: Verdicts, found: Sequence[Verdicts]
+    judge: Judge, settings: Mapping[str, Any], default: Verdicts, taken_back: Sequence[Verdicts]
 ) -> list[dict[str, Any]]:
-    """Rows of the table ``departures``: the inputs of ``judge`` as they are, with the verdicts
-    ``default``; those ``found`` with each departure taken back; and the worst and the best of
-    random inputs."""
+    """Rows of the table ``departures``.
+
+    The first row has the inputs of ``judge`` as they are, with the verdicts ``default``.  A row for
+    each departure follows, with the verdicts ``taken_back``.  The last two rows are the worst and
+    the best set of random inputs.
+    """
     departures = [{"name": "as it is", "inputs": {}}, *settings["departures"]]
     rows = [
-        _row(judge, settings, *each) for each in zip(departures, [default, *found], strict=True)
+        _row(judge, settings, departure, verdicts)
+        for departure, verdicts in zip(departures, [default, *taken_back], strict=True)
     ]
     counts = sorted(
         count_once(judge.claims, judge(inputs, QUICK_EFFORT)) for inputs in random_inputs(settings)
@@ -52,7 +59,7 @@ def departure_rows(
 
 
 def _row(judge, settings, departure, verdicts):
-    """The counts and deviations of the verdicts with the inputs of one departure changed."""
+    """Counts and deviations of the ``verdicts`` with the inputs of a ``departure``."""
     holds, judged = count_once(judge.claims, verdicts)
     deviations = printed_numbers(judge.claims, verdicts, settings["headline"])["deviation"].abs()
     return {
@@ -74,8 +81,11 @@ def random_inputs(settings: Mapping[str, Any]) -> list[dict[str, float]]:
     usual = [[unknown.position(end) for end in unknown.usual] for unknown in unknowns]
     low, high = np.transpose(usual)
     count, seed = settings["random_sets"], settings["seeds"][0]
-    places = LatinHypercube(len(unknowns), rng=np.random.default_rng(seed)).random(count)
+    points = LatinHypercube(len(unknowns), rng=np.random.default_rng(seed)).random(count)
     return [
-        {unknown.name: unknown.value(place) for unknown, place in zip(unknowns, row, strict=True)}
-        for row in low + (high - low) * places
+        {
+            unknown.name: unknown.value(position)
+            for unknown, position in zip(unknowns, row, strict=True)
+        }
+        for row in low + (high - low) * points
     ]

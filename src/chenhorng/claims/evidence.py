@@ -1,11 +1,11 @@
-"""Curves, turning points and windows of the model for the evaluation of statements."""
+"""Curves, turning points and windows of the model, on which statements are evaluated."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from chenhorng.sampling import SolvedCurve, area_slope
+from chenhorng.sampling import TINY, SolvedCurve, area_slope
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import has_values
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
@@ -15,13 +15,14 @@ from thirdbody.curves import Condition
 from thirdbody.variables import QUANTITIES
 
 WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm
-# Points with larger errors are not used: statements are evaluated to per cents, whatever rtol is.
+# Points with larger errors are not used: statements are accurate to per cents at any rtol.
 LARGEST_ERROR = 1e-3
 
 
 @dataclass(frozen=True)
 class Effort:
-    """Resolution of curves and windows: number of loads, ``rtol``, search for windows."""
+    """Resolution of curves and windows: the number of loads, the relative tolerance ``rtol`` of a
+    solution, and the search for windows."""
 
     loads: int
     rtol: float
@@ -29,7 +30,7 @@ class Effort:
 
 
 FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
-# For many sets of inputs; the errors are far below all tolerances of statements.
+# For many sets of inputs.  The errors are far below all tolerances of statements.
 QUICK_EFFORT = Effort(
     60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
 )
@@ -37,8 +38,11 @@ QUICK_EFFORT = Effort(
 
 @dataclass(frozen=True)
 class Evidence:
-    """Results of the model for one set of inputs: curves, from ``curve_of``, and turning points
-    (single numbers) by condition, and both ends of the windows [1] by sigma [m]."""
+    """Results of the model for one set of inputs.
+
+    ``curves``, from ``curve_of``, and ``turning_points``, with single numbers, are by condition.
+    ``windows`` are the lower and upper ends of x_a/sigma [1], by sigma [m].
+    """
 
     parameters: Parameters
     effort: Effort
@@ -48,11 +52,13 @@ class Evidence:
 
 
 def curve_of(solved: SolvedCurve) -> SolvedCurve:
-    """The quantities of a curve over the load, from ``QUANTITIES``, ``load`` and ``normal_load``;
+    """The quantities of a curve over the load, from ``QUANTITIES``, ``load`` and ``normal_load``.
     ``film_thickness`` is d/R_x [1], with or without a film."""
+    solid_load = solved["solid_load_fraction"] * solved["load"]
     return {
         **solved,
-        "solid_load": solved["solid_load_fraction"] * solved["load"],
+        "solid_load": solid_load,
+        "real_contact_pressure": solid_load / np.maximum(solved["total_contact_area"], TINY),
         "total_contact_area_slope": area_slope(solved["load"], solved["total_contact_area"]),
     }
 
@@ -63,9 +69,9 @@ def solve_evidence(
     newtons: tuple[float, float],
     effort: Effort = FULL_EFFORT,
 ) -> Evidence:
-    """Solve the conditions ``asked``, from ``referenced_conditions``, between the first and last
-    normal load [N]; quantities are nan without values, or with an error bound above
-    ``LARGEST_ERROR``."""
+    """Solve the conditions ``asked``, from ``referenced_conditions``, between the first and the
+    last normal load of ``newtons`` [N].  Quantities are nan if the solution has no values, or an
+    error bound above ``LARGEST_ERROR``."""
     first, last = (force / parameters.newtons_per_load for force in newtons)
     loads = np.geomspace(first, last, effort.loads)
     shared = {"load": loads, "normal_load": loads * parameters.newtons_per_load}
@@ -85,16 +91,26 @@ def solve_evidence(
         for index, condition in enumerate(conditions):
             own = {name: values[:, index] for name, values in solved.items()}
             curves[condition] = curve_of(shared | own)
-        places = [index for index, each in enumerate(conditions) if each in asked["turning_point"]]
-        separation = solution["separation"][:, places]
-        of_places = Condition(*columns[:, places])._asdict()
-        found = turning_points(separation, **of_places, parameters=parameters, rtol=effort.rtol)
-        numbers = zip(*(values.tolist() for values in vars(found).values()), strict=True)
-        for index, some in zip(places, numbers, strict=True):
-            points[conditions[index]] = TurningPoints(*some)
+        indices = [
+            index
+            for index, condition in enumerate(conditions)
+            if condition in asked["turning_point"]
+        ]
+        separation = solution["separation"][:, indices]
+        turning = turning_points(
+            separation,
+            **Condition(*columns[:, indices])._asdict(),
+            parameters=parameters,
+            rtol=effort.rtol,
+        )
+        fields = zip(*(values.tolist() for values in vars(turning).values()), strict=True)
+        for index, numbers in zip(indices, fields, strict=True):
+            points[conditions[index]] = TurningPoints(*numbers)
     surfaces = sorted(asked["window"])
     ends = turning_point_windows(
         effort.window, np.array(surfaces), WINDOW_DENSITY, (first, last), parameters
     )
-    windows = {sigma: (each.low, each.high) for sigma, each in zip(surfaces, ends, strict=True)}
+    windows = {
+        sigma: (window.low, window.high) for sigma, window in zip(surfaces, ends, strict=True)
+    }
     return Evidence(parameters, effort, curves, points, windows)

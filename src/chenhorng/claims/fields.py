@@ -1,5 +1,5 @@
-"""What the fields of a statement may be: quantities, states, and the conditions of its curves and
-loads.
+"""The values that the fields of a statement may have: quantities, states, and conditions of curves
+and loads.
 """
 
 import re
@@ -39,14 +39,14 @@ State = Annotated[
         f"{', '.join(STATES)}, and alternatives with or",
     ),
 ]
-# one value for all curves, or a list with one for each
+# one value for all curves, or a list with a value for each curve
 Listed = BeforeValidator(lambda value: value if isinstance(value, list) else [value])
 Curves = Field(min_length=1, max_length=100)
 
 
 class Conditions(BaseModel):
-    """The conditions of the curves; the load, or the level of a quantity at which it is; bounds of
-    the loads.
+    """The conditions of the curves; the load, or the level of a quantity that determines the load;
+    and the bounds of the loads.
     """
 
     model_config = ConfigDict(extra="allow", strict=True, allow_inf_nan=False)
@@ -85,7 +85,7 @@ class Reference(Closed):
 
 
 class Tolerance(Closed):
-    """The largest deviation that counts as agreement, of one kind, and the reason for it."""
+    """The largest deviation that counts as agreement, of one kind, and the reason for its size."""
 
     absolute: float | None = None
     relative: float | None = None
@@ -100,13 +100,13 @@ class Tolerance(Closed):
 
     @property
     def kinds(self) -> dict[str, float]:
-        """The size by the kind."""
+        """The size of the tolerance by its kind."""
         sizes = self.model_dump(exclude={"reason"})
         return {kind: size for kind, size in sizes.items() if size is not None}
 
 
 def checked(mapping: type[BaseModel]) -> AfterValidator:
-    """A check of a mapping, which stays as it is written."""
+    """A validator of a ``mapping`` that leaves the value as it is written."""
 
     def check(value: Any) -> Any:
         try:

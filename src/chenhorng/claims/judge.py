@@ -15,8 +15,11 @@ Verdicts = dict[str, Verdict]  # by the id of the statement
 
 @dataclass(frozen=True)
 class Judge:
-    """Evaluates the same statements for any inputs: ``base`` has inputs missing in a set, fields of
-    ``Parameters`` in SI; ``newtons`` are the first and last normal load of every curve [N]."""
+    """A function that evaluates the same statements for any inputs.
+
+    ``base`` has the inputs that a set lacks: fields of ``Parameters`` in SI.  ``newtons`` are the
+    first and the last normal load of every curve [N].
+    """
 
     claims: Sequence[Claim]
     base: Mapping[str, Any]
@@ -28,18 +31,18 @@ class Judge:
         effort: Effort = FULL_EFFORT,
         claims: Sequence[Claim] | None = None,
     ) -> dict[str, Verdict]:
-        """Evaluate all statements, or some ``claims``, for ``inputs``, fields of ``Parameters`` in
-        SI: verdicts by the ids of the statements, in order.  Unphysical inputs raise
+        """Verdicts on all statements, or on some ``claims``, by the ids of the statements, in
+        order.  ``inputs`` are fields of ``Parameters`` in SI.  Unphysical inputs raise
         ``ValueError``."""
-        some = self.claims if claims is None else claims
+        claims = self.claims if claims is None else claims
         parameters = Parameters(**{**self.base, **inputs})
-        evidence = solve_evidence(parameters, referenced_conditions(some), self.newtons, effort)
-        return {claim.id: claim.verdict(evidence) for claim in some}
+        evidence = solve_evidence(parameters, referenced_conditions(claims), self.newtons, effort)
+        return {claim.id: claim.verdict(evidence) for claim in claims}
 
 
 def claim_columns(claim: Claim, verdict: Verdict) -> dict[str, Any]:
     """The columns of the tables ``claims`` and ``own_claims`` that follow from a statement and its
-    verdict alone, among its fields.
+    verdict alone, and all fields of both.
     """
     return {
         **vars(claim),
@@ -64,8 +67,8 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
 
 
 def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
-    """Numbers of statements that hold and are tested; a cluster holds once, if all tested in it
-    do."""
+    """Numbers of statements that hold and that are tested.  A cluster counts once, and holds if all
+    its tested statements hold."""
     return counted_once(
         (claim.counted_as, outcome(claim, verdicts[claim.id]))
         for claim in claims

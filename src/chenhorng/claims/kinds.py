@@ -1,4 +1,4 @@
-"""The ten kinds of claims: the fields that each has beside those of all, and its check."""
+"""The ten kinds of claims: the fields that a kind adds to ``Claim``, and its check."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -29,13 +29,15 @@ Quantity = Annotated[
     one_of(*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES, *BETWEEN_CURVES),
 ]
 AGAINST_REFERENCE = "bend_load", "bend_load_over_mixed_load", "departure_sharpness"
-ROUNDING = 1e-9  # of the solver: curves that lie against an order by less are in order
+ROUNDING = 1e-9  # of the solver: curves against an order by less than this are in order
 
 
 @dataclass(frozen=True, kw_only=True)
 class NumberClaim(Claim):
-    """A claim on one number of each curve: at a load, the ``extreme`` over loads, or where curves
-    part; or on its relative change from the ``reference``."""
+    """A claim on one number of each curve, or on its relative change from the ``reference``.
+
+    The number is the quantity at a load, its ``extreme`` over loads, or a quantity between curves.
+    """
 
     quantity: Quantity = Field()
     extreme: Literal["", "minimum", "maximum"] = ""
@@ -52,8 +54,7 @@ class NumberClaim(Claim):
         if is_number and not self.extreme and not is_level:
             raise ValueError(
                 f"{self.quantity} of a whole curve; allowed: a condition with the load or with a "
-                "level, "
-                "or extreme: minimum or maximum"
+                "level, or extreme: minimum or maximum"
             )
 
     def numbers(self, evidence: "Evidence") -> NDArray:
@@ -62,18 +63,18 @@ class NumberClaim(Claim):
             return np.array(BETWEEN_CURVES[self.quantity](self, evidence))
         if self.source == "turning_point":
             pick = TURNING_POINT_QUANTITIES[self.quantity]
-            values = np.array([pick(evidence.turning_points[each]) for each in self.curves])
-            references = [pick(evidence.turning_points[each]) for each in self.references]
+            values = np.array([pick(evidence.turning_points[curve]) for curve in self.curves])
+            references = [pick(evidence.turning_points[curve]) for curve in self.references]
             return values / references - 1.0 if references else values
         if self.source == "window":
             end = WINDOW_QUANTITIES[self.quantity]
-            return np.array([evidence.windows[each.roughness][end] for each in self.curves])
+            return np.array([evidence.windows[curve.roughness][end] for curve in self.curves])
         extreme = np.max if self.extreme == "maximum" else np.min
         return np.array([extreme(course) for course in self.courses(evidence)])
 
     def texts_of(self, evidence: "Evidence", values: NDArray) -> list[str]:
-        """Numbers as texts; a load beyond the computed ones is written ``> last`` or ``<
-        first``."""
+        """Numbers as texts.  A load beyond the computed loads is written ``> last`` or
+        ``< first``."""
         texts = [f"{value:.4g}" for value in values]
         if self.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
             first, last = evidence.curves[self.curves[0]]["load"][[0, -1]]
@@ -82,15 +83,14 @@ class NumberClaim(Claim):
         return texts
 
     def finding(self, texts: Sequence[str], published: str = "") -> str:
-        """The numbers in a sentence, with what is ``published``."""
+        """The numbers in a sentence, with the ``published`` number."""
         is_change = bool(self.references) and self.quantity not in BETWEEN_CURVES
         start = beginning(self.quantity, self.extreme, self.limits, is_change)
         return sentence(f"{start} {listed(texts)}", published and f"{published} is printed")
 
     def is_tested(self, evidence: "Evidence") -> bool:
-        """Whether a claim on loads is decided: a load beyond the last one is only known to be
-        larger.
-        """
+        """Whether the computed loads decide the claim.  Only a claim on loads can be undecided: a
+        load beyond the last one is only known to be larger."""
         if self.quantity not in ("load", *LOADS_BETWEEN_CURVES):
             return True
         last = evidence.curves[self.curves[0]]["load"][-1]
@@ -99,8 +99,8 @@ class NumberClaim(Claim):
         return bool(self.is_decided(self.numbers(evidence), last))
 
     def is_decided(self, loads: NDArray, last: float) -> bool:
-        """Whether the claim on ``loads`` is decided, if those beyond the ``last`` are only known to
-        be so.
+        """Whether the ``loads`` decide the claim, if a load beyond the ``last`` is only known to be
+        larger.
         """
         raise NotImplementedError
 
@@ -120,17 +120,17 @@ class Value(NumberClaim):
         values = self.numbers(evidence)
         texts = self.texts_of(evidence, values)
         finding = self.finding(texts, self.published_words)
-        each = [
+        verdicts = [
             self.against_published(value, ", ".join(texts), finding)
             for value in self.compared(values)
         ]
         pick = np.argmin if self.any_curve else np.argmax
-        chosen = int(pick([found.distance for found in each]))
-        return each[chosen]._replace(numbers=tuple(values.tolist()), worst=chosen)
+        chosen = int(pick([verdict.distance for verdict in verdicts]))
+        return verdicts[chosen]._replace(numbers=tuple(values.tolist()), worst=chosen)
 
     @property
     def published_words(self) -> str:
-        """What the paper prints."""
+        """The published value as the paper prints it."""
         return f"{self.published:g}"
 
     def is_decided(self, loads: NDArray, last: float) -> bool:
@@ -146,7 +146,7 @@ class Value(NumberClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Reach(Value):
-    """The least (greatest) value along each curve is the published one or beyond it."""
+    """The least (greatest) value along each curve reaches the published one or goes beyond it."""
 
     extreme: Literal["minimum", "maximum"] = Field()
     printed_numbers = ()
@@ -165,26 +165,20 @@ class Reach(Value):
 
 @dataclass(frozen=True, kw_only=True)
 class Span(Claim):
-    """Both published numbers occur along the curve; the text has their loads."""
+    """Both ends of the quantity along the curve are the published ones."""
 
     quantity: CurveQuantity = Field()
     published: Annotated[Sequence[float], Ends] = Field()
 
     def check(self, evidence: "Evidence") -> Verdict:
-        (curve,) = (evidence.curves[condition] for condition in self.curves)
         (course,) = self.courses(evidence)
-        ends = course.min(), course.max()
-        order = np.argsort(course)
-        newtons = np.interp(self.published, course[order], curve["normal_load"][order])
-        loads = " and ".join(f"{newton:.3g} N" for newton in newtons)
-        text = f"{ends[0]:.4g} to {ends[1]:.4g}; nearest to the printed ends at {loads}"
-        low, high = self.published
+        ends = np.array([course.min(), course.max()])
+        (first, last), (low, high) = ends, self.published
         finding = sentence(
-            f"{NAMES[self.quantity]} goes from {ends[0]:.4g} to {ends[1]:.4g}",
+            f"{NAMES[self.quantity]} goes from {first:.4g} to {last:.4g}",
             f"{low:.4g} to {high:.4g} is printed",
         )
-        found = self.against_published(np.clip(self.published, *ends), text, finding)
-        return found._replace(numbers=tuple(map(float, ends)))
+        return self.against_published(ends, f"{first:.4g} to {last:.4g}", finding)
 
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
@@ -215,8 +209,12 @@ class Window(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Ordering(Claim):
-    """Neighbouring curves, in the order listed, or each curve and its reference, are nowhere
-    against the ``direction`` by more than the tolerance, and somewhere apart by it."""
+    """Neighbouring curves in the order listed, or each curve and its reference, lie in the
+    ``direction``.
+
+    They are nowhere against the direction by more than the tolerance, and somewhere apart in this
+    direction by at least the tolerance.
+    """
 
     quantity: CurveQuantity = Field()
     direction: Literal["increasing", "decreasing"] = Field()
@@ -245,8 +243,8 @@ class Ordering(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Coincidence(Claim):
-    """Curves and their references nowhere differ by more than the tolerance, ``against`` the load
-    or another quantity."""
+    """Curves nowhere differ from their references by more than the tolerance, plotted ``against``
+    the load or another quantity."""
 
     quantity: CurveQuantity = Field()
     reference: Annotated[Mapping[str, float], Field(min_length=1), checked(Reference)] = Field()
@@ -264,11 +262,11 @@ class CourseClaim(Claim):
     """A claim on the course of a quantity."""
 
     def miss(self, course: NDArray) -> float:
-        """Shortfall of a ``course``, scaled, from the one that the claim names."""
+        """Shortfall of a scaled ``course`` from the course that the claim names."""
         raise NotImplementedError
 
     def check_courses(self, courses: Sequence[NDArray]) -> tuple[NDArray, Verdict]:
-        """The course that misses most, and the verdict on it."""
+        """The course with the largest miss, and the verdict on it."""
         misses = [self.miss(self.scaled(course)) for course in courses]
         worst = int(np.argmax(misses))
         course = courses[worst]
@@ -281,19 +279,20 @@ class CourseClaim(Claim):
 
     def check_along_load(self, evidence: "Evidence") -> Verdict:
         """The verdict on the quantity along each curve."""
-        _, found = self.check_courses(self.courses(evidence))
+        _, verdict = self.check_courses(self.courses(evidence))
         change = "the change of " if self.references else ""
-        text = f"{change}{NAMES[self.quantity]} goes {found.computed}"
-        return found._replace(finding=sentence(text))
+        text = f"{change}{NAMES[self.quantity]} goes {verdict.computed}"
+        return verdict._replace(finding=sentence(text))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Trend(CourseClaim, NumberClaim):
-    """Each curve has this course ``along`` the load, or the numbers have it along the curves.
+    """Each curve has the course ``direction`` ``along`` the load, or the numbers of the curves have
+    this course from curve to curve.
 
-    A rise or fall must exceed the tolerance, a reversal must not; an interior extreme must exceed
-    it; ``constant`` may vary by it; ``increasing_at_each_step`` must rise by it from each curve to
-    the next.
+    A total rise or fall, and an interior extreme, must reach the tolerance.  A reversal must not
+    exceed the tolerance.  A ``constant`` course may vary by the tolerance.  A course
+    ``increasing_at_each_step`` must rise by the tolerance at each step.
     """
 
     direction: Annotated[str, one_of(*COURSES)] = Field()
@@ -314,12 +313,12 @@ class Trend(CourseClaim, NumberClaim):
     def check(self, evidence: "Evidence") -> Verdict:
         if self.along == "load":
             return self.check_along_load(evidence)
-        course, found = self.check_courses([self.numbers(evidence)])
+        course, verdict = self.check_courses([self.numbers(evidence)])
         texts = self.texts_of(evidence, course)
-        return found._replace(computed=", ".join(texts), finding=self.finding(texts))
+        return verdict._replace(computed=", ".join(texts), finding=self.finding(texts))
 
     def is_decided(self, loads: NDArray, last: float) -> bool:
-        # the order of two neighbours beyond the last load is unknown
+        # the order of two neighbouring loads beyond the last load is unknown
         beyond = loads >= last
         return not (beyond[1:] & beyond[:-1]).any()
 
@@ -339,9 +338,12 @@ class Absence(CourseClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class StateSequence(Claim):
-    """Exactly these regimes, modes or both occur in order on each curve, or with ``any_curve`` on
-    one; with ``open_end`` the last may lie beyond the loads.  Excursions from them are within the
-    tolerance; a step may name a regime and a mode, and alternatives with "or"."""
+    """Exactly the ``published`` regimes, modes or both occur in order on each curve.
+
+    With ``any_curve`` one curve is enough.  With ``open_end`` the last step may lie beyond the
+    loads.  Excursions from a step are within the tolerance.  A step may name a regime and a mode,
+    and alternatives with "or".
+    """
 
     published: Annotated[Sequence[State], Field(min_length=1)] = Field()
     any_curve: bool = False

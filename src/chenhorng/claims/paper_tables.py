@@ -1,4 +1,4 @@
-"""Tables 1 and 2 of the paper as printed, with derived entries recomputed."""
+"""Tables 1 and 2 of the paper as printed, with the derived entries recomputed."""
 
 from collections.abc import Mapping, Sequence
 
@@ -11,23 +11,24 @@ def _force_unit(inputs: Parameters) -> float:
     return inputs.elastic_modulus_surfaces * inputs.ball_radius**2
 
 
-# Each in the unit of its entry, from the inputs and the printed numbers of the same table by symbol
+# Functions of the inputs and of the printed numbers of the table, by symbol.  They return the
+# entry in its own unit.
 RECOMPUTED = {
     "hertz_modulus": lambda inputs, printed: [
         GIGA * STEEL.modulus_GPa / (2.0 * (1.0 - ratio**2)) / 1e9
         for ratio in printed["v_s1, v_s2, v_a"]
     ],
     "normal_load": lambda inputs, printed: [
-        each * 1e-5 * _force_unit(inputs) for each in printed["W"]
+        load * 1e-5 * _force_unit(inputs) for load in printed["W"]
     ],
     "load_parameter": lambda inputs, printed: [
         newtons / _force_unit(inputs) * 1e5 for newtons in printed["F_t"]
     ],
     "speed_parameter": lambda inputs, printed: [
-        inputs.speed_per_viscosity * each * 1e-6 * 1e10 for each in printed["nu"]
+        inputs.speed_per_viscosity * viscosity * 1e-6 * 1e10 for viscosity in printed["nu"]
     ],
     "roughness_parameter": lambda inputs, printed: [
-        each * 1e-9 / inputs.ball_radius * 1e5 for each in printed["sigma"]
+        roughness * 1e-9 / inputs.ball_radius * 1e5 for roughness in printed["sigma"]
     ],
     "hardness_parameter": lambda inputs, printed: [
         inputs.softer_hardness / inputs.elastic_modulus_surfaces
@@ -37,7 +38,7 @@ RECOMPUTED = {
 
 def paper_table(rows: Sequence[Mapping], inputs: Parameters) -> list[dict]:
     """Rows of the table ``paper_table``: the ``rows`` of a table in ``config/paper_tables.yaml``,
-    in the same order, with derived entries recomputed from ``inputs``."""
+    in the same order, with the derived entries recomputed from ``inputs``."""
     printed = {row["symbol"]: row["printed"] for row in rows}
     return [_with_recomputed(row, printed, inputs) for row in rows]
 

@@ -46,10 +46,12 @@ NO_RANGE = (np.nan, np.nan)
 class Report:
     """All statements, evaluated for all sets of inputs.
 
-    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated
-    file, with the ``inputs`` of the run, which ``verdicts`` are for.  ``predicted`` has the
-    statements whose figure was left out of the search for these inputs; it is empty for inputs that
-    no search found. ``comparison`` is the table from ``rank_interpretations``.
+    ``settings`` is the content of ``config/calibration.yaml``.  ``default`` is the content of the
+    calibrated file, with the ``inputs`` of the run; ``verdicts`` are for these inputs.
+    ``predicted`` has the verdicts on statements for inputs that were found without their figure; it
+    is empty if no search found the inputs of the run.  ``comparison`` is the table from
+    ``rank_interpretations``.  ``has_calibrated_inputs`` says whether the inputs of the run are
+    those of the calibrated file.
     """
 
     claims: Sequence[Claim]
@@ -60,6 +62,7 @@ class Report:
     interpretations: dict[str, Verdicts]
     predicted: Verdicts
     comparison: pd.DataFrame
+    has_calibrated_inputs: bool = False
 
     @classmethod
     def of(
@@ -72,32 +75,36 @@ class Report:
         inputs: Mapping[str, Any],
         ensemble: Sequence[Mapping[str, Any]],
     ) -> Self:
-        """Evaluate all statements for all sets of inputs: ``default`` and ``contents`` are the
-        calibrated files of the default and of all interpretations, ``inputs`` and ``ensemble``
-        those of the run.  What a search said of its inputs is left out if the run has others."""
+        """Evaluate all statements for all sets of inputs.
+
+        ``default`` and ``contents`` are the calibrated files of the default and of all
+        interpretations.  ``inputs`` and ``ensemble`` belong to the run.
+        """
         every = {**judge.base, **inputs}
 
         def is_of_the_run(content):
             return judge.base | content["inputs"] == every
 
-        said: dict[str, Any] = {} if is_of_the_run(default) else {"identification": {}}
         verdicts = judge(every)
         candidates = [
-            Candidate.of(judge, each, verdicts if is_of_the_run(each) else None)
-            for each in contents
+            Candidate.of(judge, content, verdicts if is_of_the_run(content) else None)
+            for content in contents
         ]
         predicted = {
-            each.name: each.predicted for each in candidates if is_of_the_run(each.content)
+            candidate.name: candidate.predicted
+            for candidate in candidates
+            if is_of_the_run(candidate.content)
         }
         return cls(
             claims=judge.claims,
             settings=settings,
-            default={**default, **said, "inputs": inputs},
+            default={**default, "inputs": inputs},
             verdicts=verdicts,
             members=tuple(judge({**every, **member}, QUICK_EFFORT) for member in ensemble),
-            interpretations={each.name: each.verdicts for each in candidates},
+            interpretations={candidate.name: candidate.verdicts for candidate in candidates},
             predicted=predicted.get(default["interpretation"], {}),
             comparison=rank_interpretations(judge, candidates, settings),
+            has_calibrated_inputs=is_of_the_run(default),
         )
 
     @cached_property
@@ -141,7 +148,7 @@ def headline_table(report: Report) -> pd.DataFrame:
 
 
 def _range_text(report: Report, id: str) -> str:
-    """The range of each number or, without numbers, how many members agree with the verdict."""
+    """The range of each number as text; without numbers, how many members of the ensemble agree."""
     ends = number_ranges(report, id)
     if not report.members:
         return "no ensemble"
@@ -152,29 +159,29 @@ def _range_text(report: Report, id: str) -> str:
 
 
 def number_ranges(report: Report, id: str) -> np.ndarray:
-    """Range, 5 to 95 %, of the ensemble for each number of a statement, nan without it: shape
-    (numbers, 2).
+    """The range of the ensemble, 5 to 95 %, for each number of a statement: shape (numbers, 2), nan
+    without an ensemble.
     """
-    members = [each[id].numbers for each in report.members if each[id].numbers]
+    members = [verdicts[id].numbers for verdicts in report.members if verdicts[id].numbers]
     if not members:
         return np.full((len(report.verdicts[id].numbers), 2), np.nan)
     return range_over_members(members).T
 
 
 def once(text: str) -> str:
-    """A list of results, reduced to one if all are equal: ``0.2, 0.2`` to ``0.2``."""
+    """A list of results, or a single result if all are equal: ``0.2`` for ``0.2, 0.2``."""
     parts = text.split(", ")
     return parts[0] if len(set(parts)) == 1 else text
 
 
 def _agreeing(report: Report, sets: Iterable[Verdicts], id: str) -> int:
-    """Number of sets of verdicts that agree with the default on a statement."""
+    """The number of sets of verdicts that agree with the default on a statement."""
     same = report.verdicts[id].tested, report.verdicts[id].holds
     return sum((other[id].tested, other[id].holds) == same for other in sets)
 
 
 def claims_markdown(report: Report) -> str:
-    """The page ``claims.md``: a summary, then every statement."""
+    """The page ``claims.md``: a summary, then all statements."""
     table = report.table
     numbers = headline_table(report)
     failing = table[table["verdict"] == FAILS]
@@ -194,8 +201,8 @@ def claims_markdown(report: Report) -> str:
 
 
 def claims_html(report: Report) -> str:
-    """The statements and their verdicts as an HTML table, by figure, of which a verdict can be
-    chosen.
+    """The statements and their verdicts as an HTML table, by figure; readers can show one verdict
+    alone.
     """
     score = score_sentence(report).replace("**", "")
     parts = report.table.groupby(report.table["place"].map(part_of_paper), sort=False)
@@ -210,10 +217,13 @@ def claims_html(report: Report) -> str:
 
 
 def claims_json(report: Report) -> str:
-    """The same data for programs, as JSON: statements have the columns of the table ``claims``,
-    lists and objects instead of texts, the part of the paper, a sentence on what was found, the
-    ensemble range of each number, the reason of the tolerance, and ``verdicts_of``, the verdict
-    with the inputs of each interpretation."""
+    """The statements and their verdicts for programs, as JSON.
+
+    A statement has the columns of the table ``claims``, with lists and objects instead of texts.
+    It also has the part of the paper, the finding as a sentence, the ensemble range of each number,
+    the reason for the tolerance, and ``verdicts_of``: its verdict with the inputs of each
+    interpretation.
+    """
     held, of = count_once(report.claims, report.verdicts)
     predicted, predicted_of = count_once(report.claims, report.predicted)
     rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")
@@ -226,7 +236,6 @@ def claims_json(report: Report) -> str:
         "predicted_of": predicted_of,
         "interpretation": report.default["interpretation"],
         "inputs": report.default["inputs"],
-        "identification": report.default["identification"],
         "headline": headline_table(report).to_dict("records"),
         "interpretations": report.comparison.to_dict("records"),
         "statements": [
@@ -250,13 +259,13 @@ def claims_json(report: Report) -> str:
             for row, claim in zip(rows, report.claims, strict=True)
         ],
     }
-    # null for every number that is nan
+    # JSON has no nan: the page has null
     content = json.loads(json.dumps(content), parse_constant=lambda name: None)
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
 def score_sentence(report: Report) -> str:
-    """Numbers of statements that hold, predicted and fitted."""
+    """The sentence on how many statements hold, fitted and predicted."""
     fitted = count_once(report.claims, report.verdicts)
     predicted = count_once(report.claims, report.predicted)
     texts: Any = ENVIRONMENT.get_template("claims.macros.j2").module  # its macros are attributes
@@ -267,7 +276,7 @@ def score_sentence(report: Report) -> str:
 
 
 def counts_sentence(report: Report) -> str:
-    """Numbers of statements by verdict, repeats included."""
+    """The sentence on how many statements have each verdict, repeats included."""
     counts = report.table["verdict"].value_counts()
     texts = [f"{counts[verdict]} {text}" for verdict, text in COUNTED.items() if verdict in counts]
     return f"With repeats the paper makes {counts.sum()} statements: {', '.join(texts)}."

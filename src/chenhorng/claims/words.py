@@ -1,6 +1,4 @@
-"""The words of verdicts, and what a check has found as a sentence beside the statement of the
-paper.
-"""
+"""The words of verdicts, and the sentences on results beside the statements of the paper."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -11,10 +9,11 @@ from thirdbody.variables import QUANTITIES
 # verdicts
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
-# a quantity as the subject of a sentence, where it is not its symbol
-NAMES = {name: each.symbol for name, each in QUANTITIES.items()} | {
+# quantities as the subject of a sentence: the symbol, or other words if they are clearer
+NAMES = {name: quantity.symbol for name, quantity in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",
     "solid_load": "L_s F_t*",
+    "real_contact_pressure": "L_s F_t*/A_t*",
     "turning_point_ratio": "A_sa,t* at the turning point",
     "turning_point_solid_load_fraction": "L_s at the turning point",
     "turning_point_solid_load": "L_s F_t* at the turning point",
@@ -45,20 +44,20 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
 
 
 def listed(texts: Sequence[str]) -> str:
-    """Different texts as a list in a sentence."""
+    """The different ``texts`` as a list in a sentence."""
     *others, last = dict.fromkeys(texts)
     return f"{', '.join(others)} and {last}" if others else last
 
 
 def sentence(text: str, *others: str) -> str:
-    """A sentence of parts, without those that are empty."""
+    """A sentence of all parts that are not empty."""
     parts = filter(None, (text[0].upper() + text[1:], *others))
     return f"{'; '.join(parts)}."
 
 
 def beginning(quantity: str, extreme: str, limits: Mapping[str, float], is_change: bool) -> str:
-    """The beginning of a sentence whose object is a number; ``limits`` have the level at which a
-    load is found.
+    """The beginning of a sentence whose object is a number; ``limits`` have the level of a quantity
+    that determines a load.
     """
     if is_change:
         return f"{NAMES[quantity]} changes by"
@@ -71,7 +70,7 @@ def beginning(quantity: str, extreme: str, limits: Mapping[str, float], is_chang
 
 
 def size(gap: float, is_relative: bool) -> str:
-    """A gap between curves, that of logarithms in per cent or as a factor."""
+    """A ``gap`` between curves as text; a gap of logarithms is in per cent or a factor."""
     if not is_relative:
         return f"{gap:.3g}"
     factor = np.exp(gap)
@@ -79,5 +78,5 @@ def size(gap: float, is_relative: bool) -> str:
 
 
 def passed(states: Sequence[str]) -> str:
-    """States in the order in which they are passed."""
+    """The ``states`` in the order in which a curve passes them."""
     return ", then ".join(state.replace("_", "-") for state in states)

@@ -1,0 +1,106 @@
+"""The profile of the objective: how far one quantity may move if all other unknowns follow.
+
+A quantity that the statements determine has a narrow valley; one that others can make up for has a
+wide valley (Raue et al. 2009, doi:10.1093/bioinformatics/btp358).
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import truncnorm
+
+from chenhorng.calibration.calibration import Interpretation, Objective
+from chenhorng.calibration.search import best_of, descend_twice
+
+ITERATIONS = 8, 12  # of least squares at a level, in both rounds
+
+
+def mean_square(inputs: Mapping[str, Any]) -> float:
+    """Mean square of the sizes over x_a^2 [1]: a normal distribution, truncated at 0 and X_max."""
+    mean, spread = inputs["mean_ratio"], inputs["spread_ratio"]
+    return truncnorm.moment(2, -mean / spread, inputs["truncation"], loc=mean, scale=spread)
+
+
+def largest_size(inputs: Mapping[str, Any]) -> float:
+    """X_max over x_a [1]."""
+    return inputs["mean_ratio"] + inputs["truncation"] * inputs["spread_ratio"]
+
+
+# Combinations of inputs: the input that follows from the others, and its value at a level.
+COMBINATIONS: dict[str, tuple[str, Callable[[Mapping[str, Any], float], float]]] = {
+    "reach": ("elastic_depth_ratio", lambda inputs, level: level - largest_size(inputs)),
+    "mean_square": ("participation", lambda inputs, level: level / mean_square(inputs)),
+}
+
+
+def quantity(name: str, inputs: Mapping[str, Any]) -> float:
+    """An input, or a combination of inputs, by name."""
+    if name == "reach":
+        return largest_size(inputs) + inputs["elastic_depth_ratio"]
+    if name == "mean_square":
+        return inputs["participation"] * mean_square(inputs)
+    return inputs[name]
+
+
+@dataclass(frozen=True)
+class Held(Interpretation):
+    """An interpretation in which the quantity ``along`` is held at a ``level``."""
+
+    along: str
+    level: float
+
+    @classmethod
+    def at(cls, interpretation: Interpretation, along: str, level: float) -> Self:
+        """The ``interpretation`` with a quantity held."""
+        dependent, _ = COMBINATIONS.get(along, (along, None))
+        free = tuple(each for each in interpretation.unknowns if each.name != dependent)
+        return cls(interpretation.name, interpretation.fixed, free, along=along, level=level)
+
+    def values(self, positions: Any) -> dict[str, float]:
+        inputs = super().values(positions)
+        if self.along not in COMBINATIONS:
+            return {**inputs, self.along: self.level}
+        dependent, value_at = COMBINATIONS[self.along]
+        return {**inputs, dependent: value_at({**self.fixed, **inputs}, self.level)}
+
+
+def profile(
+    interpretation: Interpretation,
+    objective: Objective,
+    best: Mapping[str, Any],
+    along: str,
+    levels: Sequence[float],
+) -> list[dict[str, float]]:
+    """The least objective at each of the ``levels`` of a quantity, in their order, with the inputs
+    that give it, SI.
+
+    The levels are passed from the ``best`` inputs outwards on both sides.  A fit starts from that
+    before, or from where the line through the last two fits leads, whichever is better.
+    """
+    own = quantity(along, {**interpretation.fixed, **best})
+    upwards = sorted(level for level in levels if level >= own)
+    downwards = sorted((level for level in levels if level < own), reverse=True)
+    rows = {}
+    for side in (upwards, downwards):
+        passed = [(own, best)]
+        for level in side:
+            held = Held.at(interpretation, along, level)
+            starts = [held.positions(passed[-1][1]), _led_to(held, passed, level)]
+            start = min(starts, key=lambda positions: objective(held, positions))
+            row = best_of(descend_twice(held, objective, start, ITERATIONS))
+            inputs = held.values(row[:-1])
+            passed.append((level, inputs))
+            rows[level] = {"level": level, "objective": float(row[-1]), **inputs}
+    return [rows[level] for level in sorted(rows)]
+
+
+def _led_to(held: Held, passed: Sequence[tuple[float, Mapping[str, Any]]], level: float) -> NDArray:
+    """Positions on the line through the last two fits, at a level."""
+    if len(passed) < 2 or passed[-1][0] == passed[-2][0]:
+        return held.positions(passed[-1][1])
+    (first, one), (last, other) = passed[-2:]
+    one, other = held.positions(one), held.positions(other)
+    return np.clip(other + (level - last) / (last - first) * (other - one), 0.0, 1.0)
