@@ -46,6 +46,7 @@ TABLES = [
     "profiles",
     "apparent_area",
     "limits",
+    "held_out",
 ]
 FIGURE_FORMATS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_FORMATS = ["csv", "html", "tex"]

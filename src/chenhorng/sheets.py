@@ -12,6 +12,7 @@ from statistics import fmean, median
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
+from chenhorng.claims.words import NOT_TESTED, counted_once
 from chenhorng.tables import TABLES
 from thirdbody.core.film import has_film
 from thirdbody.curves import row_key
@@ -315,6 +316,22 @@ def _departures(rows, _printed, _newtons_per_load) -> Sheet:
     return Sheet(title="What carries the agreement", note=note, rows=lines)
 
 
+def _held_out(rows, _printed, _newtons_per_load) -> Sheet:
+    shown = "place", "quote", "statement", "curves", "finding", "figures", "verdict"
+    lines = [_headed("own_claims", {name: row[name] or "" for name in shown}) for row in rows]
+    names = [(row["cluster"] or row["id"], row["verdict"]) for row in rows]
+    new = [name for name, row in zip(names, rows, strict=True) if not row["figures"]]
+    held, tested = counted_once(names)
+    untested = sum(row["verdict"] == NOT_TESTED for row in rows)
+    note = (
+        "Other papers say this of the same model, and no search for inputs has seen it. "
+        f"{held} of {tested} hold, repeats counted once; {_of(*counted_once(new))} where no figure "
+        f"of the paper says the same. {untested} cannot be tested within the loads of Table 2. Curves "
+        "in an order must be apart by their tolerance somewhere."
+    )
+    return Sheet(title="Statements that no search has seen", note=note, rows=lines)
+
+
 def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
     lines = [
         {
@@ -438,6 +455,7 @@ SHEETS: dict[str, Callable[..., Sheet]] = {
     "profiles": _profiles,
     "apparent_area": _apparent_area,
     "limits": _limits,
+    "held_out": _held_out,
 }
 
 

@@ -11,8 +11,8 @@ from html import escape
 from typing import NamedTuple
 from unicodedata import normalize
 
-_NAMES = "sigma", "eta", "mu", "nu", "phi", "omega", "kappa"
-GREEK = dict(zip(_NAMES, "σημνφωκ", strict=True))
+_NAMES = "sigma", "eta", "mu", "nu", "phi", "omega", "kappa", "lambda"
+GREEK = dict(zip(_NAMES, "σημνφωκλ", strict=True))
 SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 LETTER = rf"[A-Za-z{''.join(GREEK.values())}]"
 WORD = rf"(?<![A-Za-z])(?:{'|'.join(GREEK)})(?![A-Za-z])"  # a Greek letter by its name

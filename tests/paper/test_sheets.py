@@ -127,6 +127,20 @@ def test_departures_are_rows_of_counts_and_deviations():
     ]
 
 
+def test_held_out_statements_are_counted_once_and_apart_where_the_paper_says_the_same():
+    common = dict.fromkeys(("place", "quote", "statement", "curves", "finding"), "A text.")
+    known = {"id": "a", "cluster": "", "figures": "3, 6", "verdict": "holds"}
+    new = {"id": "b", "cluster": "twice", "figures": None, "verdict": "holds"}
+    repeat = new | {"id": "c", "verdict": "fails"}
+    beyond = new | {"id": "d", "cluster": None, "verdict": "not tested"}
+    rows = [common | row for row in (known, new, repeat, beyond)]
+    sheet = sheet_of("held_out", rows, (), NEWTONS)
+    assert [row["verdict"] for row in sheet.rows] == ["holds", "holds", "fails", "not tested"]
+    assert [row["also in Figure"] for row in sheet.rows] == ["3, 6", "", "", ""]
+    assert "1 of 2 hold, repeats counted once; 0 of 1 where no figure" in sheet.note
+    assert "1 cannot be tested" in sheet.note
+
+
 def test_a_page_is_the_text_and_needs_no_other_file():
     shown = Sheet(title="One", note="Note.", rows=[{"a": "<b> & c"}, {"a": "x_a"}]).html()
     assert shown.count("<table") == 1 and "Note." in shown

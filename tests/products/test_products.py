@@ -1,12 +1,16 @@
 """Tables that the workflow made."""
 
 import json
+from pathlib import Path
 
 import pytest
 
+from chenhorng.claims.claims import load_claims
+from chenhorng.claims.words import FAILS, HOLDS, NOT_TESTED
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.core.transitions import LIMITS
 
+ROOT = Path(__file__).parents[2]
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 
 NAMES = (
@@ -19,8 +23,10 @@ NAMES = (
     "departures",
     "apparent_area",
     "limits",
+    "held_out",
 )
 COLUMNS = TABLES | {"table1": TABLES["paper_table"], "table2": TABLES["paper_table"]}
+COLUMNS["held_out"] = TABLES["own_claims"]
 
 
 @pytest.fixture(scope="module")
@@ -86,3 +92,13 @@ def test_each_derived_entry_of_the_papers_tables_is_judged(tables, name):
         assert row["verdict"] in ("agrees", "differs", "input")
         assert (row["recomputed_low"] is None) == (row["verdict"] == "input")
         assert (row["verdict"] != "differs") or "printed" in row["remark"]
+
+
+def test_held_out_statements_are_judged_apart(tables, results):
+    content = json.loads((results / "claims" / "claims.json").read_text(encoding="utf-8"))
+    held_out = load_claims(ROOT / "config" / "held_out.yaml")
+    assert [row["id"] for row in tables["held_out"]] == [claim.id for claim in held_out]
+    assert {row["verdict"] for row in tables["held_out"]} <= {HOLDS, FAILS, NOT_TESTED}
+    assert {row["id"] for row in content["statements"]}.isdisjoint(
+        row["id"] for row in tables["held_out"]
+    )

@@ -3,6 +3,7 @@ twice."""
 
 import csv
 import json
+import re
 from pathlib import Path
 
 import yaml
@@ -82,3 +83,21 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     made = {f"calibration/{NEARBY}/{name}.csv" for name in names}
     assert searched == made | {"calibration/ranking.csv"}
     assert files(again, "results/calibration") == files(calibrated, "results/calibration")
+
+
+def test_a_held_out_statement_that_changes_searches_nothing_again(calibrated, tmp_path):
+    again = calibrated.copied_to(tmp_path / "thirdbody")
+
+    def jobs_after(file):
+        again.rewrite(file, lambda text: text.replace("statement: ", "statement: Indeed, ", 1))
+        asked = again.snakemake("calibrate", "--dry-run", "--quiet", "host", *MINIMAL)
+        assert asked.returncode == 0, asked.stdout + asked.stderr
+        return re.findall(r"^ *(?:check|local)?rule (\w+):", asked.stdout, re.MULTILINE)
+
+    before = again.snakemake("calibrate", "--dry-run", "--quiet", "host", *MINIMAL).stdout
+    searches = {"scatter_inputs", "search_inputs", "search_fold", "sample_inputs"}
+    searches |= {"summarise_inputs", "choose_default"}
+    assert not [name for name in searches if name in before]
+    asked = jobs_after("config/held_out.yaml")
+    assert searches.isdisjoint(asked)
+    assert not searches.isdisjoint(jobs_after("config/claims.yaml"))

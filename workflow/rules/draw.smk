@@ -100,10 +100,14 @@ rule render_profiles:
 
 rule write_table:
     input:
-        parts=lambda wildcards: expand(
-            "<results>/extracted/{table}/{part}.csv",
-            table=wildcards.table,
-            part=SCENES if wildcards.table in OF_SCENES else "all",
+        parts=lambda wildcards: (
+            ["<results>/claims/held_out.csv"]
+            if wildcards.table == "held_out"
+            else expand(
+                "<results>/extracted/{table}/{part}.csv",
+                table=wildcards.table,
+                part=SCENES if wildcards.table in OF_SCENES else "all",
+            )
         ),
         printed=lambda wildcards: PRINTED if wildcards.table in BESIDE_PRINTED else [],
         template=project_file("src/chenhorng/sheets.html"),

@@ -40,7 +40,8 @@ rule judge_claims:
         "../scripts/judge_claims.py"
 
 
-# statements of one's own, in config/NAME.yaml: snakemake -c2 results/claims/NAME.csv
+# statements of other papers, in config/held_out.yaml, which no search has seen; and statements of one's
+# own, in config/NAME.yaml: snakemake -c2 results/claims/NAME.csv
 rule judge_own_claims:
     output:
         table="<results>/claims/{name}.csv",

@@ -1,4 +1,4 @@
-"""Judge a user's own statements; write the verdicts as a table."""
+"""Judge statements that are not those of the paper; write the verdicts as a table."""
 
 from chenhorng.claims.claims import load_claims
 from chenhorng.claims.judge import Judge, claim_columns
@@ -10,5 +10,4 @@ with job(snakemake) as output:
     judge = Judge(claims, snakemake.params.parameters, snakemake.params.newtons)
     verdicts = judge({}).values()
     rows = [claim_columns(*pair) for pair in zip(claims, verdicts, strict=True)]
-    columns = [column for column in TABLES["claims"] if column.name in rows[0]]
-    write_csv(output.table, rows, columns)
+    write_csv(output.table, rows, TABLES["own_claims"])

@@ -31,6 +31,7 @@ TABLES = {
     "profiles": "What the statements determine: profiles of the objective",
     "apparent_area": "The apparent area A_n that the digits of the printed loads leave",
     "limits": "What cannot be: the inputs beside what surfaces and digits allow",
+    "held_out": "What other papers say of the model, which no search for inputs has seen",
 }
 
 

@@ -5,10 +5,13 @@ from chenhorng.sheets import sheet_of
 from chenhorng.tables import TABLES, read_csv, write_csv
 from thirdbody.core.parameters import Parameters
 
+# tables that have the columns of another one
+COLUMNS = {"table1": "paper_table", "table2": "paper_table", "held_out": "own_claims"}
+
 with job(snakemake) as output:
     table = snakemake.wildcards.table
     printed = snakemake.input.printed
-    columns = TABLES.get(table) or TABLES["paper_table"]
+    columns = TABLES[COLUMNS.get(table, table)]
     rows = [row for part in snakemake.input.parts for row in read_csv(part, columns)]
     numbers = read_csv(printed, TABLES["printed"]) if printed else ()
     unit = Parameters(**snakemake.params.parameters).newtons_per_load

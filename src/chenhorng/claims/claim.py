@@ -120,9 +120,9 @@ class Claim:
         Whether the claim fails, instead of being not tested, if no load meets its conditions: the
         paper draws such loads.
     figures : sequence of int
-        The figures that a statement of the conclusion or the abstract repeats.  The
-        cross-validation leaves out all statements of a figure together (see
-        ``config/calibration.yaml``).
+        The figures that a statement of the conclusion or the abstract repeats; of a statement of
+        another paper, those that say the same.  The cross-validation leaves out all statements of
+        a figure together (see ``config/calibration.yaml``).
     contradicts : sequence of str
         Statements in which the paper says the opposite.  At least one statement of each such pair
         has ``aside``.

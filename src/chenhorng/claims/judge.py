@@ -7,7 +7,7 @@ from typing import Any
 from chenhorng.claims.claim import Claim, Verdict
 from chenhorng.claims.claims import referenced_conditions
 from chenhorng.claims.evidence import FULL_EFFORT, Effort, solve_evidence
-from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED, counted_once
 from thirdbody.core.parameters import Parameters
 
 Verdicts = dict[str, Verdict]  # by the id of the statement
@@ -41,8 +41,8 @@ class Judge:
 
 
 def claim_columns(claim: Claim, verdict: Verdict) -> dict[str, Any]:
-    """The columns of the table ``claims`` that follow from a statement and its verdict alone, and
-    all fields of both.
+    """The columns of the tables ``claims`` and ``own_claims`` that follow from a statement and its
+    verdict alone, and all fields of both.
     """
     return {
         **vars(claim),
@@ -53,6 +53,7 @@ def claim_columns(claim: Claim, verdict: Verdict) -> dict[str, Any]:
         "value": verdict.value,
         "verdict": outcome(claim, verdict),
         "contradicts": " ".join(claim.contradicts),
+        "figures": ", ".join(map(str, claim.figures)),
     }
 
 
@@ -68,9 +69,8 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
 def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
     """Numbers of statements that hold and that are tested.  A cluster counts once, and holds if all
     its tested statements hold."""
-    held: dict[str, bool] = {}
-    for claim in claims:
-        word = outcome(claim, verdicts[claim.id]) if claim.id in verdicts else NOT_TESTED
-        if word in (HOLDS, FAILS):
-            held[claim.counted_as] = held.get(claim.counted_as, True) and word == HOLDS
-    return sum(held.values()), len(held)
+    return counted_once(
+        (claim.counted_as, outcome(claim, verdicts[claim.id]))
+        for claim in claims
+        if claim.id in verdicts
+    )

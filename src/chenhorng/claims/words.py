@@ -1,6 +1,6 @@
 """The words of verdicts, and the sentences on results beside the statements of the paper."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -31,6 +31,16 @@ BEGINNINGS = {
     "window_high": "Turning points end at x_a/sigma of",
 }
 EXTREMES = {"minimum": "the least ", "maximum": "the largest "}
+
+
+def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
+    """Numbers of names that hold and are tested, from names and verdicts; a name that repeats
+    holds if all that is tested under it does."""
+    held: dict[str, bool] = {}
+    for name, verdict in outcomes:
+        if verdict in (HOLDS, FAILS):
+            held[name] = held.get(name, True) and verdict == HOLDS
+    return sum(held.values()), len(held)
 
 
 def listed(texts: Sequence[str]) -> str:
