@@ -178,7 +178,7 @@ def _description(panel) -> str:
             parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
     for kind, look in printed.ALL_LOOKS.items():
         named = [s for s in panel.series if s.look.get("label", "") == look.get("label")]
-        if named and kind not in (marks.LOCUS, marks.BAND):
+        if named and kind not in (printed.LOCUS, marks.BAND):
             x, y = (np.concatenate([getattr(each, axis) for each in named]) for axis in "xy")
             count = len({*zip(x.tolist(), y.tolist())})
             if kind == printed.EVERY_LOAD:  # lines, of which these are the ends

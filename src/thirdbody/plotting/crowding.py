@@ -128,22 +128,10 @@ def keep_apart(axes: Axes, marks: Sequence[Line2D]) -> None:
     kept: list[NDArray] = []
     for line in marks:
         stays = []
-        for place in _in_axes(axes, line):
+        for place in in_axes(axes, line):
             stays.append(all((np.abs(place - other) > NEAR).any() for other in kept))
             kept += [place] if stays[-1] else []
         line.set_markevery(stays)
-
-
-def hide_bars(axes: Axes, pairs: Sequence[tuple[Line2D, Line2D]]) -> None:
-    """Of pairs of a mark and a bar, hide bars that have no mark that is shown, repeat others or are
-    short.
-    """
-    shown = {_points(mark) for mark, _ in pairs if mark.get_markevery() in (None, [True])}
-    drawn = set()
-    for mark, bar in pairs:
-        is_long = np.ptp(_in_axes(axes, bar), axis=0).max() > NEAR
-        bar.set_visible(is_long and _points(mark) in shown and _points(bar) not in drawn)
-        drawn.add(_points(bar))
 
 
 def hide_repeats(axes: Axes, lines: Sequence[Line2D]) -> None:
@@ -159,11 +147,7 @@ def hide_repeats(axes: Axes, lines: Sequence[Line2D]) -> None:
         before.append(places)
 
 
-def _points(line) -> tuple[float, ...]:
-    return tuple(np.ravel(line.get_xydata()).tolist())
-
-
-def _in_axes(axes, line) -> NDArray:
+def in_axes(axes: Axes, line: Line2D) -> NDArray:
     """The points of a line in widths and heights of the panel, shape (points, 2)."""
     to_axes = line.get_transform() + axes.transAxes.inverted()
     return to_axes.transform(np.column_stack(line.get_data()))

@@ -1,8 +1,6 @@
-"""Marks that follow from solved data: turning points (TPCA), slight peaks, windows, ranges and
-statuses.
-"""
+"""Marks that follow from solved data: turning points (TPCA), slight peaks, ranges and statuses."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from os import PathLike
 from typing import Any
 
@@ -11,11 +9,10 @@ from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
 from thirdbody.core.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
-from thirdbody.plotting.panels import OUTLINE, UPRIGHT, Curve, Series
+from thirdbody.plotting.panels import OUTLINE, Curve, Series
 from thirdbody.variables import CONDITION_AXES, STATUS
 
-TURNING_POINTS, LOCUS, SLIGHT = "turning points", "locus of the turning points", "slight peaks"
-WINDOW, BAND = "window", "band"
+TURNING_POINTS, SLIGHT, BAND = "turning points", "slight peaks", "band"
 LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
 FROM_ZERO = 0.05  # of a slight peak on a linear axis, in heights of the highest curve
 VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
@@ -41,14 +38,6 @@ LOOKS: dict[str, dict[str, Any]] = {
         "markerfacecolor": "white",
         "markeredgecolor": "0.45",
     },
-    LOCUS: {
-        "label": "locus of turning points",
-        "color": "C1",
-        "linewidth": 2.2,
-        "dashes": (2.5, 1.2),
-        "zorder": 2.9,
-    },
-    WINDOW: {"label": "computed limits of turning points", "color": "C5", "linewidth": 1.8},
     BAND: {"label": "ensemble range", "color": "#C3DEDD", "linewidth": 6.0},  # a tint, not grey
 }
 LOOKS |= {
@@ -68,7 +57,7 @@ def read_turning_points(path: str | PathLike) -> list[dict[str, Any]]:
     return pd.read_csv(path).rename(columns=names).to_dict("records")
 
 
-def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> Iterator[Series]:
+def turning_point_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
     """The turning points of ``curves`` in a panel of ``x`` and ``y`` as one series, if there are
     any.
     """
@@ -77,7 +66,7 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
         at_x, at_y = (
             np.array([one.at(name, one.turning_point["load"]) for one in marked]) for name in (x, y)
         )
-        yield Series(kind, "", at_x, at_y, look=LOOKS[kind])
+        yield Series(TURNING_POINTS, "", at_x, at_y, look=LOOKS[TURNING_POINTS])
 
 
 def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
@@ -145,19 +134,3 @@ def range_of(curve: Curve, x: str, y: str) -> Iterator[Series]:
         some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
         ends = load[some], low[some], high[some]
         yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
-
-
-def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Series]:
-    """The computed ends of the range of x_a/σ with turning points on one surface, if there are
-    any."""
-    ends = np.array([row["diameter_over_roughness"] for row in windows if is_on(row, roughness)])
-    ends = ends[np.isfinite(ends)]
-    if ends.size:
-        yield Series(
-            WINDOW, "", ends, np.full(ends.size, np.nan), look=LOOKS[WINDOW], drawn_as=UPRIGHT
-        )
-
-
-def is_on(row: Mapping, roughness: float) -> bool:
-    """Whether a row of a table is of the surface with this ``roughness`` [m]."""
-    return bool(np.isclose(row["roughness_m"], roughness, rtol=1e-9))

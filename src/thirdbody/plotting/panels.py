@@ -11,7 +11,7 @@ from thirdbody.curves import Condition
 from thirdbody.plotting.scales import label
 
 CURVE = "curve"
-LINE, OUTLINE, UPRIGHT = "line", "outline", "upright"  # how a series is drawn
+LINE, OUTLINE = "line", "outline"  # how a series is drawn
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,12 +41,8 @@ class Curve:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws
-    them.
-
-    The kind is ``CURVE``, "band", "turning points", "printed", ...  Points are joined by a line,
-    are the outline of an area, or each is an upright line across the panel.  A number may have a
-    ``tolerance``: x and y of both its ends.
+    """Points [SI] of a panel under a name, the condition of their curve, and their properties in
+    matplotlib.  The kind is ``CURVE``, "band", "turning points", ...
     """
 
     kind: str
@@ -56,8 +52,11 @@ class Series:
     curve: Condition | None = None
     look: Mapping[str, Any] = field(default_factory=dict)
     drawn_as: str = LINE
-    tolerance: tuple[NDArray, NDArray] | None = None
-    tolerance_look: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def labels(self) -> set[str]:
+        """Labels of its entries in the key."""
+        return {self.look["label"]} if "label" in self.look else set()
 
 
 @dataclass(frozen=True, eq=False)
