@@ -69,7 +69,7 @@ def variables_over_load(levels: Mapping[str, Set[float]]) -> tuple[str, ...]:
     """The variables that a figure over the load shows: areas, also load fractions and film unless
     all is dry.
     """
-    return ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED
+    return LUBRICATED if has_film(np.array([*levels["viscosity"]])).any() else ALL_DRY
 
 
 def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:

@@ -16,6 +16,7 @@ from chenhorng.claims.between_curves import BEND
 from chenhorng.claims.claims import load_claims, printed_rows
 from chenhorng.figures.captions import HEADLINES, caption
 from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
+from chenhorng.figures.numbers import Number
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED, WINDOW
 from chenhorng.figures.products import SUFFIXES, figure_record, save, write_wide
 from chenhorng.figures.schematics import SCHEMATICS
@@ -550,7 +551,7 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
     drawing = plotted(name, datasets, printed=rows)
     numbers, tolerances = {}, {}
     for series in (series for panel in drawing.panels for series in panel.series):
-        if series.tolerance:
+        if isinstance(series, Number) and series.tolerance:
             numbers.setdefault(series.name, []).extend([*series.x, *series.y])
             tolerances.setdefault(series.name, []).extend(np.ravel(series.tolerance))
     assert any(text.startswith("printed") for text in key_of(drawing)) == bool(rows)

@@ -135,13 +135,13 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     axes.text(start, corner, f"{across} ", ha="right", va="center", zorder=4)
     axes.text(end, corner + 0.5 * SCALE, f" {up}", ha="left", va="center", zorder=4)
     facts = [
-        f"$F_t$ = {section['normal_load']:.3g} N",
-        f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
-        f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
+        f"F_t = {section['normal_load']:.3g} N",
+        f"d = {section['separation'] / MICROMETRE:.2f} µm",
+        f"A_sa,t* = {section['particle_contact_area_ratio']:.2f}",
     ]
     if has_film(section["viscosity"]):
-        facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
-    axes.set_xlabel(", ".join(facts), fontsize="medium")
+        facts.append(f"L_s = {100.0 * section['solid_load_fraction']:.0f} %")
+    axes.set_xlabel(mathtext(", ".join(facts)), fontsize="medium")
 
 
 def _name_parts(axes, section, ends):
@@ -189,12 +189,12 @@ def _draw_arrows(axes, section):
     length, d = section["position"][-1], section["separation"]
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
-    _draw_height(axes, 1.02, 0.0, d, "$d$")
-    _draw_height(axes, 1.06, d - section["elastic_depth"], d, "$h_e$")
+    _draw_height(axes, 1.02, 0.0, d, "d")
+    _draw_height(axes, 1.06, d - section["elastic_depth"], d, "h_e")
     bottom, top = axes.get_ylim()
     for end, start in ((0.6 * top + 0.4 * d, 0.98 * top), (0.6 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
-        axes.text(0.52 * length, 0.5 * (start + end), "$F_t$", va="center")
+        axes.text(0.52 * length, 0.5 * (start + end), mathtext("F_t"), va="center")
 
 
 def _draw_height(axes, place, low, high, symbol):
@@ -202,7 +202,7 @@ def _draw_height(axes, place, low, high, symbol):
     across = axes.get_yaxis_transform()
     ends = {"xycoords": across, "textcoords": across, "annotation_clip": False}
     axes.annotate("", (place, low), (place, high), arrowprops=HEIGHT, **ends)
-    axes.text(place, 0.5 * (low + high), f" {symbol}", va="center", transform=across)
+    axes.text(place, 0.5 * (low + high), f" {mathtext(symbol)}", va="center", transform=across)
 
 
 SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib import rcParams
 
 from thirdbody.curves import Condition
-from thirdbody.plotting.scales import value_text
+from thirdbody.plotting.scales import unit_text, value_text
 
 Look = Mapping[str, Any]  # properties of a line
 
@@ -94,7 +94,8 @@ def curve_styles(
     key: list[list[Look]] = [entries]
     if compares_media:
         wet = {"color": neutral, "linestyle": "-"}
-        texts = {v: f"{value_text('viscosity', v)} cSt" if v else "dry" for v in sorted(media)}
+        unit = unit_text("viscosity")
+        texts = {v: f"{value_text('viscosity', v)} {unit}" if v else "dry" for v in sorted(media)}
         key.append([(wet if v else DRY) | {"label": text} for v, text in texts.items()])
     return styles, key
 
