@@ -1,4 +1,4 @@
-"""How numbers are drawn that the paper prints, and limits that are computed."""
+"""Draw the numbers that the paper prints, and computed limits."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -21,8 +21,8 @@ NAME_LOOK = {"fontsize": NAME_SIZE, "rotation": 90}  # of the name of a vertical
 
 @dataclass(frozen=True, eq=False)
 class Number(Series):
-    """A number at a point or a level, or, ``UPRIGHT``, along x alone; ``tolerance`` has x and y of
-    both its ends."""
+    """A number at a point, at a level, or along x alone (``UPRIGHT``).  ``tolerance`` has x and y
+    of both its ends."""
 
     drawn_as: str = "number"
     tolerance: tuple[NDArray, NDArray] | None = None
@@ -34,7 +34,7 @@ class Number(Series):
 
 
 def draw_numbers(axes: Axes, panel: Panel) -> None:
-    """Draw points with bars and levels with strips, then vertical lines."""
+    """Draw points with bars and levels with strips, then vertical lines; equal lines once."""
     numbers = [series for series in panel.series if isinstance(series, Number)]
     for number in numbers:
         if number.tolerance and number.drawn_as != UPRIGHT:

@@ -101,8 +101,8 @@ AT_TURNING_POINT = {
 def printed_series(
     x: str, y: str, curves: Sequence[Curve], printed: Sequence[Mapping]
 ) -> Iterator[Series]:
-    """Printed numbers of ``curves``, rows of the table ``printed``, in a panel of ``x`` and ``y``;
-    each position is shown once, even if several curves have it."""
+    """The numbers of ``curves`` in rows of the table ``printed``, in a panel of ``x`` and ``y``.  A
+    position that several curves share is shown once."""
     if x == "diameter_ratio":
         (roughness,) = {curve.condition.roughness for curve in curves}
         rows = [row for row in printed if row["quantity"].startswith("window")]
@@ -147,8 +147,7 @@ def printed_series(
 
 
 def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Series]:
-    """The computed ends of the range of x_a/σ with turning points on one surface, if there are
-    any."""
+    """The computed limits of x_a/σ with turning points on a surface, if there are limits."""
     ends = np.array([row["diameter_over_roughness"] for row in windows if _is_on(row, roughness)])
     ends = ends[np.isfinite(ends)]
     if ends.size:
@@ -188,8 +187,8 @@ def _lacks_ordinate(row, x, y, rows) -> bool:
 
 
 def _along_x(row, curves=()) -> Series:
-    """A number printed along x alone, across the panel between the ends of its tolerance; one for
-    all surfaces has a line of its own."""
+    """A number printed along x alone: a line across the panel, of another kind if the number is for
+    all surfaces."""
     kind = ALONG_X if row["id"].startswith(row["figure"] or "none") else OF_ALL
     nothing = np.full(2, np.nan)
     return Number(
@@ -241,9 +240,9 @@ def _is_at_every_load(row, x, y) -> bool:
 
 
 def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None:
-    """The number in ``row`` between the ends of its tolerance, as points in a panel of ``x`` and
-    ``y``, along the other axis at the curve, of a turning point at the printed one of ``numbers``;
-    None if the panel does not show it."""
+    """The low end, value and high end of the number in ``row``, as points in a panel of ``x`` and
+    ``y``.  The other coordinate is that of the curve, or of the printed turning point in
+    ``numbers``.  None if the panel does not show the number."""
     quantity, number = row["quantity"], np.array([row["low"], row["value"], row["high"]])
     if x != "load":
         return None
@@ -264,9 +263,7 @@ def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None
 
 
 def _load_of(curve, row) -> float:
-    """The load of the number in ``row``: given, or where the curve has a level, an extreme or its
-    turning point.
-    """
+    """The load of the number in ``row``, printed or read from the curve."""
     if row["at_quantity"] == "load":
         return row["at_level"]
     if row["at_quantity"]:

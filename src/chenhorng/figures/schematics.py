@@ -69,9 +69,7 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
 
 
 def plot_modes(sections: Sequence[Section]) -> Drawing:
-    """Figure 2: a section for each of ``MODE_TITLES``; ``ValueError`` if the model finds other
-    modes.
-    """
+    """Figure 2: a section for each of ``MODE_TITLES``; ``ValueError`` if its mode is another."""
     common = shared_notes([condition_of(section) for section in sections])
     panels = []
     for letter, section, mode in zip("ABC", sections, MODE_TITLES, strict=True):
@@ -92,9 +90,7 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
 
 
 def _panel(title, section: Section) -> Panel:
-    """The lines of a section: surfaces, contacts of summits, and the particles, which are round on
-    paper.
-    """
+    """A panel with the surfaces, contacts of summits and particles, which are round on paper."""
     position, touch = section["position"], section["surfaces_touch"]
     lines = {"surface 1": section["upper"], "surface 2": section["lower"]}
     if touch.any():
@@ -110,9 +106,7 @@ def _panel(title, section: Section) -> Panel:
 
 
 def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> None:
-    """Draw the lines of a section, with stretched heights; ``shape`` is height over length on
-    paper.
-    """
+    """Draw a section with stretched heights; ``shape`` is height over length on paper."""
     position, length = section["position"], section["position"][-1]
     middle, reach = 0.5 * section["separation"], 0.5 * shape * length / STRETCH
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
@@ -145,8 +139,8 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
 
 
 def _name_parts(axes, section, ends):
-    """Names on the drawing, with lines to a contact of summits and to the largest of the particles
-    under load; the middles of these names are between the ``ends``."""
+    """Name the parts.  Lines lead to a contact of summits and to the largest particle under load;
+    the middles of these two names lie between the ``ends``."""
     position, length = section["position"], section["position"][-1]
     for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
         look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
@@ -184,8 +178,7 @@ def _point_at(axes, text, place, beside):
 
 
 def _draw_arrows(axes, section):
-    """The mean planes, beside the section their separation and the depth of the elastic zone below
-    the upper plane, and the load on both surfaces."""
+    """Draw the mean planes, their separation, the depth of the elastic zone, and the load."""
     length, d = section["position"][-1], section["separation"]
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)

@@ -148,9 +148,7 @@ class CurveFigure:
         )
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
-        """The content of each panel with its curves, those of one surface or combination if it has
-        one.
-        """
+        """The content of each panel, with the curves of its surface and its conditions."""
         levels = [
             sorted({getattr(curve.condition, name) for curve in curves} - {0.0})
             for name in self.each
@@ -163,9 +161,7 @@ class CurveFigure:
                 yield content, [curve for curve in shown if _is_of(own, curve.condition)]
 
     def _panel(self, content, series, own) -> Panel:
-        """A panel, whose title has what it shows if others show something else, and its ``own``
-        conditions.
-        """
+        """A panel.  Its title has its quantity, if others differ, and its ``own`` conditions."""
         several = len({(each.x, each.y) for each in self.contents}) > 1
         shown = panel_title(content.x, content.y) if several or not own else ""
         return Panel(
@@ -179,9 +175,8 @@ class CurveFigure:
 
 
 def _is_of(own, condition) -> bool:
-    """Whether a panel with its ``own`` conditions has a curve; two-body contact has no particles
-    that differ.
-    """
+    """Whether a curve has the ``own`` conditions of a panel; in two-body contact those of
+    particles are ignored."""
     differing = [name for name, value in own.items() if getattr(condition, name) != value]
     return not differing or (condition.is_two_body and {*differing} <= {*OF_PARTICLES})
 
@@ -221,10 +216,10 @@ def draw_panels(
     draw_marks: Callable[[Axes, Panel], None] | None = None,
     mark_looks: Mapping[str, Look] = marks.LOOKS,
 ) -> Figure:
-    """Draw panels of curves, and a key for the groups of ``key`` and for ``mark_looks`` of marks
-    that are drawn; with ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  With
-    ``axes``, one for each panel, they are drawn there, and the key is in the last of them;
-    otherwise on a new figure.  ``draw_marks`` draws in a panel after its curves."""
+    """Draw panels of curves, and a key with the groups of ``key`` and those ``mark_looks`` that
+    occur.  With ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  Panels are drawn
+    on ``axes``, with the key in the last, or on a new figure.  ``draw_marks`` draws in a panel
+    after its curves."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
     labels = {label for panel in panels for series in panel.series for label in series.labels}
@@ -293,7 +288,7 @@ def _is_hairline(series) -> bool:
 
 
 def _some_ranges(panel):
-    """Ranges from the first to the last strong curve with a colour; grey is a zone."""
+    """The ranges of a few coloured curves, from the first to the last; grey is a zone."""
     strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
     ranges = [one for one in panel.of_kind(marks.BAND) if one.curve in strong]
     coloured = [one for one in ranges if len({*one.look["facecolor"]}) > 1]

@@ -58,9 +58,7 @@ def read_turning_points(path: str | PathLike) -> list[dict[str, Any]]:
 
 
 def turning_point_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """The turning points of ``curves`` in a panel of ``x`` and ``y`` as one series, if there are
-    any.
-    """
+    """A series of the turning points of ``curves``, if there are any, over ``x`` and ``y``."""
     marked = [curve for curve in curves if curve.turning_point]
     if marked:
         at_x, at_y = (
@@ -70,8 +68,8 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Se
 
 
 def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
-    """Peaks of A_sa,t* that are no turning points, in a panel where other curves have some; on a
-    linear axis, without ``least``, those that are apart from its zero."""
+    """Peaks of A_sa,t* that are no turning points, if other curves have turning points.  Without
+    ``least`` the axis is linear, and peaks near zero are left out."""
     places = []
     highest = max((np.nanmax(curve.values[RATIO]) for curve in curves), default=0.0)
     for curve in curves if any(curve.turning_point for curve in curves) else ():
@@ -87,9 +85,7 @@ def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """First and last points with a status other than ``converged``, and ends of curves without
-    values.
-    """
+    """First and last points that are not ``converged``, and the ends of curves without values."""
     for status in STATUSES:
         for curve in curves:
             marked = curve.values[STATUS] == SOLUTION_STATUSES.index(status)
@@ -108,8 +104,7 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
 def range_series(
     name: str, x: NDArray, low: NDArray, high: NDArray, colour: Any, condition: Any = None
 ) -> Series:
-    """The closed outline of a range where it is known: along its low and back along its high
-    end."""
+    """The closed outline of a range where it is known: along the low end, back along the high."""
     known = np.isfinite(low) & np.isfinite(high)
     x, low, high = x[known], low[known], high[known]
     outline = np.append(x, x[::-1]), np.append(low, high[::-1])

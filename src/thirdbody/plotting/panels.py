@@ -61,9 +61,10 @@ class Series:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A panel: title, names of the quantities on its axes, series, its letter once drawn, where a
-    logarithmic axis of a fraction begins, 0 for a linear one, and the conditions that no other has.
-    """
+    """A panel: title, quantities on its axes, and series.
+
+    ``letter`` is set when it is drawn.  A logarithmic axis of a fraction begins at ``least``; 0 is
+    for a linear axis.  ``conditions`` are those that no other panel has."""
 
     title: str
     x: str

@@ -12,7 +12,7 @@ from thirdbody.plotting.scales import unit_text, value_text
 
 Look = Mapping[str, Any]  # properties of a line
 
-# every second one is hollow, so that neighbouring levels differ; diamonds are printed values
+# every second marker is hollow, so that neighbouring levels differ; diamonds are printed values
 MARKERS = "os^vPX>"
 MARKERS_PER_CURVE = 5
 # of the colour map: two-body contact is darker, lighter is faint on white paper
@@ -28,8 +28,8 @@ HAIRLINE = {"linewidth": 0.4, "marker": "None"}  # of levels between the strong 
 
 
 def level_styles(count: int, size: int = 1) -> list[dict[str, Any]]:
-    """Line properties of curves of ``size`` points at ``count`` ordered levels: colours become
-    lighter, and each has its own marker, at other points than the next one."""
+    """Line properties of curves of ``size`` points at ``count`` ordered levels.  Colours become
+    lighter; neighbours have different markers, at different points."""
     step = max(size // MARKERS_PER_CURVE, 1)
     return [
         {"color": colour, "linestyle": "-"}
