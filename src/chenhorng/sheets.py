@@ -40,14 +40,6 @@ CROSSINGS = {  # columns of the transitions: quantity and level by symbol and li
 NEWTONS = "Newtons are F_t* A_n E_ss of the inputs: the paper prints no A_n."
 ARROWS = {"rising": "↑", "falling": "↓"}
 WORDS = ("", "none", ABSENT["viscosity"])  # words that a column of numbers may have
-HEADING = re.compile(r"(.+) \[(.+)\]")  # a name and its unit
-UNITS_IN_LATEX = {
-    "nm": r"\nm",
-    "cSt": "cSt",
-    "N": r"\N",
-    "%": r"\percent",
-    "m-2": r"\per\m\squared",
-}
 NUMBER = re.compile(r"[+-]?[0-9.]+(e-?[0-9]+)?( ± [0-9.]+)?")
 DOCUMENT = r"""% needs \usepackage{{booktabs, longtable, siunitx}} and \sisetup{{separate-uncertainty}}
 \begin{{longtable}}{{{columns}}}
@@ -170,14 +162,8 @@ def _latex_cell(text, numeric, is_symbol):
 
 
 def _latex_heading(name):
-    """A heading for LaTeX, with its unit by siunitx.  In braces siunitx does not read it as a
-    number."""
-    parts = HEADING.fullmatch(name)
-    if parts is None:
-        return f"{{{latex(name)}}}"
-    unit = UNITS_IN_LATEX.get(parts[2])
-    in_unit = rf"\unit{{{unit}}}" if unit else latex(parts[2])
-    return f"{{{latex(parts[1])} [{in_unit}]}}"
+    """A heading in braces, so that siunitx does not read it as a number."""
+    return f"{{{latex(name)}}}"
 
 
 def _paper_table(title, rows, _printed, _newtons_per_load) -> Sheet:

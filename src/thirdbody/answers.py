@@ -338,7 +338,8 @@ def _ensemble_notes(parameters, conditions) -> list[str]:
         notes += speed_notes(parameters)
     layer = [conditions.get(key) for key in LAYER]
     if all(layer):  # with particles, and without a search along a condition in LAYER
-        notes.append(sizes_note(1e-9 * layer[0], 1e-9 * layer[1], parameters))
+        diameter, roughness = (float(axis_of(key).to_si(conditions[key])) for key in LAYER[:2])
+        notes.append(sizes_note(diameter, roughness, parameters))
     return [*notes, range_note(parameters)]
 
 

@@ -71,7 +71,7 @@ def colours_and_panels(levels: Mapping[str, Set[float]]) -> tuple[str, list[str]
 def variables_over_load(levels: Mapping[str, Set[float]]) -> tuple[str, ...]:
     """The variables in a figure over the load: areas, and load fraction and film unless all is
     dry."""
-    return ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED
+    return LUBRICATED if has_film(np.array([*levels["viscosity"]])).any() else ALL_DRY
 
 
 def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:

@@ -16,7 +16,8 @@ from chenhorng.claims.between_curves import BEND
 from chenhorng.claims.claims import load_claims, printed_rows
 from chenhorng.figures.captions import HEADLINES, caption
 from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
-from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, PRINTED
+from chenhorng.figures.numbers import Number
+from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED, WINDOW
 from chenhorng.figures.products import SUFFIXES, figure_record, save, write_wide
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import STRETCH, sections, state_of
@@ -24,7 +25,7 @@ from chenhorng.sampling import area_slope
 from chenhorng.scenes import scene_dataset
 from thirdbody.curves import Condition, condition_key
 from thirdbody.plotting.load_curves import curve_figure, curves_in
-from thirdbody.plotting.marks import BAND, LOCUS, SLIGHT, WINDOW
+from thirdbody.plotting.marks import BAND, SLIGHT
 from thirdbody.plotting.marks import TURNING_POINTS as STARS
 from thirdbody.plotting.panels import CURVE
 from thirdbody.plotting.styles import DRY, HAIRLINE, level_styles
@@ -550,7 +551,7 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
     drawing = plotted(name, datasets, printed=rows)
     numbers, tolerances = {}, {}
     for series in (series for panel in drawing.panels for series in panel.series):
-        if series.tolerance:
+        if isinstance(series, Number) and series.tolerance:
             numbers.setdefault(series.name, []).extend([*series.x, *series.y])
             tolerances.setdefault(series.name, []).extend(np.ravel(series.tolerance))
     assert any(text.startswith("printed") for text in key_of(drawing)) == bool(rows)

@@ -30,8 +30,8 @@ LEAST_OUTSIDE = 0.005  # of a curve, of a fraction or of its height: half a line
 
 @dataclass(frozen=True, kw_only=True)
 class Caption:
-    """The place of a figure in the paper and its title, what it shows, what the paper concludes
-    from it, and a text in its place."""
+    """The caption of a figure: its ``place`` in the paper, its title, what it shows, the
+    ``message`` of the paper, and the ``alternative`` text."""
 
     place: str = ""
     title: str
@@ -76,8 +76,7 @@ def caption(
 
 
 def _notes(panels) -> list[str]:
-    """Sentences on the panels, the load axis, the conditions, and the meaning of marks and
-    lines."""
+    """Sentences on the panels, the load axis, the conditions, marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
     labels = {series.look.get("label") for panel in panels for series in panel.series}
     named = {kind for kind, look in printed.ALL_LOOKS.items() if look.get("label", "") in labels}
@@ -142,9 +141,7 @@ def _outside(panels) -> list[str]:
 
 
 def _conditions(conditions) -> str:
-    """The values of the four conditions of the curves, of sizes over the roughness where these are
-    fewer.
-    """
+    """The values of the four conditions; x_a/σ in place of x_a if it has fewer values."""
     parts = []
     ratios = {f"{condition.diameter_ratio:.4g}" for condition in conditions}
     for name, taken in zip(Condition._fields, zip(*conditions), strict=True):
@@ -178,7 +175,7 @@ def _description(panel) -> str:
             parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
     for kind, look in printed.ALL_LOOKS.items():
         named = [s for s in panel.series if s.look.get("label", "") == look.get("label")]
-        if named and kind not in (marks.LOCUS, marks.BAND):
+        if named and kind not in (printed.LOCUS, marks.BAND):
             x, y = (np.concatenate([getattr(each, axis) for each in named]) for axis in "xy")
             count = len({*zip(x.tolist(), y.tolist())})
             if kind == printed.EVERY_LOAD:  # lines, of which these are the ends

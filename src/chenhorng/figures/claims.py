@@ -1,6 +1,4 @@
-"""Overview of the verdicts: a bar for each figure of the paper, then what does not hold, in whole
-sentences.
-"""
+"""Draw the verdicts: a bar for each figure of the paper, then the statements that do not hold."""
 
 import textwrap
 from collections.abc import Mapping, Sequence

@@ -1,20 +1,25 @@
 """The figures of curves in the paper, and those of other scenes, with the printed numbers."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from matplotlib.figure import Figure
 
 from chenhorng.figures import printed as printed_marks
 from chenhorng.figures.captions import HEADLINES, REMARKS
+from chenhorng.figures.numbers import draw_numbers, hide_coinciding
+from chenhorng.figures.printed import LOCUS
 from thirdbody.netcdf import PlainDataset
 from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
+from thirdbody.plotting.marks import BAND, turning_point_series
 from thirdbody.plotting.panels import Curve, Series
+from thirdbody.plotting.scales import axis_label
 
 RATIO, SOLID = Content("particle_contact_area_ratio"), Content("solid_load_fraction")
 AREA, FILM = Content("total_contact_area"), Content("film_thickness")
 RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=REMARKS["relative"])
-TURNING_POINTS = Content("turning_point_ratio", x="diameter_ratio", remark=REMARKS["ours"])
+OVER_SIZES = "diameter_ratio"  # x of panels of turning points
+TURNING_POINTS = Content("turning_point_ratio", x=OVER_SIZES, remark=REMARKS["ours"])
 # The conditions of the curves have the same name in config/scenes.yaml.  Other scenes need no
 # entry here.
 CURVE_FIGURES: dict[str, CurveFigure] = {
@@ -39,12 +44,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     # dry: where the turning point occurs
     "fig09": CurveFigure(
         "particle_diameter",
-        (
-            RATIO,
-            replace(AREA, locus=True),
-            replace(RELATIVE_AREA, locus=True),
-            TURNING_POINTS,
-        ),
+        (RATIO, AREA, RELATIVE_AREA, TURNING_POINTS),
         two_body=False,
         strong=(250e-9, 300e-9, 350e-9, 400e-9, 500e-9),
     ),
@@ -64,6 +64,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     # and with other particle densities
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
+WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
 def plot(
@@ -80,17 +81,32 @@ def plot(
     ``tpca_windows``; the other arguments and errors are those of ``CurveFigure.plot``.
     """
 
-    def numbers(content: Content, curves: Sequence[Curve]) -> Iterator[Series]:
-        return printed_marks.printed_series(content.x, content.y, curves, printed)
+    def add_numbers(content: Content, curves: list[Curve], series: list[Series]) -> None:
+        x, y = content.x, content.y
+        if x == OVER_SIZES:
+            series += turning_point_series(x, y, curves)
+            series += printed_marks.window_series(windows, curves[0].condition.roughness)
+        if name in WITH_LOCUS and content in (AREA, RELATIVE_AREA):
+            for stars in turning_point_series(x, y, curves):
+                series += [replace(stars, kind=LOCUS, look=printed_marks.LOOKS[LOCUS]), stars]
+            series.sort(key=lambda each: each.kind == BAND)
+        series += printed_marks.printed_series(x, y, curves, printed)
 
     figure = (CURVE_FIGURES.get(name) or curve_figure(data)).plot(
         data,
         turning_points,
         ensemble_range,
-        windows,
-        further=numbers,
+        add_series=add_numbers,
+        draw_marks=draw_numbers,
         mark_looks=printed_marks.ALL_LOOKS,
     )
+    for axes in figure.axes:
+        hide_coinciding(axes)
+    over_sizes = [a for a in figure.axes if a.get_xlabel() == axis_label(OVER_SIZES)]
+    for axes in over_sizes[1:]:
+        axes.sharex(over_sizes[0])
+    if len(over_sizes) > 1:
+        over_sizes[0].autoscale(axis="x")
     if name in HEADLINES:
         figure.suptitle(HEADLINES[name], x=0.01, ha="left", fontsize="medium", fontweight="bold")
     return figure

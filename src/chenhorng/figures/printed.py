@@ -7,11 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chenhorng.claims.between_curves import bend_load, crossings
+from chenhorng.figures.numbers import UPRIGHT, Number
 from chenhorng.sampling import area_slope
 from thirdbody.curves import condition_key, row_key
 from thirdbody.plotting import marks
-from thirdbody.plotting.marks import AREA, RATIO, RELATIVE_AREA, is_on
-from thirdbody.plotting.panels import UPRIGHT, Curve, Series
+from thirdbody.plotting.marks import AREA, RATIO, RELATIVE_AREA
+from thirdbody.plotting.panels import Curve, Series
 from thirdbody.plotting.scales import SCALES
 
 PRINTED, EVERY_LOAD = "printed", "printed at every load"
@@ -71,6 +72,16 @@ STRIP = {"facecolor": ("#F3D591", 0.4), "edgecolor": "#B8923A", "linewidth": 0.6
 STRIP |= {"label": "tolerance of a printed line"}
 SQUARE = {"label": STRIP["label"], "linestyle": "none", "marker": "s", "markersize": 8.0}
 LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": "#B8923A"}
+LOCUS, WINDOW = "locus of the turning points", "window"
+LOOKS |= {kind: marks.LOOKS[kind] for kind in (marks.TURNING_POINTS, marks.SLIGHT)}
+LOOKS[LOCUS] = {
+    "label": "locus of turning points",
+    "color": "C1",
+    "linewidth": 2.2,
+    "dashes": (2.5, 1.2),
+    "zorder": 2.9,
+}
+LOOKS[WINDOW] = {"label": "computed limits of turning points", "color": "C5", "linewidth": 1.8}
 ALL_LOOKS = LOOKS | marks.LOOKS
 
 SOLID = "solid_load_fraction"
@@ -90,12 +101,12 @@ AT_TURNING_POINT = {
 def printed_series(
     x: str, y: str, curves: Sequence[Curve], printed: Sequence[Mapping]
 ) -> Iterator[Series]:
-    """Printed numbers of ``curves``, rows of the table ``printed``, in a panel of ``x`` and ``y``;
-    each position is shown once, even if several curves have it."""
+    """The numbers of ``curves`` in rows of the table ``printed``, in a panel of ``x`` and ``y``.  A
+    position that several curves share is shown once."""
     if x == "diameter_ratio":
         (roughness,) = {curve.condition.roughness for curve in curves}
         rows = [row for row in printed if row["quantity"].startswith("window")]
-        yield from (_along_x(row) for row in rows if is_on(row, roughness))
+        yield from (_along_x(row) for row in rows if _is_on(row, roughness))
         return
     shown = {condition_key(curve.condition): curve for curve in curves}
     rows = [row for row in printed if row_key(row) in shown]
@@ -123,7 +134,7 @@ def printed_series(
                     kind, number_y, look = EVERY_LOAD, np.full(2, row["value"]), STRIP
                     number_x = curve.values[x][_within(curve, row)][[0, -1]]
                     points[0] = np.sqrt(number_x.prod())
-                yield Series(
+                yield Number(
                     kind=kind,
                     name=row["id"],
                     x=number_x,
@@ -133,6 +144,20 @@ def printed_series(
                     tolerance=(points[0, ::2], points[1, ::2]),
                     tolerance_look=look,
                 )
+
+
+def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Series]:
+    """The computed limits of x_a/σ with turning points on a surface, if there are limits."""
+    ends = np.array([row["diameter_over_roughness"] for row in windows if _is_on(row, roughness)])
+    ends = ends[np.isfinite(ends)]
+    if ends.size:
+        no_y = np.full(ends.size, np.nan)
+        yield Number(WINDOW, "", ends, no_y, look=LOOKS[WINDOW], drawn_as=UPRIGHT)
+
+
+def _is_on(row, roughness) -> bool:
+    """Whether a row of a table is of the surface with this ``roughness`` [m]."""
+    return bool(np.isclose(row["roughness_m"], roughness, rtol=1e-9))
 
 
 def _groups(rows) -> Iterator[list[Mapping]]:
@@ -162,11 +187,11 @@ def _lacks_ordinate(row, x, y, rows) -> bool:
 
 
 def _along_x(row, curves=()) -> Series:
-    """A number printed along x alone, across the panel between the ends of its tolerance; one for
-    all surfaces has a line of its own."""
+    """A number printed along x alone: a line across the panel, of another kind if the number is for
+    all surfaces."""
     kind = ALONG_X if row["id"].startswith(row["figure"] or "none") else OF_ALL
     nothing = np.full(2, np.nan)
-    return Series(
+    return Number(
         kind=ALONG_X,
         name=row["id"],
         x=np.array([row["value"]]),
@@ -215,9 +240,9 @@ def _is_at_every_load(row, x, y) -> bool:
 
 
 def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None:
-    """The number in ``row`` between the ends of its tolerance, as points in a panel of ``x`` and
-    ``y``, along the other axis at the curve, of a turning point at the printed one of ``numbers``;
-    None if the panel does not show it."""
+    """The low end, value and high end of the number in ``row``, as points in a panel of ``x`` and
+    ``y``.  The other coordinate is that of the curve, or of the printed turning point in
+    ``numbers``.  None if the panel does not show the number."""
     quantity, number = row["quantity"], np.array([row["low"], row["value"], row["high"]])
     if x != "load":
         return None
@@ -238,9 +263,7 @@ def _low_value_high(curve, row, x, y, numbers) -> tuple[NDArray, NDArray] | None
 
 
 def _load_of(curve, row) -> float:
-    """The load of the number in ``row``: given, or where the curve has a level, an extreme or its
-    turning point.
-    """
+    """The load of the number in ``row``, printed or read from the curve."""
     if row["at_quantity"] == "load":
         return row["at_level"]
     if row["at_quantity"]:

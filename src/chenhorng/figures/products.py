@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 
 from chenhorng.figures.captions import Caption
-from chenhorng.figures.printed import ALONG_X, EVERY_LOAD, PRINTED
+from chenhorng.figures.numbers import UPRIGHT, Number
+from chenhorng.figures.printed import ALONG_X, EVERY_LOAD, LOCUS, PRINTED
 from chenhorng.tables import DRAWN_POINTS, write_csv
 from thirdbody.plotting.drawing import FORMATS, Drawing, write_figure
-from thirdbody.plotting.marks import LOCUS, TURNING_POINTS
-from thirdbody.plotting.panels import CURVE, UPRIGHT, Panel, Series
+from thirdbody.plotting.marks import TURNING_POINTS
+from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.variables import AXES, VARIABLES
 
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md", "json"))
@@ -85,7 +86,7 @@ def _points(panel: Panel, series: Series) -> Iterator[dict]:
     kind = "" if series.kind == CURVE else series.kind
     known = np.isfinite(series.x) & (np.isfinite(series.y) | (series.drawn_as == UPRIGHT))
     yield from _rows(panel, kind, series.name, series.x[known], series.y[known])
-    if series.tolerance:
+    if isinstance(series, Number) and series.tolerance:
         yield from _rows(panel, TOLERANCE, series.name, *series.tolerance)
 
 

@@ -69,9 +69,7 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
 
 
 def plot_modes(sections: Sequence[Section]) -> Drawing:
-    """Figure 2: a section for each of ``MODE_TITLES``; ``ValueError`` if the model finds other
-    modes.
-    """
+    """Figure 2: a section for each of ``MODE_TITLES``; ``ValueError`` if its mode is another."""
     common = shared_notes([condition_of(section) for section in sections])
     panels = []
     for letter, section, mode in zip("ABC", sections, MODE_TITLES, strict=True):
@@ -92,9 +90,7 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
 
 
 def _panel(title, section: Section) -> Panel:
-    """The lines of a section: surfaces, contacts of summits, and the particles, which are round on
-    paper.
-    """
+    """A panel with the surfaces, contacts of summits and particles, which are round on paper."""
     position, touch = section["position"], section["surfaces_touch"]
     lines = {"surface 1": section["upper"], "surface 2": section["lower"]}
     if touch.any():
@@ -110,9 +106,7 @@ def _panel(title, section: Section) -> Panel:
 
 
 def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> None:
-    """Draw the lines of a section, with stretched heights; ``shape`` is height over length on
-    paper.
-    """
+    """Draw a section with stretched heights; ``shape`` is height over length on paper."""
     position, length = section["position"], section["position"][-1]
     middle, reach = 0.5 * section["separation"], 0.5 * shape * length / STRETCH
     edges = {"surface 1": middle + reach, "surface 2": middle - reach}
@@ -135,18 +129,18 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
     axes.text(start, corner, f"{across} ", ha="right", va="center", zorder=4)
     axes.text(end, corner + 0.5 * SCALE, f" {up}", ha="left", va="center", zorder=4)
     facts = [
-        f"$F_t$ = {section['normal_load']:.3g} N",
-        f"$d$ = {section['separation'] / MICROMETRE:.2f} µm",
-        f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}",
+        f"F_t = {section['normal_load']:.3g} N",
+        f"d = {section['separation'] / MICROMETRE:.2f} µm",
+        f"A_sa,t* = {section['particle_contact_area_ratio']:.2f}",
     ]
     if has_film(section["viscosity"]):
-        facts.append(f"$L_s$ = {100.0 * section['solid_load_fraction']:.0f} %")
-    axes.set_xlabel(", ".join(facts), fontsize="medium")
+        facts.append(f"L_s = {100.0 * section['solid_load_fraction']:.0f} %")
+    axes.set_xlabel(mathtext(", ".join(facts)), fontsize="medium")
 
 
 def _name_parts(axes, section, ends):
-    """Names on the drawing, with lines to a contact of summits and to the largest of the particles
-    under load; the middles of these names are between the ``ends``."""
+    """Name the parts.  Lines lead to a contact of summits and to the largest particle under load;
+    the middles of these two names lie between the ``ends``."""
     position, length = section["position"], section["position"][-1]
     for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
         look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
@@ -184,17 +178,16 @@ def _point_at(axes, text, place, beside):
 
 
 def _draw_arrows(axes, section):
-    """The mean planes, beside the section their separation and the depth of the elastic zone below
-    the upper plane, and the load on both surfaces."""
+    """Draw the mean planes, their separation, the depth of the elastic zone, and the load."""
     length, d = section["position"][-1], section["separation"]
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
-    _draw_height(axes, 1.02, 0.0, d, "$d$")
-    _draw_height(axes, 1.06, d - section["elastic_depth"], d, "$h_e$")
+    _draw_height(axes, 1.02, 0.0, d, "d")
+    _draw_height(axes, 1.06, d - section["elastic_depth"], d, "h_e")
     bottom, top = axes.get_ylim()
     for end, start in ((0.6 * top + 0.4 * d, 0.98 * top), (0.6 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=LOAD)
-        axes.text(0.52 * length, 0.5 * (start + end), "$F_t$", va="center")
+        axes.text(0.52 * length, 0.5 * (start + end), mathtext("F_t"), va="center")
 
 
 def _draw_height(axes, place, low, high, symbol):
@@ -202,7 +195,7 @@ def _draw_height(axes, place, low, high, symbol):
     across = axes.get_yaxis_transform()
     ends = {"xycoords": across, "textcoords": across, "annotation_clip": False}
     axes.annotate("", (place, low), (place, high), arrowprops=HEIGHT, **ends)
-    axes.text(place, 0.5 * (low + high), f" {symbol}", va="center", transform=across)
+    axes.text(place, 0.5 * (low + high), f" {mathtext(symbol)}", va="center", transform=across)
 
 
 SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {

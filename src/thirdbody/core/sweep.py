@@ -13,7 +13,7 @@ import numpy as np
 import scipy  # scipy.interpolate is loaded on first use: many jobs do not need it
 from numpy.typing import NDArray
 
-from thirdbody.core.film import Film, log_load_parameter
+from thirdbody.core.film import Film, has_film, log_load_parameter
 from thirdbody.core.logarithms import TINY
 from thirdbody.core.names import ERROR_BOUND, FLUID_LOAD_FRACTION, SEPARATION, TOTAL_CONTACT_AREA
 from thirdbody.core.parameters import Parameters
@@ -69,7 +69,7 @@ def sweep(
     shape = tuple(axes[name].size for name in ORDER)
     values = {name: np.empty(shape, type_of(name)) for name in variables}
     unsure = np.zeros(shape, bool)
-    dry_count = np.count_nonzero(axes["viscosity"] == 0.0)  # dry rows come before rows with a film
+    dry_count = np.count_nonzero(~has_film(axes["viscosity"]))  # dry rows come first
     sizes, densities = axes["particle_diameter"], axes["particle_density"]
     with np.errstate(all="ignore"):
         for number, roughness in enumerate(axes["roughness"]):
@@ -142,7 +142,7 @@ class _Surface:
     def __init__(self, axes: Mapping[str, NDArray], roughness: float, parameters: Parameters):
         self.load, self.roughness, self.parameters = axes["load"], roughness, parameters
         self.log_load = np.log(self.load)
-        viscosity = axes["viscosity"][axes["viscosity"] > 0.0]
+        viscosity = axes["viscosity"][has_film(axes["viscosity"])]
         self.film = Film.of(viscosity[:, np.newaxis], roughness, parameters)
         self.films_share = parameters.film_shares_load
         self.log_total = log_load_parameter(self.log_load, parameters)  # ln W of F_t

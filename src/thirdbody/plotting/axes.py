@@ -15,10 +15,11 @@ ZONE = "0.955"  # grey of the middle zone
 def set_scales(
     axes: Axes, x: str, y: str, newtons_per_load: float | None = None, least: float = 0.0
 ) -> Axes | None:
-    """Set scales, ticks, labels and limits of axes after all data have been drawn; with
-    ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge; a fraction is
-    logarithmic from ``least`` on, if it is given.  Returns the axes with the names of zones, if it
-    has some."""
+    """Set scales, ticks, labels and limits of axes after all data have been drawn.
+
+    With ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge.  With
+    ``least``, a fraction is logarithmic from there on.  Returns the axes with the names of zones,
+    if there are zones."""
     axes.margins(x=0.02, y=0.04)
     limits = axes.dataLim
     for axis, name, (low, high) in (
@@ -53,19 +54,19 @@ def set_scales(
         upper.xaxis.set_major_formatter(_from_on(first, "{:g} N".format))
         upper.tick_params(direction="out")  # not through names at the upper edge
         upper.xaxis.set_minor_locator(NullLocator())
-        upper.set_zorder(1.0)  # ticks are seen on zones and strips
+        upper.set_zorder(1.0)  # ticks are seen on zones
         upper.set_in_layout(False)  # the title leaves room for it
         axes.set_title(axes.get_title(loc="left"), loc="left", y=1.0, pad=ABOVE_NEWTONS)
     return zones
 
 
 def _from_on(first, text):
-    """Text of a tick that is not left of the curves, where names may stand."""
+    """Write no tick left of the curves, where names may stand."""
     return lambda value, _: text(value) if value >= first else ""
 
 
 def _in_unit(axis, unit):
-    """Text of a tick in a unit, with as many decimals as the others."""
+    """Write all ticks in a unit, with the same number of decimals."""
 
     def text(value, _):
         ticks = [f"{tick:.6g}" for tick in axis.get_majorticklocs() / unit]
@@ -76,9 +77,7 @@ def _in_unit(axis, unit):
 
 
 def _draw_zones(axes, scale, shaded):
-    """The middle regime or mode shaded behind the curves, and the names of all at an edge of their
-    own on the right.
-    """
+    """Shade the middle regime or mode behind the curves, and name all of them on the right."""
     low, high = axes.get_ylim()
     limits, names = ZONES[scale.zones]
     if shaded:

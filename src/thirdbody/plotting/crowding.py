@@ -1,6 +1,4 @@
-"""What keeps a panel readable: names at the ends of curves, and one mark where several would
-coincide.
-"""
+"""Keep a panel readable: write names at the ends of curves, hide marks that coincide."""
 
 from collections.abc import Collection, Mapping, Sequence
 
@@ -15,7 +13,7 @@ NEAR = 0.03  # marks closer than this coincide, in widths and heights of a panel
 MOST_NAMES = 12  # of curves, written at their ends; a key has all
 COINCIDE = 0.015  # ends closer than this have one name, in heights of a panel
 LINE = 0.058  # distance of names, in heights of a panel
-LOWEST, TOP = 0.03, 1.02  # their places, likewise
+LOWEST, TOP = 0.03, 1.02  # heights of the lowest and the highest name
 NAME_SIZE = 7.0  # of names [points]
 LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
 TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0}
@@ -29,10 +27,11 @@ def name_ends(
     dry: Collection[Line2D],
     hairlines: Mapping[Line2D, str],
 ) -> float:
-    """Write ``texts`` beside the ends of their lines, where more ends are apart: right of the
-    panel, or left of the curves, in room that the axis gains.  ``dry`` lines share no name with
-    others; ``hairlines`` have one where there is room.  Returns the width taken right of the panel
-    [points]."""
+    """Write ``texts`` beside the ends of their lines.
+
+    They stand on the side with more ends apart: right of the panel, or left of the curves, where
+    the axis becomes longer.  ``dry`` lines share no name with others; ``hairlines`` have a name
+    where there is room.  Returns the width taken right of the panel [points]."""
     right, left = (_groups(axes, texts, end, dry) for end in (-1, 0))
     at_left = len(left) > len(right)
     groups = left if at_left else right
@@ -83,9 +82,7 @@ def name_ends(
 
 
 def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
-    """Lines whose first or last points coincide, from the lowest on: each with its x, and its
-    height in the panel.
-    """
+    """Groups of lines whose ends coincide, from the lowest on, with x and height of the ends."""
     places = []
     for line in texts:
         points = line.get_xydata()
@@ -107,14 +104,14 @@ def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
 
 
 def _joined(texts) -> str:
-    """A name for several curves: all, or the first and the last of many."""
+    """Join the names of several curves; of many, the first and the last."""
     texts = list(dict.fromkeys(texts))
     return ", ".join(texts) if len(texts) < 3 else f"{texts[0]} … {texts[-1]}"
 
 
 def _spread(heights) -> NDArray:
-    """Heights of texts, near the increasing ``heights`` and at least a line apart, in the panel:
-    halfway between those that move up alone and those that move down alone."""
+    """Move increasing heights apart by at least a line: the mean of pushing all up and pushing all
+    down."""
     lines = LINE * np.arange(len(heights))
     apart = np.array(heights) - lines
     up, down = np.maximum.accumulate(apart), np.minimum.accumulate(apart[::-1])[::-1]
@@ -124,32 +121,18 @@ def _spread(heights) -> NDArray:
 
 
 def keep_apart(axes: Axes, marks: Sequence[Line2D]) -> None:
-    """Hide points of ``marks`` that coincide with others of them."""
+    """Hide points of ``marks`` that coincide with earlier points."""
     kept: list[NDArray] = []
     for line in marks:
         stays = []
-        for place in _in_axes(axes, line):
+        for place in in_axes(axes, line):
             stays.append(all((np.abs(place - other) > NEAR).any() for other in kept))
             kept += [place] if stays[-1] else []
         line.set_markevery(stays)
 
 
-def hide_bars(axes: Axes, pairs: Sequence[tuple[Line2D, Line2D]]) -> None:
-    """Of pairs of a mark and a bar, hide bars that have no mark that is shown, repeat others or are
-    short.
-    """
-    shown = {_points(mark) for mark, _ in pairs if mark.get_markevery() in (None, [True])}
-    drawn = set()
-    for mark, bar in pairs:
-        is_long = np.ptp(_in_axes(axes, bar), axis=0).max() > NEAR
-        bar.set_visible(is_long and _points(mark) in shown and _points(bar) not in drawn)
-        drawn.add(_points(bar))
-
-
 def hide_repeats(axes: Axes, lines: Sequence[Line2D]) -> None:
-    """Of dashed ``lines`` at the same loads that coincide, show one: dashes of several fill each
-    other's gaps.
-    """
+    """Show one of several dashed ``lines`` that coincide: their dashes would fill the gaps."""
     nearest = SEEN_APART * axes.figure.dpi / 72.0
     before: list[NDArray] = []
     for line in lines:
@@ -159,11 +142,7 @@ def hide_repeats(axes: Axes, lines: Sequence[Line2D]) -> None:
         before.append(places)
 
 
-def _points(line) -> tuple[float, ...]:
-    return tuple(np.ravel(line.get_xydata()).tolist())
-
-
-def _in_axes(axes, line) -> NDArray:
+def in_axes(axes: Axes, line: Line2D) -> NDArray:
     """The points of a line in widths and heights of the panel, shape (points, 2)."""
     to_axes = line.get_transform() + axes.transAxes.inverted()
     return to_axes.transform(np.column_stack(line.get_data()))

@@ -51,8 +51,8 @@ class Drawing(Figure):
 
 
 def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: int = 2) -> Drawing:
-    """A figure of this ``size`` [inches] with axes for ``panels`` in rows, each below its title
-    and, if there are several, its letter."""
+    """A figure of this ``size`` [inches] with axes for ``panels`` in rows.  Axes have titles, and
+    letters if there are several panels."""
     if len(panels) > MOST_PANELS:
         raise ValueError(f"the figure has {len(panels)} panels; allowed: at most {MOST_PANELS}")
     figure = Drawing(figsize=size, layout="constrained")
@@ -68,9 +68,7 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:
-    """Write a figure in the format of the suffix of its path; matplotlib refuses what it cannot
-    write.
-    """
+    """Write a figure in the format of the suffix; matplotlib refuses a format it cannot write."""
     kind = Path(path).suffix.removeprefix(".")
     with atomic_write(path) as (part,):
         write_figure(figure, part, kind, FORMATS.get(kind, {}))
@@ -79,9 +77,7 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
 def write_figure(
     figure: Figure, path: str | PathLike, kind: str, options: Mapping[str, Any]
 ) -> None:
-    """Draw a figure in memory, then write it: on a full disk matplotlib's writer of PDF hides the
-    error.
-    """
+    """Draw a figure in memory, then write it: matplotlib hides a full disk when it writes PDF."""
     drawn = BytesIO()
     figure.savefig(drawn, format=kind, **options)
     Path(path).write_bytes(drawn.getvalue())

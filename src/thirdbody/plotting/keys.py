@@ -18,8 +18,8 @@ Groups = Sequence[Sequence[Mapping[str, Any]]]
 
 
 def key_columns(groups: Groups) -> list[list[Mapping[str, Any]]]:
-    """The columns of the lowest key that is no wider than a figure: each group has its own, unless
-    one column is all that fits."""
+    """The columns of the lowest key that is no wider than a figure.  Groups have columns of their
+    own, unless only one column fits."""
     count = sum(map(len, groups))
     for rows in range(1, count + 1):
         columns = [column for group in groups for column in _split(group, rows)]
@@ -54,8 +54,8 @@ def handle(look: Mapping[str, Any]) -> Line2D:
 def add_key(
     figure: Figure, groups: Groups, title: str, common: Sequence[str], beside: bool
 ) -> None:
-    """Add a key below all panels, or beside the last one in the free cell of two columns, with a
-    title and the conditions common to all curves."""
+    """Add a key with a title and the conditions of all curves, below the panels or in the free cell
+    ``beside`` the last panel."""
     columns = [[each for group in groups for each in group]] if beside else key_columns(groups)
     most = max(map(len, columns))
     blank = {"linestyle": "none", "label": " "}

@@ -1,8 +1,6 @@
-"""Marks that follow from solved data: turning points (TPCA), slight peaks, windows, ranges and
-statuses.
-"""
+"""Marks that follow from solved data: turning points (TPCA), slight peaks, ranges and statuses."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from os import PathLike
 from typing import Any
 
@@ -11,11 +9,10 @@ from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
 from thirdbody.core.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
-from thirdbody.plotting.panels import OUTLINE, UPRIGHT, Curve, Series
+from thirdbody.plotting.panels import OUTLINE, Curve, Series
 from thirdbody.variables import CONDITION_AXES, STATUS
 
-TURNING_POINTS, LOCUS, SLIGHT = "turning points", "locus of the turning points", "slight peaks"
-WINDOW, BAND = "window", "band"
+TURNING_POINTS, SLIGHT, BAND = "turning points", "slight peaks", "band"
 LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
 FROM_ZERO = 0.05  # of a slight peak on a linear axis, in heights of the highest curve
 VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
@@ -41,14 +38,6 @@ LOOKS: dict[str, dict[str, Any]] = {
         "markerfacecolor": "white",
         "markeredgecolor": "0.45",
     },
-    LOCUS: {
-        "label": "locus of turning points",
-        "color": "C1",
-        "linewidth": 2.2,
-        "dashes": (2.5, 1.2),
-        "zorder": 2.9,
-    },
-    WINDOW: {"label": "computed limits of turning points", "color": "C5", "linewidth": 1.8},
     BAND: {"label": "ensemble range", "color": "#C3DEDD", "linewidth": 6.0},  # a tint, not grey
 }
 LOOKS |= {
@@ -68,21 +57,19 @@ def read_turning_points(path: str | PathLike) -> list[dict[str, Any]]:
     return pd.read_csv(path).rename(columns=names).to_dict("records")
 
 
-def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> Iterator[Series]:
-    """The turning points of ``curves`` in a panel of ``x`` and ``y`` as one series, if there are
-    any.
-    """
+def turning_point_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
+    """A series of the turning points of ``curves``, if there are any, over ``x`` and ``y``."""
     marked = [curve for curve in curves if curve.turning_point]
     if marked:
         at_x, at_y = (
             np.array([one.at(name, one.turning_point["load"]) for one in marked]) for name in (x, y)
         )
-        yield Series(kind, "", at_x, at_y, look=LOOKS[kind])
+        yield Series(TURNING_POINTS, "", at_x, at_y, look=LOOKS[TURNING_POINTS])
 
 
 def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
-    """Peaks of A_sa,t* that are no turning points, in a panel where other curves have some; on a
-    linear axis, without ``least``, those that are apart from its zero."""
+    """Peaks of A_sa,t* that are no turning points, if other curves have turning points.  Without
+    ``least`` the axis is linear, and peaks near zero are left out."""
     places = []
     highest = max((np.nanmax(curve.values[RATIO]) for curve in curves), default=0.0)
     for curve in curves if any(curve.turning_point for curve in curves) else ():
@@ -98,9 +85,7 @@ def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """First and last points with a status other than ``converged``, and ends of curves without
-    values.
-    """
+    """First and last points that are not ``converged``, and the ends of curves without values."""
     for status in STATUSES:
         for curve in curves:
             marked = curve.values[STATUS] == SOLUTION_STATUSES.index(status)
@@ -119,8 +104,7 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
 def range_series(
     name: str, x: NDArray, low: NDArray, high: NDArray, colour: Any, condition: Any = None
 ) -> Series:
-    """The closed outline of a range where it is known: along its low and back along its high
-    end."""
+    """The closed outline of a range where it is known: along the low end, back along the high."""
     known = np.isfinite(low) & np.isfinite(high)
     x, low, high = x[known], low[known], high[known]
     outline = np.append(x, x[::-1]), np.append(low, high[::-1])
@@ -145,19 +129,3 @@ def range_of(curve: Curve, x: str, y: str) -> Iterator[Series]:
         some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
         ends = load[some], low[some], high[some]
         yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
-
-
-def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Series]:
-    """The computed ends of the range of x_a/σ with turning points on one surface, if there are
-    any."""
-    ends = np.array([row["diameter_over_roughness"] for row in windows if is_on(row, roughness)])
-    ends = ends[np.isfinite(ends)]
-    if ends.size:
-        yield Series(
-            WINDOW, "", ends, np.full(ends.size, np.nan), look=LOOKS[WINDOW], drawn_as=UPRIGHT
-        )
-
-
-def is_on(row: Mapping, roughness: float) -> bool:
-    """Whether a row of a table is of the surface with this ``roughness`` [m]."""
-    return bool(np.isclose(row["roughness_m"], roughness, rtol=1e-9))

@@ -11,7 +11,7 @@ from thirdbody.curves import Condition
 from thirdbody.plotting.scales import label
 
 CURVE = "curve"
-LINE, OUTLINE, UPRIGHT = "line", "outline", "upright"  # how a series is drawn
+LINE, OUTLINE = "line", "outline"  # how a series is drawn
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,12 +41,8 @@ class Curve:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points [SI] of a panel under one name, the condition of their curve, and how matplotlib draws
-    them.
-
-    The kind is ``CURVE``, "band", "turning points", "printed", ...  Points are joined by a line,
-    are the outline of an area, or each is an upright line across the panel.  A number may have a
-    ``tolerance``: x and y of both its ends.
+    """Points [SI] of a panel under a name, the condition of their curve, and their properties in
+    matplotlib.  The kind is ``CURVE``, "band", "turning points", ...
     """
 
     kind: str
@@ -56,15 +52,19 @@ class Series:
     curve: Condition | None = None
     look: Mapping[str, Any] = field(default_factory=dict)
     drawn_as: str = LINE
-    tolerance: tuple[NDArray, NDArray] | None = None
-    tolerance_look: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def labels(self) -> set[str]:
+        """Labels of its entries in the key."""
+        return {self.look["label"]} if "label" in self.look else set()
 
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A panel: title, names of the quantities on its axes, series, its letter once drawn, where a
-    logarithmic axis of a fraction begins, 0 for a linear one, and the conditions that no other has.
-    """
+    """A panel: title, quantities on its axes, and series.
+
+    ``letter`` is set when it is drawn.  A logarithmic axis of a fraction begins at ``least``; 0 is
+    for a linear axis.  ``conditions`` are those that no other panel has."""
 
     title: str
     x: str

@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib import rcParams
 
 from thirdbody.curves import Condition
-from thirdbody.plotting.scales import value_text
+from thirdbody.plotting.scales import unit_text, value_text
 
 Look = Mapping[str, Any]  # properties of a line
 
-# every second one is hollow, so that neighbouring levels differ; diamonds are printed values
+# every second marker is hollow, so that neighbouring levels differ; diamonds are printed values
 MARKERS = "os^vPX>"
 MARKERS_PER_CURVE = 5
 # of the colour map: two-body contact is darker, lighter is faint on white paper
@@ -28,8 +28,8 @@ HAIRLINE = {"linewidth": 0.4, "marker": "None"}  # of levels between the strong 
 
 
 def level_styles(count: int, size: int = 1) -> list[dict[str, Any]]:
-    """Line properties of curves of ``size`` points at ``count`` ordered levels: colours become
-    lighter, and each has its own marker, at other points than the next one."""
+    """Line properties of curves of ``size`` points at ``count`` ordered levels.  Colours become
+    lighter; neighbours have different markers, at different points."""
     step = max(size // MARKERS_PER_CURVE, 1)
     return [
         {"color": colour, "linestyle": "-"}
@@ -94,7 +94,8 @@ def curve_styles(
     key: list[list[Look]] = [entries]
     if compares_media:
         wet = {"color": neutral, "linestyle": "-"}
-        texts = {v: f"{value_text('viscosity', v)} cSt" if v else "dry" for v in sorted(media)}
+        unit = unit_text("viscosity")
+        texts = {v: f"{value_text('viscosity', v)} {unit}" if v else "dry" for v in sorted(media)}
         key.append([(wet if v else DRY) | {"label": text} for v, text in texts.items()])
     return styles, key
 
