@@ -4,21 +4,21 @@ from dataclasses import replace
 
 import pytest
 
-from chenhorng.claims.apparent_area import EXCLUDED, POSSIBLE, TAKEN, area_rows, free_areas
+from chenhorng.claims.apparent_area import EXCLUDED, POSSIBLE, TAKEN, area_rows, losses_of_areas
 from chenhorng.claims.paper_tables import rounding, steel_modulus
 from chenhorng.home import config_directory
 from chenhorng.sheets import sheet_of
 from thirdbody.files import read_yaml
 
 DIGITS = read_yaml(config_directory() / "printed_digits.yaml")
-FOUND = [4.9e-6, 6.1e-6]
+LOSSES = {6e-6: 50.0, 3e-6: 70.0}
 STEEL = steel_modulus(0.29)
 
 
 @pytest.fixture(scope="module")
 def rows(parameters):
     printed = replace(parameters, elastic_modulus_surfaces=112e9, ball_radius=6.35e-3)
-    return area_rows(DIGITS, 8.6e-9, printed, STEEL, FOUND)
+    return area_rows(DIGITS, 8.6e-9, printed, STEEL, LOSSES)
 
 
 def of_all(rows, area):
@@ -57,12 +57,12 @@ def test_each_load_leaves_a_range_and_all_of_them_6_mm2(rows):
     )
 
 
-def test_the_axis_excludes_twice_and_the_searches_are_nearest_to_6_mm2(rows):
+def test_the_axis_excludes_twice_and_6_mm2_has_the_least_loss(rows):
     verdicts = {row["area_m2"]: row["verdict"] for row in rows if row["place"] == "all"}
     assert [verdicts[area] for area in (12e-6, 6e-6, 3e-6)] == [EXCLUDED, TAKEN, POSSIBLE]
     assert "5.96e-05, without 0.0001 of Figure 6B" in of_all(rows, 12e-6)["remark"]
-    assert "0.000119; searches" in of_all(rows, 6e-6)["remark"]
-    assert "0.82 to 1.02 of this area" in of_all(rows, 6e-6)["remark"]
+    assert "0.000119; the left-out loss of its search is 50.0" in of_all(rows, 6e-6)["remark"]
+    assert "is 70.0" in of_all(rows, 3e-6)["remark"]
     assert verdicts[min(verdicts)] == EXCLUDED and len(verdicts) == 8
 
 
@@ -76,23 +76,22 @@ def test_the_axis_begins_where_table_2_does(rows):
 def test_loads_that_do_not_double_leave_no_area(parameters):
     third = {"place": "Figure 0", "printed": 2.24e-5, "digits": 3}
     other = DIGITS | {"lubricated_loads": [*DIGITS["lubricated_loads"], third]}
-    assert len(area_rows(other, 8.6e-9, parameters, STEEL, FOUND)) == 1
+    assert len(area_rows(other, 8.6e-9, parameters, STEEL, LOSSES)) == 1
 
 
-def test_without_a_free_search_no_area_is_taken(parameters):
-    rows = area_rows(DIGITS, 8.6e-9, parameters, STEEL, [])
+def test_without_a_search_no_area_is_taken(parameters):
+    rows = area_rows(DIGITS, 8.6e-9, parameters, STEEL, {})
     assert {row["verdict"] for row in rows if row["place"] == "all"} == {EXCLUDED, POSSIBLE}
 
 
-def test_areas_that_a_search_was_given_are_not_found():
-    inputs = {"apparent_area": 5e-6}
-    free = {
-        "identification": inputs,
-        "inputs": inputs,
-        "folds": [{"inputs": {"apparent_area": 4e-6}}],
+def test_areas_are_compared_between_interpretations_that_differ_in_the_area_alone():
+    interpretations = {
+        "one": {"fixed": {"mean_ratio": 0.0}},
+        "one of 3": {"fixed": {"mean_ratio": 0.0, "apparent_area": 3e-6}},
+        "other": {"fixed": {"mean_ratio": 1.0}},
     }
-    given = {"identification": {}, "inputs": {"apparent_area": 6e-6}}
-    assert free_areas([free, given]) == [5e-6, 4e-6]
+    losses = {"one": 40.0, "one of 3": 60.0, "other": 30.0}
+    assert losses_of_areas(interpretations, losses, 6e-6) == {6e-6: 40.0, 3e-6: 60.0}
 
 
 def test_the_sheet_has_a_line_for_each_area(rows):

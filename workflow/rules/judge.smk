@@ -135,6 +135,8 @@ rule gather_printed:
 
 # what follows from the digits of printed numbers, and what surfaces cannot be
 rule judge_digits:
+    input:
+        ranking=f"{CONFIG}/calibrated/ranking.csv",
     output:
         apparent_area="<results>/extracted/apparent_area/all.csv",
         limits="<results>/extracted/limits/all.csv",
@@ -143,12 +145,11 @@ rule judge_digits:
     params:
         *sources_of("judge_digits.py"),
         *SOFTWARE,
-        *CALIBRATED_TEXTS,
         PAPER_TABLES_TEXT,
         DIGITS_TEXT,
         tables=PAPER_TABLES,
         digits=DIGITS,
-        calibrated=CALIBRATED,
+        interpretations=settings["calibration"]["interpretations"],
         parameters=settings["parameters"],
     message:
         "Judge the digits of printed numbers, and what surfaces cannot be"

@@ -6,7 +6,7 @@ digits say how well.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from chenhorng.claims.paper_tables import load_parameter, rounding
@@ -15,15 +15,22 @@ from thirdbody.core.parameters import Parameters
 EXCLUDED, POSSIBLE, TAKEN = "excluded", "possible", "taken"
 
 
-def free_areas(contents: Sequence[Mapping[str, Any]]) -> list[float]:
-    """A_n [m2] of every search that left it free, from the ``contents`` of calibrated files: over
-    all statements, and over those of each fold."""
-    free = [each for each in contents if "apparent_area" in each["identification"]]
-    return [
-        found["inputs"]["apparent_area"]
-        for each in free
-        for found in (each, *each.get("folds", ()))
-    ]
+def losses_of_areas(
+    interpretations: Mapping[str, Mapping[str, Any]], losses: Mapping[str, float], area: float
+) -> dict[float, float]:
+    """The left-out loss [1] by A_n [m2], of interpretations that differ in A_n alone.
+
+    ``interpretations`` are those of ``config/calibration.yaml``, ``losses`` have their left-out
+    losses by name, and ``area`` is the A_n of those that fix none.
+    """
+    fixed = {name: dict(entry["fixed"]) for name, entry in interpretations.items()}
+    areas = {name: inputs.pop("apparent_area", area) for name, inputs in fixed.items()}
+    others = [inputs for name, inputs in fixed.items() if areas[name] != area]
+    return {
+        areas[name]: losses[name]
+        for name, inputs in fixed.items()
+        if name in losses and inputs in others
+    }
 
 
 def area_rows(
@@ -31,14 +38,14 @@ def area_rows(
     least_load_parameter: float,
     inputs: Parameters,
     modulus: float,
-    found: Sequence[float],
+    losses: Mapping[float, float],
 ) -> list[dict[str, Any]]:
     """Rows of the table ``apparent_area``.
 
     ``digits`` is the content of ``config/printed_digits.yaml``, ``least_load_parameter`` the
     printed W [1] at the low end of Table 2. A_n follows with the printed E_ss of ``inputs``, and
-    with ``modulus`` [Pa], that of the materials. ``found`` are the areas [m2] of searches. For each
-    A_n that agrees with all printed loads there is a row for each load, and one for all of them.
+    with ``modulus`` [Pa], that of the materials. ``losses`` come from ``losses_of_areas``; the area with
+    the least is taken. For each A_n that agrees with all printed loads there is a row for each load, and one for all of them.
     """
     axis = digits["load_axis"]
     steps = [axis["most_N"] / 2.0**k for k in range(axis["halvings"] + 1)]
@@ -53,12 +60,11 @@ def area_rows(
         for load, (step, *ends) in zip(digits["lubricated_loads"], of_loads, strict=True):
             cells = {"place": load["place"], "printed": load["printed"], "normal_load_N": step}
             rows.append(_row(area, ends, moduli) | cells)
-        verdict = _verdict(digits["within_axis"], steps, common, area, found)
+        verdict = _verdict(digits["within_axis"], steps, common, area, losses)
         rows.append(_row(area, common, moduli) | {"place": "all"} | verdict)
     of_all = [row for row in rows if row["verdict"] == POSSIBLE]
-    if found and of_all:
-        nearest = min(of_all, key=lambda row: abs(math.log(row["area_m2"] / _middle(found))))
-        nearest["verdict"] = TAKEN
+    if known := [row for row in of_all if row["area_m2"] in losses]:
+        min(known, key=lambda row: losses[row["area_m2"]])["verdict"] = TAKEN
     return [*rows, _least_load(least_load_parameter, steps[-1], inputs, modulus)]
 
 
@@ -77,8 +83,8 @@ def _stiffnesses(loads, newtons, steps):
     return rows
 
 
-def _verdict(within, steps, common, area, found):
-    """Whether an area is excluded by loads that must lie within the axis."""
+def _verdict(within, steps, common, area, losses):
+    """Whether an area is excluded by loads that must lie within the axis; its left-out loss."""
     middle = math.fsum(common) / 2.0
     first, last = steps[-1] / middle, steps[0] / middle
     outside = [load for load in within if not first <= load["printed"] <= last]
@@ -86,11 +92,9 @@ def _verdict(within, steps, common, area, found):
     if outside:
         texts = (f"{load['printed']:g} of {load['place']}" for load in outside)
         return {"verdict": EXCLUDED, "remark": f"{axis}, without {', '.join(texts)}"}
-    if not found:
-        return {"verdict": POSSIBLE, "remark": axis}
-    ends = min(found) / area, max(found) / area
-    searches = f"searches that leave A_n free end at {ends[0]:.2f} to {ends[1]:.2f} of this area"
-    return {"verdict": POSSIBLE, "remark": f"{axis}; {searches}"}
+    if area in losses:
+        axis = f"{axis}; the left-out loss of its search is {losses[area]:.1f}"
+    return {"verdict": POSSIBLE, "remark": axis}
 
 
 def _row(area, ends, moduli):
@@ -120,8 +124,3 @@ def _least_load(printed, newtons, inputs, modulus):
     empty = dict.fromkeys(_row(0.0, (0.0, 0.0), (1.0, 1.0)))
     cells = {"place": "Table 2, W", "printed": printed, "normal_load_N": newtons}
     return empty | cells | {"verdict": "", "remark": f"{texts}; {other}"}
-
-
-def _middle(numbers):
-    """The geometric mean."""
-    return math.exp(math.fsum(map(math.log, numbers)) / len(numbers))
