@@ -44,8 +44,9 @@ def area_rows(
 
     ``digits`` is the content of ``config/printed_digits.yaml``, ``least_load_parameter`` the
     printed W [1] at the low end of Table 2. A_n follows with the printed E_ss of ``inputs``, and
-    with ``modulus`` [Pa], that of the materials. ``losses`` come from ``losses_of_areas``; the area with
-    the least is taken. For each A_n that agrees with all printed loads there is a row for each load, and one for all of them.
+    with ``modulus`` [Pa], that of the materials. ``losses`` come from ``losses_of_areas``; the area
+    with the least is taken. For each A_n that agrees with all printed loads there is a row for each
+    load, and one for all of them.
     """
     axis = digits["load_axis"]
     steps = [axis["most_N"] / 2.0**k for k in range(axis["halvings"] + 1)]
