@@ -15,13 +15,17 @@ import yaml
 from methods import ENGINEERING
 
 import thirdbody as tb
-from benchmarks.ranges import CONDITIONS, SEED, VARIABLES, random_conditions, shares_within
+from chenhorng.coverage import random_conditions
 from chenhorng.home import config_directory
 from thirdbody.core.parameters import WORDS
 from thirdbody.ensembles import BELONGS_TO, CALIBRATED, ENDS, Ensemble, range_over_members
 from thirdbody.files import read_yaml
+from thirdbody.inputs import CALIBRATED_FILE
 
-CALIBRATED_FILE = config_directory() / "calibrated" / "half_free.yaml"
+VARIABLES = (
+    *("solid_load_fraction", "total_contact_area", "particle_contact_area_ratio"),
+    *("separation", "film_thickness"),
+)
 
 
 def differing(members):
@@ -57,7 +61,6 @@ def own(write):
     content = read_yaml(CALIBRATED_FILE)
     spreads = [0.3, 0.4, 0.6]
     content["ensemble"] = [content["inputs"] | {"spread_ratio": value} for value in spreads]
-    content["ensemble_interpretations"] = [content["interpretation"]] * 3
     content["inputs"]["spread_ratio"] = 0.4
     return write(content), spreads
 
@@ -293,7 +296,8 @@ def widths_if_given():
     """Width of each range with an input given as the best has it, over that without; a row for
     each input, condition and variable."""
     ensemble, rows = tb.load_parameters(), []
-    conditions = random_conditions(50, SEED)
+    settings = read_yaml(config_directory() / "calibration.yaml")["coverage"]
+    conditions = random_conditions(settings | {"conditions": 50})
 
     def widths(inputs):
         points = tb.solve(**conditions, parameters=inputs, members=True)
@@ -348,28 +352,3 @@ def test_what_was_calibrated_for_another_value_is_told_unless_it_is_given(defaul
         warnings.simplefilter("error")
         tb.load_parameters(**other, **stays)
         tb.load_parameters(**{name: getattr(defaults, name)})
-
-
-@pytest.fixture(scope="module")
-def within():
-    return shares_within(tb.load_parameters())
-
-
-@pytest.mark.parametrize("symbol", VARIABLES.values())
-def test_the_default_lies_within_its_range_in_19_of_20_conditions(within, symbol):
-    assert within[symbol] >= 0.95
-
-
-def test_shares_within_are_those_of_the_conditions_that_members_enclose(parameters):
-    same = Ensemble((parameters,) * 3, tb.Setup())
-    assert (shares_within(same) == 1.0).all()
-    # what the particles do not change is within, all else is not
-    far = replace(parameters, participation=3.0 * parameters.participation)
-    most = (far,) * 39  # of 40 members the best is beyond the quantiles
-    found = shares_within(Ensemble((parameters, *most), tb.Setup()))
-    conditions = random_conditions(CONDITIONS, SEED)
-    one, other = (tb.solve(**conditions, parameters=each) for each in (parameters, far))
-    for name, symbol in VARIABLES.items():
-        value, changed = getattr(one, name), getattr(other, name)
-        unchanged = np.isclose(changed, value, rtol=1e-9, atol=0.0)
-        assert found[symbol] == unchanged[np.isfinite(value)].mean() < 0.9

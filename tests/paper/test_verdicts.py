@@ -59,7 +59,6 @@ CLAIMS = (TAKEN, ASIDE, twin("one"), twin("other"))
 DEFAULT = {
     "interpretation": "some",
     "inputs": {"truncation": 2.0},
-    "identification": {"truncation": {"range_of_each_seed": [[1.5, 2.5], [1.6, 2.4]]}},
 }
 
 

@@ -66,11 +66,18 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
     return HOLDS if verdict.holds else FAILS
 
 
-def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
-    """Numbers of statements that hold and that are tested.  A cluster counts once, and holds if all
-    its tested statements hold."""
+def count_once(
+    claims: Iterable[Claim], verdicts: Verdicts, tolerances: float = 1.0
+) -> tuple[int, int]:
+    """Numbers of statements that hold, at so many ``tolerances`` of each, and that are tested.
+
+    A cluster counts once, and holds if all its tested statements hold.
+    """
+    known = [(claim, verdicts[claim.id]) for claim in claims if claim.id in verdicts]
     return counted_once(
-        (claim.counted_as, outcome(claim, verdicts[claim.id]))
-        for claim in claims
-        if claim.id in verdicts
+        (
+            claim.counted_as,
+            outcome(claim, verdict._replace(distance=verdict.distance / tolerances)),
+        )
+        for claim, verdict in known
     )

@@ -270,8 +270,16 @@ def score_sentence(report: Report) -> str:
     predicted = count_once(report.claims, report.predicted)
     texts: Any = ENVIRONMENT.get_template("claims.macros.j2").module  # its macros are attributes
     compared = len(report.settings["interpretations"])
+    half, twice = (count_once(report.claims, report.verdicts, each)[0] for each in (0.5, 2.0))
     return texts.score(
-        fitted=fitted, predicted=predicted, compared=compared, prominence=PROMINENCE
+        fitted=fitted,
+        predicted=predicted,
+        compared=compared,
+        half=half,
+        twice=twice,
+        by_definition=sum(bool(claim.by_definition) for claim in report.claims),
+        impossible=sum(bool(claim.impossible) for claim in report.claims),
+        prominence=PROMINENCE,
     ).replace("\n", " ")
 
 
