@@ -36,7 +36,7 @@ from thirdbody.core.particles import first_yield_depth
 ROOT = Path(__file__).resolve().parents[1]
 BITS = 1e-9  # relative difference of a number on another processor
 README = ROOT / "README.md"
-PAGES = README, ROOT / "paper.md", ROOT / "docs" / "results.md"
+PAGES = README, ROOT / "paper.md", ROOT / "docs" / "results.md", ROOT / "docs" / "history.md"
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 MEASURED_PICTURE = ROOT / "docs" / "work_precision.png", ACCURACY / "work_precision.png"
@@ -85,6 +85,18 @@ def claims_block(move: float = 0.0) -> str:
         "lie in the range of members of the ensemble that have not seen their figure."
     )
     return fill(f"{read_claims()['score']} {null} {deviations}", 120)
+
+
+def ranking_block() -> str:
+    """All interpretations in the order of the rule."""
+    ranking = pd.read_csv(ROOT / "config" / "calibrated" / "ranking.csv")
+    ranking["equal"] = ranking["equal"].map({True: "yes", False: ""})
+    ranking["interpretation"] = "`" + ranking["interpretation"] + "`"
+    ranking["mean_deviation"] = [f"{each:.1%}" for each in ranking["mean_deviation"]]
+    table = ranking[RANKED].rename(columns=lambda name: name.replace("_", " "))
+    return tabulate(
+        table, headers="keys", tablefmt="github", showindex=False, disable_numparse=True
+    )
 
 
 def library_block() -> str:
@@ -229,8 +241,13 @@ def oracle_block() -> str:
     )
 
 
+# columns of the ranking in the history
+RANKED = [
+    *("interpretation", "unknowns", "left_out_loss", "above_least", "standard_error", "equal"),
+    *("objective", "penalty", "predicted", "fitted", "headline", "mean_deviation"),
+]
 OF_TABLES = {"claims": claims_block, "took": took_block}  # functions of ``move``
-COMPUTED = {"library": library_block}
+COMPUTED = {"library": library_block, "ranking": ranking_block}
 MEASURED = {"accuracy": accuracy_block, "oracle": oracle_block}
 LARGEST_FACTOR = 3.0  # between times on different machines or in different runs
 SHADE = 8.5 / 255.0  # largest difference of a pixel

@@ -210,14 +210,16 @@ def test_window_compares_both_ends_on_each_surface():
     assert judged(claim, window=lambda roughness: (np.nan, np.nan)).score == MISSING_SCORE
 
 
-def test_span_asks_for_both_numbers_somewhere_on_the_curve():
+def test_a_span_has_the_published_ends():
+    """A curve that passes both numbers and goes on beyond them misses its end by how far it goes."""
     claim = make_claim("span", "film_thickness", [1e-4, 2e-4], 0.01, relative=True)
-    wide, narrow = (
-        judged(claim, make_curve(film=thickest * 8 ** (-DECADES / 3)))
-        for thickest in (4e-4, 1.9e-4)
+    exact, long, short = (
+        judged(claim, make_curve(film=thickest * ratio ** (-DECADES / 3)))
+        for thickest, ratio in ((2e-4, 2.0), (4e-4, 4.0), (1.9e-4, 1.9))
     )
-    assert wide.holds and wide.computed.endswith("at 8 N and 0.8 N")
-    assert not narrow.holds and narrow.value == pytest.approx(1.9e-4)
+    assert exact.holds and exact.computed == "0.0001 to 0.0002"
+    assert not long.holds and long.value == pytest.approx(4e-4)
+    assert not short.holds and short.value == pytest.approx(1.9e-4)
 
 
 def loads_of_mixing(*loads):

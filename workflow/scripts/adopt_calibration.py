@@ -18,8 +18,10 @@ with job(snakemake) as output:
     FOLDER.mkdir(parents=True, exist_ok=True)
     chosen = json.loads(Path(snakemake.input.chosen).read_text(encoding="utf-8"))
     default, members = chosen["interpretation"], chosen["members"]
-    ranking = pd.read_csv(snakemake.input.ranking)["interpretation"]
-    kept = set(ranking[: snakemake.params.kept])
+    ranking = pd.read_csv(snakemake.input.ranking)
+    # a search with another A_n than the deduced one is there to be compared
+    usable = ranking["apparent_area"].eq(snakemake.params.base["apparent_area"])
+    kept = {*ranking["interpretation"][usable][: snakemake.params.kept]}
     for old in FOLDER.glob("*.yaml"):
         if old.stem not in {*kept, Path(snakemake.params.default).stem}:
             old.unlink()

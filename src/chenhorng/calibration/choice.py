@@ -146,6 +146,7 @@ def rank_interpretations(
                 "fitted": "{}/{}".format(*count_once(judge.claims, verdicts)),
                 "headline": f"{len(reached)}/{len(settings['headline'])}",
                 "summit_parameter": largest_summit_parameter(judge.base | inputs, settings),
+                "apparent_area": (judge.base | inputs)["apparent_area"],
                 "penalty": round(penalty, 2),
                 "unknowns": len(interpretation.unknowns),
                 "objective": round(objective.value(penalty, scores), 2),
