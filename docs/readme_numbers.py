@@ -178,14 +178,20 @@ PLAIN_SOLVER = "nested_roots", None
 SHOWN = "times", "errors", "uses"  # tables of `make accuracy` in the block
 
 
-def accuracy_block() -> str:
-    """The choice of call and ``rtol``: time, true error, and uses."""
+def measured_costs() -> tuple[dict, list[dict], list[dict], list[dict]]:
+    """Time of a point [µs] by method and ``rtol`` at usual conditions, and the tables ``SHOWN``."""
     times, errors, uses = (read_csv(ACCURACY / f"{name}.csv", TABLES[name]) for name in SHOWN)
     cost = {
         (row["method"], row["rtol"]): row["microseconds_per_point"]
         for row in times
         if row["span"] == "usual"
     }
+    return cost, times, errors, uses
+
+
+def accuracy_block() -> str:
+    """The choice of call and ``rtol``: time, true error, and uses."""
+    cost, _, errors, _ = measured_costs()
     error = largest_errors(errors)
     table = [
         {
@@ -198,12 +204,17 @@ def accuracy_block() -> str:
         }
         for method, rtol, use in CHOICES
     ]
+    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
+
+
+def times_block() -> str:
+    """Times of all kinds of calls."""
+    cost, times, _, uses = measured_costs()
     coarse, default = (cost[choice[:2]] for choice in CHOICES)
     plain = cost[PLAIN_SOLVER]
     one, surfaces, stream, start = (row["microseconds_per_point"] for row in uses)
     return (
-        tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-        + f"\n\nOver all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point at "
+        f"Over all `rtol` `tb.solve` takes {_range(times, 'library', 'usual')} µs a point at "
         f"usual conditions; there `tb.grid` at 0.001 is {default / coarse:.2g} times as fast as "
         f"the default. At extremes `tb.solve` takes {_range(times, 'library', 'extremes')} µs, "
         f"`tb.grid` {_range(times, 'library_grid', 'extremes')} µs. In the same run `quad` and "
@@ -248,7 +259,7 @@ RANKED = [
 ]
 OF_TABLES = {"claims": claims_block, "took": took_block}  # functions of ``move``
 COMPUTED = {"library": library_block, "ranking": ranking_block}
-MEASURED = {"accuracy": accuracy_block, "oracle": oracle_block}
+MEASURED = {"accuracy": accuracy_block, "times": times_block, "oracle": oracle_block}
 LARGEST_FACTOR = 3.0  # between times on different machines or in different runs
 SHADE = 8.5 / 255.0  # largest difference of a pixel
 NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?")
@@ -324,7 +335,7 @@ def main(arguments) -> int:
         print((OF_TABLES | COMPUTED | MEASURED)[arguments[-1]]())
         return 0
     stale = []
-    is_there = {"accuracy": is_measured(), "oracle": is_compared()}
+    is_there = {"accuracy": is_measured(), "times": is_measured(), "oracle": is_compared()}
     measured = {name: block for name, block in MEASURED.items() if is_there[name]}
     for page in PAGES:
         text = page.read_text(encoding="utf-8")

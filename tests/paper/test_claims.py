@@ -211,7 +211,7 @@ def test_window_compares_both_ends_on_each_surface():
 
 
 def test_a_span_has_the_published_ends():
-    """A curve that passes both numbers and goes on beyond them misses its end by how far it goes."""
+    """A curve that passes both numbers and goes on misses its end by how far it goes."""
     claim = make_claim("span", "film_thickness", [1e-4, 2e-4], 0.01, relative=True)
     exact, long, short = (
         judged(claim, make_curve(film=thickest * ratio ** (-DECADES / 3)))
