@@ -14,7 +14,7 @@ from thirdbody.symbols import mathtext
 
 SIZE = TWO_COLUMNS, 4.4  # inches
 COLUMNS = 3
-HIGHEST = 12.0  # of the axis, above the least objective [1]
+HIGHEST = 15.0  # of the axis, above the least objective [1]
 LOGARITHMIC = "participation", "mean_square", "summit_parameter"
 TOTAL = "total"  # how the interpretations with W of F_t begin
 LOOKS = {False: {"color": "C0", "marker": "o"}, True: {"color": "C1", "marker": "s", "ls": "--"}}
@@ -35,16 +35,8 @@ def plot(rows: Sequence[Mapping], acceptance: float) -> Drawing:
         axes.set_xlabel(mathtext(words["axes"][panel.x]))
     for axes in figure.axes[::COLUMNS]:
         axes.set_ylabel(words["scale"])
-    figure.axes[0].legend(loc="upper left", handlelength=2.2)
-    figure.axes[-1].annotate(
-        words["acceptable"],
-        (0.98, acceptance),
-        xytext=(0, 2),
-        textcoords="offset points",
-        xycoords=figure.axes[-1].get_yaxis_transform(),
-        ha="right",
-        fontsize=7,
-    )
+    handles = figure.axes[0].get_legend_handles_labels()
+    figure.legend(*handles, loc="outside lower center", ncols=len(handles[0]), handlelength=2.5)
     return figure
 
 
@@ -75,16 +67,20 @@ def _series(rows, least) -> Iterator[Series]:
 def _title(text, series, acceptance) -> str:
     """The title of a panel: the acceptable levels, and whether the valley is open at an end."""
     low, high = acceptable_ends(series.x, series.y, acceptance)
-    return text.format(f"{low:.2g}", f"{high:.2g}" if high < 10.0 else f"{high:.3g}")
+    return text.format(f"{low:.3g}", f"{high:.3g}")
 
 
 def _draw(axes: Axes, panel: Panel, acceptance: float) -> None:
     low, high = acceptable_ends(panel.series[0].x, panel.series[0].y, acceptance)
     if np.isfinite(low):
         axes.axvspan(low, high, color="C0", alpha=0.12, lw=0)
-    axes.axhline(acceptance, color="0.3", lw=0.8, ls=":")
+    words = FIGURES["profiles"]["acceptable"]
+    axes.axhline(acceptance, color="0.3", lw=0.8, ls=":", label=words)
     for series in panel.series:
         axes.plot(series.x, series.y, markersize=3, **series.look)
     axes.set_ylim(-0.5, HIGHEST)
     if panel.x in LOGARITHMIC:
         axes.set_xscale("log")
+        levels = panel.series[0].x[::2]
+        axes.set_xticks(levels, [f"{level:g}" for level in levels])
+        axes.minorticks_off()
