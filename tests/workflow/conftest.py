@@ -8,7 +8,7 @@ import time
 
 import pytest
 import yaml
-from workspace import INTERPRETATIONS, MINIMAL, Workspace, start
+from workspace import INTERPRETATIONS, MINIMAL, NEARBY, Workspace, start
 
 BUDGET = {
     "scattered": 4,
@@ -99,9 +99,10 @@ def _calibrate(workspace):
     def smaller(text):
         settings = yaml.safe_load(text)
         settings["budget"], settings["seeds"] = BUDGET, [1, 2]
-        settings["shortlist"] = {"within": 1000.0, "most": 2}
         settings["folds"] = [[3, 4, 5, 6, 7, 8], [9, 10, 11, 12, 13]]
         settings["headline"] = headline
+        settings["ensemble"] = {"of": NEARBY, "of_each_fold": 2}
+        settings["profiles"] = [{"of": NEARBY, "along": "reach", "levels": [4.4]}]
         settings["interpretations"] = {
             name: settings["interpretations"][name] for name in INTERPRETATIONS
         }

@@ -6,6 +6,7 @@ import json
 import re
 from pathlib import Path
 
+import pytest
 import yaml
 from workspace import INTERPRETATIONS, MINIMAL, NEARBY, ROOT, Workspace
 
@@ -29,16 +30,18 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     adopted = files(calibrated, "config/calibrated")
     # what is not in the ranking is kept no longer, but for what the configuration names
     assert set(adopted) == {*found, Path(CONFIG["calibrated"]).name}
-    chosen = chosen_of(calibrated)
+    members = chosen_of(calibrated)["members"]
     for name, content in found.items():
         expected = yaml.safe_load(content)
-        expected |= chosen if expected["interpretation"] == chosen["interpretation"] else {}
+        own = expected.pop("inputs")
+        expected["ensemble"] = [own, *(member["inputs"] for member in members)]
+        expected["unseen"] = [[], *(member["unseen"] for member in members)]
         content = yaml.safe_load(adopted[name])
         inputs = content.pop("inputs")  # with those that no search finds
-        assert inputs.items() >= expected.pop("inputs").items()
+        assert inputs.items() >= own.items()
         assert content == expected
         parameters = load_parameters(calibrated.root / "config/calibrated" / name)
-        assert inputs.items() <= parameters.as_dict().items()
+        assert inputs.items() <= parameters.best.as_dict().items()
 
 
 def test_the_library_takes_the_default_of_the_ranking(calibrated):
@@ -48,21 +51,27 @@ def test_the_library_takes_the_default_of_the_ranking(calibrated):
     assert library.read_text(encoding="utf-8") == library_text(content)
 
 
-def test_the_ensemble_has_as_many_members_of_each_that_the_ranking_calls_equal(calibrated):
+def test_the_first_of_the_ranking_is_chosen_and_no_member_has_seen_all_figures(calibrated):
     chosen = chosen_of(calibrated)
-    with open(calibrated.root / "results/calibration/ranking.csv", newline="") as stream:
+    with open(calibrated.root / "config/calibrated/ranking.csv", newline="") as stream:
         ranking = list(csv.DictReader(stream))
     assert {row["interpretation"] for row in ranking} == set(INTERPRETATIONS)
     assert chosen["interpretation"] == ranking[0]["interpretation"]
-    equals = [row["interpretation"] for row in ranking if row["equal"] == "True"]
     for row in ranking:
         is_equal = float(row["above_least"]) <= float(row["standard_error"])
         assert (row["equal"] == "True") == is_equal
-    names = chosen["ensemble_interpretations"]
-    least = yaml.safe_load((calibrated.root / "config/calibration.yaml").read_text())["ensemble"]
-    assert len(names) == len(chosen["ensemble"]) >= least
-    assert list(dict.fromkeys(names)) == equals
-    assert len({names.count(name) for name in equals}) == 1
+    settings = yaml.safe_load((calibrated.root / "config/calibration.yaml").read_text())
+    unseen = [member["unseen"] for member in chosen["members"]]
+    assert unseen == [figures for figures in settings["folds"] for _ in range(2)]
+
+
+def test_the_profile_is_kept_beside_the_calibrated_files(calibrated):
+    with open(calibrated.root / "config/calibrated/profiles.csv", newline="") as stream:
+        (row,) = csv.DictReader(stream)
+    assert (row["interpretation"], row["along"], float(row["level"])) == (NEARBY, "reach", 4.4)
+    inputs = {name: float(row[name]) for name in ("mean_ratio", "spread_ratio") if name in row}
+    spread, mean = inputs["spread_ratio"], inputs.get("mean_ratio", 0.0)
+    assert mean + 4.0 * spread + float(row["elastic_depth_ratio"]) == pytest.approx(4.4, rel=1e-4)
 
 
 def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
@@ -78,9 +87,8 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     assert run.returncode == 0, run.stdout + run.stderr
     after = again.stamps()
     searched = {name for name in after if name.endswith(".csv") and before.get(name) != after[name]}
-    # samples begin at what the search has found
-    names = ("seed1", "seed1_samples", "seed2_samples")
-    made = {f"calibration/{NEARBY}/{name}.csv" for name in names}
+    # the profile begins at what the search has found
+    made = {f"calibration/{NEARBY}/{name}.csv" for name in ("seed1", "profile_reach")}
     assert searched == made | {"calibration/ranking.csv"}
     assert files(again, "results/calibration") == files(calibrated, "results/calibration")
 
@@ -95,7 +103,7 @@ def test_a_held_out_statement_that_changes_searches_nothing_again(calibrated, tm
         return re.findall(r"^ *(?:check|local)?rule (\w+):", asked.stdout, re.MULTILINE)
 
     before = again.snakemake("calibrate", "--dry-run", "--quiet", "host", *MINIMAL).stdout
-    searches = {"scatter_inputs", "search_inputs", "search_fold", "sample_inputs"}
+    searches = {"scatter_inputs", "search_inputs", "search_fold", "sample_fold"}
     searches |= {"summarise_inputs", "choose_default"}
     assert not [name for name in searches if name in before]
     asked = jobs_after("config/held_out.yaml")
