@@ -335,14 +335,14 @@ class OnTheReach:
 
 def test_a_profile_is_narrow_in_what_is_determined_and_wide_in_what_others_make_up_for():
     levels = [0.0, 0.2, 0.4, 0.6, 0.8]
-    wide = profile(SIZES, OnTheReach(), BEST, "mean_ratio", levels)
+    wide = profile(SIZES, OnTheReach(), [BEST], "mean_ratio", levels)
     assert [row["level"] for row in wide] == levels
     assert max(row["objective"] for row in wide) < 0.1
     # the others follow
     assert [quantity("reach", {**SIZES.fixed, **row}) for row in wide] == pytest.approx(
         [4.4] * 5, abs=0.02
     )
-    narrow = profile(SIZES, OnTheReach(), BEST, "reach", [4.2, 4.4, 4.6])
+    narrow = profile(SIZES, OnTheReach(), [BEST], "reach", [4.2, 4.4, 4.6])
     low, best, high = (row["objective"] for row in narrow)
     assert low > 0.9 and high > 0.9 and best < 0.05
 

@@ -25,9 +25,11 @@ with job(snakemake) as output:
     objective = Objective.of(fitted, settings, base)
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     rows = np.vstack([read_rows(path) for path in snakemake.input.start])
-    if nearby := settings["interpretations"][interpretation.name].get("nearby"):
+    entry = settings["interpretations"][interpretation.name]
+    if nearby := entry.get("nearby"):
         starts = nearby_starts(interpretation, Interpretation.of(nearby, settings), rows)
-        budget = budget | {"evaluations": budget["nearby_evaluations"]}
+        evaluations = entry.get("evaluations", budget["nearby_evaluations"])
+        budget = budget | {"evaluations": evaluations}
         hops = 0
     else:
         every = Objective.of(statements, settings, base)

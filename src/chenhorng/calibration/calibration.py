@@ -80,13 +80,27 @@ class Interpretation:
         return cls(name, entry["fixed"], tuple(unknowns))
 
     def values(self, positions: Iterable[float]) -> dict[str, float]:
-        """Values of the unknowns at ``positions``, shape (unknowns,), by name, SI."""
+        """The values of the unknowns at ``positions``, shape (unknowns,), by name, SI."""
         pairs = zip(self.unknowns, positions, strict=True)
-        return {unknown.name: unknown.value(position) for unknown, position in pairs}
+        inputs = {unknown.name: unknown.value(position) for unknown, position in pairs}
+        return self._sheared(inputs, -1.0)
 
     def positions(self, inputs: Mapping[str, Any]) -> NDArray:
         """Positions of the unknowns, shape (unknowns,), from their values by name, SI."""
-        return np.array([unknown.position(inputs[unknown.name]) for unknown in self.unknowns])
+        sheared = self._sheared(inputs, 1.0)
+        return np.array([unknown.position(sheared[unknown.name]) for unknown in self.unknowns])
+
+    def _sheared(self, inputs: Mapping[str, Any], sign: float) -> dict[str, Any]:
+        """The ``inputs`` with X_max over the truncation in the place of the spread, or back.
+
+        The statements determine the largest size, so the mean moves along their valley if X_max
+        stays.
+        """
+        known = {**self.fixed, **inputs}
+        if "spread_ratio" not in inputs or "truncation" not in known:
+            return dict(inputs)
+        shift = known.get("mean_ratio", 0.0) / known["truncation"]
+        return {**inputs, "spread_ratio": inputs["spread_ratio"] + sign * shift}
 
     def penalty(self, inputs: Mapping[str, Any]) -> float:
         """How unusual the unknowns are [1], from their values by name, SI."""

@@ -6,6 +6,7 @@ wide valley (Raue et al. 2009, doi:10.1093/bioinformatics/btp358).
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Self
 
 import numpy as np
@@ -13,9 +14,10 @@ from numpy.typing import NDArray
 from scipy.stats import truncnorm
 
 from chenhorng.calibration.calibration import Interpretation, Objective
-from chenhorng.calibration.search import best_of, descend_twice
+from chenhorng.calibration.search import best_of, descend_twice, search
 
-ITERATIONS = 6, 10  # of least squares at a level, in both rounds
+ITERATIONS = 6, 8  # of least squares at a level, in both rounds
+EVALUATIONS = {"evaluations": 25}  # of the evolution after them, per unknown
 
 
 def mean_square(inputs: Mapping[str, Any]) -> float:
@@ -57,7 +59,10 @@ class Held(Interpretation):
         """The ``interpretation`` with a quantity held."""
         dependent, _ = COMBINATIONS.get(along, (along, None))
         free = tuple(each for each in interpretation.unknowns if each.name != dependent)
-        return cls(interpretation.name, interpretation.fixed, free, along=along, level=level)
+        fixed = interpretation.fixed
+        if along not in COMBINATIONS:
+            fixed = {**fixed, along: level}
+        return cls(interpretation.name, fixed, free, along=along, level=level)
 
     def values(self, positions: Any) -> dict[str, float]:
         inputs = super().values(positions)
@@ -70,16 +75,18 @@ class Held(Interpretation):
 def profile(
     interpretation: Interpretation,
     objective: Objective,
-    best: Mapping[str, Any],
+    bests: Sequence[Mapping[str, Any]],
     along: str,
     levels: Sequence[float],
 ) -> list[dict[str, float]]:
     """The least objective at each of the ``levels`` of a quantity, in their order, with the inputs
     that give it, SI.
 
-    The levels are passed from the ``best`` inputs outwards on both sides.  A fit starts from that
-    before, or from where the line through the last two fits leads, whichever is better.
+    The levels are passed from the first of the ``bests`` outwards on both sides.  A fit starts from
+    that before, from where the line through the last two fits leads, or from the other ``bests``,
+    whichever is better.
     """
+    best, *others = bests
     own = quantity(along, {**interpretation.fixed, **best})
     upwards = sorted(level for level in levels if level >= own)
     downwards = sorted((level for level in levels if level < own), reverse=True)
@@ -88,9 +95,12 @@ def profile(
         passed = [(own, best)]
         for level in side:
             held = Held.at(interpretation, along, level)
-            starts = [held.positions(passed[-1][1]), _led_to(held, passed, level)]
-            start = min(starts, key=lambda positions: objective(held, positions))
-            row = best_of(descend_twice(held, objective, start, ITERATIONS))
+            starts = [held.positions(inputs) for inputs in (passed[-1][1], *others)]
+            starts.append(_led_to(held, passed, level))
+            start = min(starts, key=partial(objective, held))
+            found = best_of(descend_twice(held, objective, start, ITERATIONS))
+            evolved = best_of(search(held, objective, found[:-1], EVALUATIONS, seed=1))
+            row = min(found, evolved, key=lambda row: row[-1])
             inputs = held.values(row[:-1])
             passed.append((level, inputs))
             rows[level] = {"level": level, "objective": float(row[-1]), **inputs}

@@ -14,7 +14,7 @@ from thirdbody.symbols import mathtext
 
 SIZE = TWO_COLUMNS, 4.4  # inches
 COLUMNS = 3
-HIGHEST = 15.0  # of the axis, above the least objective [1]
+HIGHEST = 20.0  # of the axis, above the least objective [1]
 LOGARITHMIC = "participation", "mean_square", "summit_parameter"
 TOTAL = "total"  # how the interpretations with W of F_t begin
 LOOKS = {False: {"color": "C0", "marker": "o"}, True: {"color": "C1", "marker": "s", "ls": "--"}}
