@@ -25,7 +25,13 @@ from chenhorng.calibration.choice import (
     printed_numbers,
     rank_interpretations,
 )
-from chenhorng.calibration.profile import Held, mean_square, profile, quantity
+from chenhorng.calibration.profile import (
+    Held,
+    largest_size,
+    mean_square,
+    profile,
+    quantity,
+)
 from chenhorng.calibration.results import fold_members, summary
 from chenhorng.calibration.search import (
     _loss,
@@ -305,14 +311,24 @@ SIZES = Interpretation(
 BEST = {"mean_ratio": 0.4, "spread_ratio": 0.3, "elastic_depth_ratio": 2.8, "participation": 0.2}
 
 
+def test_the_mean_moves_while_the_largest_size_stays():
+    places = SIZES.positions(BEST)
+    for mean in (0.0, 0.2, 0.6):
+        inputs = SIZES.values([mean, *places[1:]])
+        assert inputs["mean_ratio"] == mean
+        assert largest_size({**SIZES.fixed, **inputs}) == pytest.approx(1.6)
+    assert SIZES.positions(SIZES.values(places)) == pytest.approx(places)
+
+
 @pytest.mark.parametrize(
-    ("along", "level"), [("mean_ratio", 0.7), ("reach", 4.2), ("mean_square", 0.05)]
+    ("along", "level"), [("mean_ratio", 0.3), ("reach", 4.2), ("mean_square", 0.05)]
 )
 def test_what_is_held_has_its_level_wherever_the_others_are(along, level):
     held = Held.at(SIZES, along, level)
     assert len(held.unknowns) == 3
-    for positions in np.random.default_rng(1).random((5, 3)):
+    for positions in 0.5 + 0.2 * np.random.default_rng(1).random((5, 3)):
         inputs = {**SIZES.fixed, **held.values(positions)}
+        assert inputs["spread_ratio"] > 0.0
         assert quantity(along, inputs) == pytest.approx(level)
 
 
@@ -335,14 +351,14 @@ class OnTheReach:
 
 def test_a_profile_is_narrow_in_what_is_determined_and_wide_in_what_others_make_up_for():
     levels = [0.0, 0.2, 0.4, 0.6, 0.8]
-    wide = profile(SIZES, OnTheReach(), [BEST], "mean_ratio", levels)
+    wide = profile(SIZES, OnTheReach(), BEST, "mean_ratio", levels)
     assert [row["level"] for row in wide] == levels
     assert max(row["objective"] for row in wide) < 0.1
     # the others follow
     assert [quantity("reach", {**SIZES.fixed, **row}) for row in wide] == pytest.approx(
         [4.4] * 5, abs=0.02
     )
-    narrow = profile(SIZES, OnTheReach(), [BEST], "reach", [4.2, 4.4, 4.6])
+    narrow = profile(SIZES, OnTheReach(), BEST, "reach", [4.2, 4.4, 4.6])
     low, best, high = (row["objective"] for row in narrow)
     assert low > 0.9 and high > 0.9 and best < 0.05
 

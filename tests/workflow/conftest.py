@@ -101,7 +101,7 @@ def _calibrate(workspace):
         settings["budget"], settings["seeds"] = BUDGET, [1, 2]
         settings["folds"] = [[3, 4, 5, 6, 7, 8], [9, 10, 11, 12, 13]]
         settings["headline"] = headline
-        settings["ensemble"] = {"of": [NEARBY], "of_each_fold": 2}
+        settings["ensemble"] = {"of": NEARBY, "of_each_fold": 2}
         settings["profiles"] = [{"of": NEARBY, "along": "reach", "levels": [4.4]}]
         settings["interpretations"] = {
             name: settings["interpretations"][name] for name in INTERPRETATIONS

@@ -7,9 +7,6 @@ CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
 SEARCHES = Searches(CALIBRATION)
-SAMPLED = CALIBRATION["ensemble"]["of"]
-# the best of these start the profiles
-PROFILED = [*dict.fromkeys([*(each["of"] for each in CALIBRATION["profiles"]), *SAMPLED])]
 OF_INTERPRETATION = "<results>/calibration/{{interpretation}}"
 
 
@@ -101,7 +98,7 @@ rule sample_fold:
 
 rule profile_inputs:
     input:
-        evaluations=[f"<results>/calibration/{name}/seed{SEEDS[0]}.csv" for name in PROFILED],
+        evaluations=lambda wildcards: SEARCHES.found(wildcards.interpretation)[0],
     output:
         profile="<results>/calibration/{interpretation}/profile_{along}.csv",
     log:
@@ -113,9 +110,8 @@ rule profile_inputs:
         *SOFTWARE,
         CLAIMS_TEXT,
         claims=CLAIMS,
-        settings=CALIBRATION,
+        settings=lambda wildcards: SEARCHES.settings_of(wildcards.interpretation),
         parameters=settings["uncalibrated"],
-        names=PROFILED,
         levels=lambda wildcards: SEARCHES.levels(wildcards.interpretation, wildcards.along),
     message:
         "Profile of {wildcards.interpretation} along {wildcards.along}"
@@ -147,7 +143,8 @@ SUMMARISED = expand(
     "<results>/calibration/{interpretation}.yaml", interpretation=CALIBRATION["interpretations"]
 )
 SAMPLES = [
-    f"<results>/calibration/{name}/fold{fold}_samples.csv" for name in SAMPLED for fold in FOLDS
+    f"<results>/calibration/{CALIBRATION['ensemble']['of']}/fold{fold}_samples.csv"
+    for fold in FOLDS
 ]
 PROFILES = [
     f"<results>/calibration/{each['of']}/profile_{each['along']}.csv"

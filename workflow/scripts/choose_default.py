@@ -18,18 +18,12 @@ with job(snakemake) as output:
     candidates = [Candidate.of(judge, content) for content in contents]
     table = rank_interpretations(judge, candidates, settings)
     print(table.to_string(index=False))
-    samples = iter(map(read_rows, snakemake.input.samples))
-    folds = settings["folds"]
-    members = [
-        member
-        for name in settings["ensemble"]["of"]
-        for member in fold_members(
-            Interpretation.of(name, settings),
-            [next(samples) for _ in folds],
-            folds,
-            settings["ensemble"]["of_each_fold"],
-        )
-    ]
+    members = fold_members(
+        Interpretation.of(settings["ensemble"]["of"], settings),
+        [read_rows(path) for path in snakemake.input.samples],
+        settings["folds"],
+        settings["ensemble"]["of_each_fold"],
+    )
     chosen = {"interpretation": table.loc[0, "interpretation"], "members": members}
     output.chosen.write_text(json.dumps(chosen, indent=1) + "\n", encoding="utf-8")
     table.to_csv(output.ranking, index=False, float_format="%.6g")

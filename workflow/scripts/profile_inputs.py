@@ -13,11 +13,8 @@ with job(snakemake) as output:
     claims = load_claims(snakemake.params.claims)
     objective = Objective.of(claims, settings, snakemake.params.parameters)
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
-    bests = []
-    for path, name in zip(snakemake.input.evaluations, snakemake.params.names, strict=True):
-        one = Interpretation.of(name, settings)
-        bests.append(one.fixed | one.values(best_of(read_rows(path))[:-1]))
-    rows = profile(interpretation, objective, bests, along, snakemake.params.levels)
+    best = interpretation.values(best_of(read_rows(snakemake.input.evaluations))[:-1])
+    rows = profile(interpretation, objective, best, along, snakemake.params.levels)
     table = pd.DataFrame(rows)
     table.insert(0, "along", along)
     table.insert(0, "interpretation", interpretation.name)

@@ -17,7 +17,8 @@ from chenhorng.calibration.calibration import Interpretation, Objective
 from chenhorng.calibration.search import best_of, descend_twice, search
 
 ITERATIONS = 6, 8  # of least squares at a level, in both rounds
-EVALUATIONS = {"evaluations": 25}  # of the evolution after them, per unknown
+FEWER = 0.7, 0.5, 0.35  # parts of the particles: sizes about a mean are larger
+EVALUATIONS = {"evaluations": 15}  # of the evolution after them, per unknown
 
 
 def mean_square(inputs: Mapping[str, Any]) -> float:
@@ -75,18 +76,17 @@ class Held(Interpretation):
 def profile(
     interpretation: Interpretation,
     objective: Objective,
-    bests: Sequence[Mapping[str, Any]],
+    best: Mapping[str, Any],
     along: str,
     levels: Sequence[float],
 ) -> list[dict[str, float]]:
     """The least objective at each of the ``levels`` of a quantity, in their order, with the inputs
     that give it, SI.
 
-    The levels are passed from the first of the ``bests`` outwards on both sides.  A fit starts from
-    that before, from where the line through the last two fits leads, or from the other ``bests``,
-    whichever is better.
+    The levels are passed from the ``best`` inputs outwards on both sides.  A fit starts from that
+    before, with as many particles or ``FEWER``, or from where the line through the last two fits
+    leads, whichever is better.
     """
-    best, *others = bests
     own = quantity(along, {**interpretation.fixed, **best})
     upwards = sorted(level for level in levels if level >= own)
     downwards = sorted((level for level in levels if level < own), reverse=True)
@@ -95,7 +95,7 @@ def profile(
         passed = [(own, best)]
         for level in side:
             held = Held.at(interpretation, along, level)
-            starts = [held.positions(inputs) for inputs in (passed[-1][1], *others)]
+            starts = [held.positions(inputs) for inputs in _with_fewer(passed[-1][1])]
             starts.append(_led_to(held, passed, level))
             start = min(starts, key=partial(objective, held))
             found = best_of(descend_twice(held, objective, start, ITERATIONS))
@@ -105,6 +105,13 @@ def profile(
             passed.append((level, inputs))
             rows[level] = {"level": level, "objective": float(row[-1]), **inputs}
     return [rows[level] for level in sorted(rows)]
+
+
+def _with_fewer(inputs: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """The ``inputs`` with as many particles that carry load, and with fewer."""
+    if "participation" not in inputs:
+        return [dict(inputs)]
+    return [{**inputs, "participation": part * inputs["participation"]} for part in (1.0, *FEWER)]
 
 
 def _led_to(held: Held, passed: Sequence[tuple[float, Mapping[str, Any]]], level: float) -> NDArray:
