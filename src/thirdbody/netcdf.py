@@ -89,7 +89,14 @@ class PlainDataset:
     def to_xarray(self) -> "xr.Dataset":
         import xarray as xr
 
-        return xr.Dataset(self.data_vars, self.coords, self.attrs)
+        return with_full_coordinates(xr.Dataset(self.data_vars, self.coords, self.attrs))
+
+
+def with_full_coordinates(dataset: "xr.Dataset") -> "xr.Dataset":
+    """The same ``dataset``, whose coordinates get no fill value in a file (CF 2.5.1)."""
+    for coordinate in dataset.coords.values():
+        coordinate.encoding["_FillValue"] = None
+    return dataset
 
 
 Dataset: TypeAlias = Union[PlainDataset, "xr.Dataset"]  # functions accept either
