@@ -3,6 +3,8 @@
 Axes, shown points and inputs follow from the configuration in the archive.
 """
 
+import hashlib
+import json
 import math
 
 import numpy as np
@@ -60,11 +62,15 @@ GLOBAL_FIXED = {
     "source": "doi:10.3389/fmech.2024.1390335",
     "license": "CC-BY-4.0",
 }
-# attributes by which programs change or hide the numbers that they read
-CHANGES_NUMBERS = {
-    *("scale_factor", "add_offset", "_Unsigned", "_Encoding", "dtype"),
-    *("missing_value", "_FillValue", "valid_min", "valid_max", "valid_range"),
+# attributes that say what this program derives from the configuration
+GLOBAL_DERIVED = {"title", "rtol", "model_parameters", "configuration_sha256", "id"}
+# texts, which only the sums protect
+GLOBAL_TEXTS = {
+    *("summary", "keywords", "references", "comment", "history", "acknowledgement", "project"),
+    *("creator_name", "creator_type", "institution", "contributor_name", "contributor_role"),
+    *("naming_authority", "standard_name_vocabulary", "schema_version", "processing_level"),
 }
+TEXTS = {"long_name", "comment"}  # the same of a variable
 TIGHTEST, LOOSEST = 1e-11, 1e-2  # rtol that the workflow allows
 MOST_POINTS = 5_000_000  # of one dataset: what is read at once is limited before it is read
 # attribute `model_parameters`: the name of each input in configuration/parameters.json
@@ -115,23 +121,25 @@ def form_findings(file):
     points = math.prod(len(dimension) for dimension in file.dimensions.values())
     if points > MOST_POINTS:
         yield f"has {points} points, more than the {MOST_POINTS} that are read"
-    yield from attribute_findings("", attributes(file), GLOBAL_FIXED)
+    yield from attribute_findings("", attributes(file), GLOBAL_FIXED, GLOBAL_DERIVED | GLOBAL_TEXTS)
     for name in known:
         if name in file.variables:
             yield from variable_findings(name, file[name])
 
 
 def variable_findings(name, variable):
-    """Faults in the dimensions, type and attributes of a variable."""
+    """Faults in the storage, dimensions, type and attributes of a variable."""
     expected_type = "<i1" if name in FLAGS else "<f8"
     expected_dimensions = DIMENSIONS
     if name in COORDINATES:
         expected_dimensions = ("load",) if name == "normal_load" else (name,)
+    if variable.chunking() == "contiguous":  # netCDF4 says so of a virtual dataset too
+        yield f"{name} has no chunks, so its numbers may lie in another file"
     if variable.dimensions != expected_dimensions:
         yield f"{name} has the dimensions {', '.join(variable.dimensions)}"
     if np.dtype(variable.dtype) != np.dtype(expected_type):
         yield f"{name} has the type {variable.dtype}"
-    yield from attribute_findings(name, attributes(variable), expected_attributes(name))
+    yield from attribute_findings(name, attributes(variable), expected_attributes(name), TEXTS)
 
 
 def expected_attributes(name):
@@ -165,11 +173,12 @@ def attributes(owner):
     return {name: getattr(value, "tolist", lambda v=value: v)() for name, value in values.items()}
 
 
-def attribute_findings(owner, present, fixed):
-    """Attributes that change numbers, or are of another value than the ``fixed`` ones."""
+def attribute_findings(owner, present, fixed, others):
+    """Attributes that are neither ``fixed`` nor among the names of ``others``, as programs may
+    change numbers by them, or that are of another value than the ``fixed`` ones."""
     prefix = f"{owner}: " if owner else ""
-    for name in sorted(present.keys() & CHANGES_NUMBERS - fixed.keys()):
-        yield f"{prefix}attribute {name} changes what programs read"
+    for name in sorted(present.keys() - fixed.keys() - others):
+        yield f"{prefix}unknown attribute {name}"
     for name, value in fixed.items():
         if present.get(name) != value:
             yield f"{prefix}attribute {name} is {present.get(name)!r}, not {value!r}"
@@ -244,6 +253,19 @@ def configuration_findings(data, name, config, inputs):
     if (data.shown != expected_points(scene, axes)).any():
         yield "shows other points than the configuration"
     yield from input_findings(data, inputs)
+    if data.identity != identity(data, scene, inputs):
+        yield "configuration_sha256 or id is not that of the configuration"
+
+
+def identity(data, scene, inputs):
+    """The SHA-256 of the configuration and the id that follows from it."""
+    groups = [
+        {name: sorted(values) for name, values in group.items()} for group in curve_groups(scene)
+    ]
+    request = {"load": data.axes["load"].tolist(), "groups": groups}
+    asked = {"parameters": inputs, "rtol": data.rtol, "request": request}
+    digest = hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()
+    return digest, f"thirdbody-{digest[:16]}"
 
 
 def input_findings(data, inputs):

@@ -2,7 +2,9 @@
 
 import json
 import math
+import resource
 import sys
+from contextlib import contextmanager
 from typing import NamedTuple
 
 import contract
@@ -24,6 +26,7 @@ INTEGRALS = 1e-11  # own error of the forces, which counts where it does not
 FLOAT64 = 1e-15  # relative noise of forces in float64, for each unit of their logarithms
 LARGEST_LOGARITHM = 745.0  # of a number in float64
 MARGIN = 100.0  # by which two programs may judge the noise of one point differently
+LARGEST_FILE = 100 * contract.MOST_POINTS  # bytes: twelve numbers a point, not compressed
 LEAST_BOUND = 1e-14  # loads are known as logarithms of up to 30: no float64 solver promises less
 
 
@@ -36,6 +39,7 @@ class Dataset(NamedTuple):
     shown: np.ndarray  # which combinations are shown, 5-D
     title: str
     rtol: float
+    identity: tuple  # attributes configuration_sha256 and id
 
 
 class Outcome(NamedTuple):
@@ -50,6 +54,20 @@ class Outcome(NamedTuple):
     has_form: bool = True
 
 
+@contextmanager
+def opened(path):
+    """The dataset ``path``, read while this process can open no other file: numbers, links and
+    filters that lie elsewhere are errors.  Only POSIX systems have such a limit."""
+    content = path.read_bytes()
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (0, hard))
+    try:
+        with netCDF4.Dataset(path.name, memory=content) as file:
+            yield file
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+
+
 def read(file):
     """The ``Dataset`` in an open file of the expected form."""
     file.set_auto_maskandscale(False)
@@ -62,7 +80,13 @@ def read(file):
     if any((other != first).any() for other in shown.values()):
         raise ValueError("some variables leave out points that others show")
     return Dataset(
-        json.loads(file.model_parameters), axes, values, first, file.title, float(file.rtol)
+        model=json.loads(file.model_parameters),
+        axes=axes,
+        values=values,
+        shown=first,
+        title=file.title,
+        rtol=float(file.rtol),
+        identity=(file.configuration_sha256, file.id),
     )
 
 
@@ -199,7 +223,9 @@ def solved(row, own, point, data, tolerance):
 
 def check(path, config, inputs, count, rng):
     """The ``Outcome`` for the dataset ``path``: all points evaluated, ``count`` of them solved."""
-    with netCDF4.Dataset(path) as file:
+    if path.stat().st_size > LARGEST_FILE:
+        return Outcome([f"is larger than {LARGEST_FILE} bytes"], has_form=False)
+    with opened(path) as file:
         findings = list(contract.form_findings(file))
         if findings:
             return Outcome(findings, has_form=False)
@@ -238,7 +264,8 @@ def point_findings(data, index, is_sampled):
         numbers = (*QUANTITIES, BOUND)
         return [f"{n} {where} has a value" for n in numbers if not math.isnan(row[n])], 0.0
     if is_sampled or status == UNRESOLVED:
-        measured += solved(row, own, point, data, data.rtol + SOLUTION + uncertainty)
+        promised = data.rtol if status == UNRESOLVED else row[BOUND]
+        measured += solved(row, own, point, data, promised + SOLUTION + uncertainty)
     if status != UNRESOLVED:
         worst = max((by for _, by, _ in measured), default=0.0)
     # the separation and the value that follows from it are each within rtol

@@ -3,10 +3,11 @@
     python verification/verify.py [FOLDER] [--seed N] [--points N] [--packed] [--sums]
 
 FOLDER is an unpacked archive, by default the one that this program lies in.  Needs Python 3.11,
-numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 sums of all files first, and looks
-for missing and extra files; nothing in FOLDER is imported before they agree.  Then it
-compares the descriptions of the tables and the crate with the files, and each dataset with the
-data contract and the configuration (contract.py) and with the equations of the paper at every
+numpy, scipy and netCDF4, nothing else, and for the datasets a POSIX system.  It looks for missing
+and extra files first, and compares the SHA-256 sums of those that are listed; nothing in FOLDER is
+imported before they agree.  Then it compares the descriptions of the tables and the crate with the
+files, looks for what pages and drawings would load from elsewhere, and compares each dataset with
+the data contract and the configuration (contract.py) and with the equations of the paper at every
 point; some points are solved again from the inputs alone (plain_model.py).  Prints one line.  Exit
 code 0: whole; 1: not.
 """
@@ -23,11 +24,14 @@ import hashlib
 import importlib
 import json
 import random
+import re
+import tempfile
 import warnings
 import zipfile
-from collections import Counter
+from datetime import date
 from pathlib import Path
 from urllib.parse import unquote
+from xml.etree import ElementTree
 
 HERE = Path(__file__).resolve().parent
 DIGITS = 64  # hexadecimal, of a SHA-256 sum
@@ -46,7 +50,28 @@ CONTENT_SUMS = "data/datasets/content-sha256.json"
 SHOWN_FAULTS = 5
 SHOWN_DEVIATION = 1e-16  # no smaller one is worth a digit
 LONGEST_LINE = 10_000_000  # characters of a table that are read at once
-LARGEST_TEXT = 100_000_000  # bytes of a manifest or description, which are read at once
+LARGEST_TEXT = 100_000_000  # bytes of a manifest, description or page, which are read at once
+# a part of a path that every system can write
+PORTABLE = re.compile(r"[A-Za-z0-9._+-]*[A-Za-z0-9_+-]")
+# how each page begins: a browser then loads nothing from elsewhere
+POLICY = (
+    "default-src 'none'; img-src data:; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
+    "base-uri 'none'; form-action 'none'"
+)
+PAGE_BEGINS = re.compile(
+    r"<!doctype html>\s*<html lang=\"en\">\s*<head>\s*<meta charset=\"utf-8\">\s*"
+    rf"<meta http-equiv=\"Content-Security-Policy\" content=\"{re.escape(POLICY)}\">",
+    re.IGNORECASE,
+)
+# what makes a drawing run or load something: an element, a NAME=VALUE, or a part of a style
+DRAWING_LOADS = re.compile(
+    r"^<(?:script|foreignObject|animate\w*|set)$|^on\w+=|^base=|^(?:href|src)=(?!#|data:image/png)"
+    r"|@import|\burl\((?!#)|\\",
+    re.IGNORECASE,
+)
+XHTML = "{http://www.w3.org/1999/xhtml}"
+FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
+UNIX = 3  # code of a zip file for a system with such modes
 
 
 class Faults(dict):
@@ -70,18 +95,15 @@ def sha256_of(content):
     return digest.hexdigest()
 
 
-def read_files(folder, faults):
-    """SHA-256 of all files below ``folder`` by their names."""
-    found = {}
+def list_files(folder, faults):
+    """Names of all files below ``folder``.  None is read."""
+    found = set()
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
         if path.is_symlink() or not (path.is_file() or path.is_dir()):
             faults.add(name, "is no ordinary file")
         elif path.is_file():
-            try:
-                found[name] = sha256(path)
-            except OSError as error:
-                faults.add(name, f"cannot be read ({error.strerror})")
+            found.add(name)
     return found
 
 
@@ -127,10 +149,30 @@ def check_bag(folder, found, faults):
                 faults.add(name, "is missing")
             elif name not in listed:
                 faults.add(name, "is not part of the archive")
-            elif listed[name] != found[name]:
-                faults.add(name, "is changed")
-    for name in sorted(TAG_FILES ^ {name for name in found if name not in payload}):
+            else:
+                check_file(folder / name, name, listed[name], faults)
+    for name in sorted(TAG_FILES ^ (found - payload)):
         faults.add(name, "is not part of the archive" if name in found else "is missing")
+
+
+def check_file(path, name, listed, faults):
+    """A file that is listed has the SHA-256 ``listed``."""
+    try:
+        if sha256(path) != listed:
+            faults.add(name, "is changed")
+    except OSError as error:
+        faults.add(name, f"cannot be read ({error.strerror})")
+
+
+def check_names(found, faults):
+    """Every system can unpack all files, each to a place of its own."""
+    places = {}
+    for name in sorted(found):
+        other = places.setdefault(name.casefold(), name)
+        if other != name:
+            faults.add(name, f"is {other} on some systems")
+        if not all(map(PORTABLE.fullmatch, name.split("/"))):
+            faults.add(name, "has a name that not every system can write")
 
 
 def check_declarations(folder, found, faults):
@@ -180,8 +222,31 @@ def check_crate(folder, found, faults):
     """ro-crate-metadata.json: describes every file but those of the bag itself, and no other."""
     graph = read_json(folder / METADATA)["@graph"]
     described = {unquote(entity["@id"]) for entity in graph if "File" in entity["@type"]}
-    for path in sorted(described ^ (found.keys() - OF_BAG - {METADATA})):
+    for path in sorted(described ^ (found - OF_BAG - {METADATA})):
         faults.add(path, f"is in only one of {METADATA} and the archive")
+
+
+def check_pages(folder, found, faults):
+    """Pages and drawings among the products load nothing from elsewhere."""
+    for name in sorted(filter(is_product, found)):
+        if name.endswith(".html") and not PAGE_BEGINS.match(read_text(folder / name)):
+            faults.add(name, "may load what lies elsewhere")
+        if name.endswith(".svg") and drawing_loads(read_text(folder / name)):
+            faults.add(name, "may load what lies elsewhere")
+
+
+def drawing_loads(text):
+    """Whether an SVG drawing runs a program, or loads anything but pictures that lie in it."""
+    words = []
+    for element in ElementTree.fromstring(text).iter():
+        space, _, tag = element.tag.rpartition("}")
+        if f"{space}}}" == XHTML:
+            return True
+        words.append(f"<{tag}")
+        words += [f"{key.rpartition('}')[2]}={value}" for key, value in element.items()]
+        if tag == "style":
+            words.append("".join(element.itertext()))
+    return "<?xml-stylesheet" in text or any(map(DRAWING_LOADS.search, words))
 
 
 def check_datasets(folder, found, count, seed, faults):
@@ -234,31 +299,33 @@ def own_module(name):
 
 
 def check_packed(folder, found, faults):
-    """The packed archive beside ``folder`` is the one on record and holds the same files."""
+    """The packed archive beside ``folder`` is the one on record, and what `write_zip` makes of the
+    files.  So no program unpacks anything else from it."""
     packed = packed_beside(folder)
-    if sha256(packed) != record_beside(folder)["archive"]["sha256"]:
+    packed_sum = sha256(packed)
+    if packed_sum != record_beside(folder)["archive"]["sha256"]:
         faults.add(packed, "is not the archive that its provenance names")
-    with zipfile.ZipFile(packed) as archive:
-        members = archive.infolist()
-        names = Counter(member.orig_filename for member in members)  # as unpacking programs read it
-        for name in sorted(names.keys() ^ found.keys()):
-            faults.add(packed, f"and the folder do not both hold {name}")
-        for name in sorted(name for name, count in names.items() if count > 1):
-            faults.add(packed, f"holds {name} more than once")
-        for member in members:
-            name = member.orig_filename
-            if name in found and not is_member(archive, member, folder / name, found[name]):
-                faults.add(packed, f"holds another {name}")
+    with tempfile.TemporaryFile() as own:
+        write_zip(folder, found, own)
+        own.seek(0)
+        if sha256_of(own) != packed_sum:
+            faults.add(packed, "holds something else than the folder")
 
 
-def is_member(archive, member, path, digest):
-    """Whether a member of the packed archive is the file ``path``; it is read only if it has the
-    size.
+def write_zip(folder, names, file):
+    """Write the files ``names`` of ``folder`` to the open ``file``, with the date of the bag.
+
+    The same files make the same bytes.  They are not compressed, because compression depends on the
+    version of its library.
     """
-    if member.file_size != path.stat().st_size:
-        return False
-    with archive.open(member) as content:
-        return sha256_of(content) == digest
+    (day,) = re.findall(r"^Bagging-Date: (.*)$", read_text(folder / "bag-info.txt"), re.MULTILINE)
+    moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as packed:
+        for name in sorted(names):
+            member = zipfile.ZipInfo(name, moment)
+            member.create_system = UNIX
+            member.external_attr = FILE_MODE
+            packed.writestr(member, (folder / name).read_bytes())
 
 
 def packed_beside(folder):
@@ -272,15 +339,17 @@ def record_beside(folder):
 def verify(folder, count, seed, packed_too=False, sums_alone=False):
     """``Faults`` of the archive in ``folder``, and what was checked in words."""
     faults = Faults()
-    found = read_files(folder, faults)
+    found = list_files(folder, faults)
     data, counted = folder / "data", []
     sums = {
         "manifests": lambda: check_bag(folder, found, faults),
+        "names": lambda: check_names(found, faults),
         "bag-info.txt": lambda: check_declarations(folder, found, faults),
     }
     contents = {
         f"data/{TABLE_SCHEMAS}": lambda: check_tables(data, found, faults),
         METADATA: lambda: check_crate(folder, found, faults),
+        "pages": lambda: check_pages(folder, found, faults),
         "data/datasets": lambda: counted.append(check_datasets(folder, found, count, seed, faults)),
     }
     others = {}

@@ -344,7 +344,9 @@ def _in_words(name: str, values: NDArray) -> str:
 
 def labelled_dataset(solution: Solution) -> xr.Dataset:
     """The dataset of a solution, as in ``Solution.to_dataset``."""
-    return _with_rows(_labelled(solution), solution.index)
+    from thirdbody.netcdf import with_full_coordinates
+
+    return with_full_coordinates(_with_rows(_labelled(solution), solution.index))
 
 
 def _labelled(solution: Solution) -> xr.Dataset:

@@ -115,6 +115,16 @@ def test_fill_values_belong_to_the_file(parameters, tmp_path):
     xr.testing.assert_identical(xr.load_dataset(tmp_path / "grid.nc"), grid)
 
 
+def test_coordinates_in_a_file_have_no_fill_value(parameters, tmp_path):
+    tb.grid(**AXES, parameters=parameters).to_netcdf(tmp_path / "grid.nc")
+    line = {name: values if name == "load" else values[-1] for name, values in AXES.items()}
+    tb.solve(**line).to_dataset().to_netcdf(tmp_path / "solution.nc")
+    for name in ("grid", "solution"):
+        with netCDF4.Dataset(tmp_path / f"{name}.nc") as file:
+            for each in (*AXES, "normal_load"):
+                assert "_FillValue" not in file[each].ncattrs()
+
+
 def test_packed_numbers_are_decoded(parameters, tmp_path):
     grid = tb.grid(**AXES, parameters=parameters)
     packed = {"dtype": "int32", "scale_factor": 1e-9, "_FillValue": -2147483647}

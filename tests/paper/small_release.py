@@ -85,7 +85,7 @@ def make_release(folder):
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
     stage(place, products, [*SOURCES, *programs], settings, software, release)
-    pack(place, folder / f"{release.full_name}.zip", release.date)
+    pack(place, folder / f"{release.full_name}.zip")
     return place
 
 

@@ -38,14 +38,22 @@ def test_a_damaged_product_is_named_with_the_command_that_remakes_it(tmp_path):
     assert log.read_text() == f"{reason}; remake it: snakemake -c2 --force {product}\n"
 
 
-def test_any_other_failure_is_a_traceback_in_the_log(tmp_path):
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (KeyError("load"), "KeyError: 'load'"),
+        (SystemExit("no more"), "SystemExit: no more"),
+        (KeyboardInterrupt(), "KeyboardInterrupt"),
+    ],
+)
+def test_any_other_failure_is_a_traceback_in_the_log(tmp_path, error, said):
     log = tmp_path / "log"
     with pytest.raises(SystemExit) as ended, logged(log):
         print("begun")
-        1 / 0  # noqa: B018
+        raise error
     begun, first, *_, last = log.read_text().splitlines()
     assert (begun, first) == ("begun", "Traceback (most recent call last):")
-    assert last == "ZeroDivisionError: division by zero"
+    assert last == said
     assert ended.value.code == 1
 
 
@@ -56,16 +64,22 @@ def test_a_log_that_cannot_be_written_is_named(tmp_path):
 
 @pytest.fixture
 def snakemake(tmp_path, monkeypatch):
-    """What a script has of its job: two outputs, of which one is there from an earlier run."""
+    """What a script has of its job: two outputs, of which one is there from an earlier run, and an
+    input that no job made."""
     monkeypatch.chdir(tmp_path)
     SUMS.parent.mkdir()
     (tmp_path / "a.csv").write_text("old")
+    (tmp_path / "style").write_text("plain")
     output = {"a": str(tmp_path / "a.csv"), "b": str(tmp_path / "b.csv")}
 
     class Named(list):
         keys = output.keys
 
-    return SimpleNamespace(log=[tmp_path / "job.log"], output=Named(output.values()))
+    return SimpleNamespace(
+        log=[tmp_path / "job.log"],
+        input=[str(tmp_path / "style")],
+        output=Named(output.values()),
+    )
 
 
 def test_a_job_moves_its_products_into_place_together(snakemake, tmp_path):
@@ -84,8 +98,7 @@ def test_a_product_that_is_not_as_its_job_made_it_is_refused(snakemake, tmp_path
     with job(snakemake) as output:
         output.a.write_text("new")
         output.b.write_text("other")
-    sums = {path: digest(path) for path in snakemake.output}
-    assert require_as_made(snakemake.output) == sums
+    require_as_made(snakemake.output)
     (tmp_path / "b.csv").write_text("edited")
     with pytest.raises(OSError, match="b.csv is not as its job made it"):
         require_as_made(snakemake.output)
@@ -98,11 +111,27 @@ def test_a_product_that_is_not_as_its_job_made_it_is_refused(snakemake, tmp_path
     require_as_made(snakemake.output)
 
 
+def test_a_job_refuses_an_input_that_is_not_as_its_job_made_it(snakemake, tmp_path):
+    made, log = str(tmp_path / "made.csv"), tmp_path / "job.log"
+    (tmp_path / "made.csv").write_text("whole")
+    SUMS.write_text(f"{digest(made)}  {made}\n")
+    snakemake.input.append(made)
+    with job(snakemake) as output:
+        output.a.write_text("drawn")
+        output.b.write_text("from it")
+    (tmp_path / "made.csv").write_text("harmed")
+    with pytest.raises(SystemExit), job(snakemake):
+        pytest.fail("the job must not begin")
+    reason = f"{made} is not as its job made it; remake it: snakemake -c2 --force {made}\n"
+    assert log.read_text() == reason
+    assert (tmp_path / "a.csv").read_text() == "drawn"
+
+
 def test_a_job_that_fails_leaves_all_as_it_was(snakemake, tmp_path):
     with pytest.raises(SystemExit), job(snakemake) as output:
         output.a.write_text("new")
         raise ValueError("load is -1")
-    assert {path.name for path in tmp_path.iterdir()} == {".snakemake", "a.csv", "job.log"}
+    assert {path.name for path in tmp_path.iterdir()} == {".snakemake", "a.csv", "job.log", "style"}
     assert not SUMS.exists()
     assert (tmp_path / "a.csv").read_text() == "old"
     assert (tmp_path / "job.log").read_text() == "load is -1\n"

@@ -1,5 +1,6 @@
 """The verification of an archive: passes where it is whole, and finds every kind of damage."""
 
+import ctypes
 import json
 import os
 import random
@@ -26,7 +27,7 @@ from chenhorng.archive.files import files_in, write_json
 from chenhorng.archive.staging import pack, seal
 from chenhorng.scenes import scene_dataset
 from thirdbody.files import digest
-from thirdbody.netcdf import write_dataset
+from thirdbody.netcdf import declare, write_dataset
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"
@@ -121,7 +122,7 @@ def test_every_damaged_file_is_named(copy, verify, damage, tell):
         elif damage != "missing":
             path.write_bytes(DAMAGE[damage](content, chance))
         faults = verify.Faults()
-        verify.check_bag(copy, verify.read_files(copy, faults), faults)
+        verify.check_bag(copy, verify.list_files(copy, faults), faults)
         assert faults if damage == "changed in one bit" else name in faults
         path.unlink(missing_ok=True)
         path.write_bytes(content)
@@ -134,6 +135,76 @@ def test_an_extra_file_is_named_in_every_folder(copy, verify):
     for path in extra:
         path.write_text("one too many")
     assert set(found(verify, copy)) >= {path.relative_to(copy).as_posix() for path in extra}
+
+
+def test_a_file_that_is_not_listed_is_not_read(copy, verify, monkeypatch):
+    """It may be of any size."""
+    (copy / "data/huge.bin").write_bytes(b"0")
+    read, sha256 = [], verify.sha256
+    monkeypatch.setattr(verify, "sha256", lambda path: read.append(path) or sha256(path))
+    assert found(verify, copy)["data/huge.bin"] == "is not part of the archive"
+    assert copy / "data/datasets/fig03.nc" in read and copy / "data/huge.bin" not in read
+
+
+@pytest.mark.parametrize("name", ["data/a:b", "data/a\\b", "data/ends.", "data/a b", "data/é"])
+def test_name_that_some_system_cannot_write_is_found(copy, verify, release, name):
+    (copy / name).write_text("")
+    mend(copy, release)
+    assert found(verify, copy) == {name: "has a name that not every system can write"}
+
+
+def test_two_names_that_are_one_on_some_systems_are_found(copy, verify, release):
+    (copy / "data/figures/FIG03.svg").write_text("<svg/>")
+    mend(copy, release)
+    fault = {"data/figures/fig03.svg": "is data/figures/FIG03.svg on some systems"}
+    assert found(verify, copy) == fault
+
+
+SPACES = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+SVG = f"<svg {SPACES} {{}}>{{}}</svg>"
+LOADS = {
+    "picture": ("", '<image xlink:href="https://example.org/a.png"/>'),
+    "picture beside it": ("", '<image href="a.png"/>'),
+    "program": ("", "<script>x()</script>"),
+    "program of an event": ('onload="x()"', ""),
+    "style sheet": ("", "<style>@import 'a.css';</style>"),
+    "picture of a style": ("", '<rect style="fill: url(https://example.org/a.svg#b)"/>'),
+    "hidden word": ("", r"<style>rect { fill: u\72l(a.svg) }</style>"),
+    "other base": ('xml:base="https://example.org/"', '<use href="#a"/>'),
+    "set later": ("", '<image><set attributeName="href" to="a.png"/></image>'),
+    "page": ("", '<img xmlns="http://www.w3.org/1999/xhtml" srcset="a.png"/>'),
+}
+
+
+@pytest.mark.parametrize(("attributes", "content"), LOADS.values(), ids=LOADS)
+def test_drawing_that_loads_from_elsewhere_is_found(copy, verify, release, attributes, content):
+    own = '<defs><g id="a"/></defs><use xlink:href="#a"/><image href="data:image/png;base64,AA"/>'
+    drawing = copy / "data/figures/fig03.svg"
+    drawing.write_text(SVG.format("", own))
+    mend(copy, release)
+    assert found(verify, copy) == {}
+    drawing.write_text(SVG.format(attributes, own + content))
+    mend(copy, release)
+    fault = {"data/figures/fig03.svg": "may load what lies elsewhere"}
+    assert found(verify, copy) == fault
+
+
+def test_page_that_may_load_from_elsewhere_is_found(copy, verify, release):
+    """Each page of the project begins with the words that keep a browser from it."""
+    templates = [
+        ROOT / "src/chenhorng" / name
+        for name in ("page/web/index.html", "claims/claims.html.j2", "sheets.html")
+    ]
+    for template in templates:
+        text = template.read_text(encoding="utf-8")
+        text = text[text.lower().index("<!doctype") :]
+        page = copy / "data/tables/page.html"
+        page.write_text(text, encoding="utf-8")
+        mend(copy, release)
+        assert found(verify, copy) == {}
+        page.write_text(text.replace("img-src data:", "img-src *"), encoding="utf-8")
+        mend(copy, release)
+        assert found(verify, copy) == {"data/tables/page.html": "may load what lies elsewhere"}
 
 
 DESCRIPTIONS = "bagit.txt", "data/table-schemas.json", METADATA
@@ -297,6 +368,10 @@ IN_FIG04 = {
     "flag_values": attribute("contact_mode", "flag_values", np.array([1, 0, 2, 3, -1, -127], "i1")),
     "ancillary_variables": attribute("separation", "ancillary_variables", "contact_mode"),
     "attribute of the dataset": attribute("", "scale_factor", 2.0),
+    "unknown attribute": attribute("", "software_version", "9.9"),
+    "unknown attribute of a variable": attribute("separation", "standard_name", "depth"),
+    "configuration_sha256": attribute("", "configuration_sha256", "0" * 64),
+    "id": attribute("", "id", "thirdbody-0000000000000000"),
     "title": attribute("", "title", "Other points"),
     "variable": lambda dataset: dataset.createVariable("true_load", "f8", ("load",)),
     "group": lambda dataset: dataset.createGroup("corrected"),
@@ -360,6 +435,54 @@ def test_forged_dataset_is_found(copy, verify, release, figure, forge):
     assert list(found(verify, copy)) == [f"data/datasets/{figure}.nc"]
 
 
+def linked_elsewhere(path, other):
+    """Replace the separation in a dataset by a link to that in another file, which netCDF4 cannot
+    do itself."""
+    maps = Path("/proc/self/maps").read_text(encoding="utf-8")
+    (library,) = set(re.findall(r"/\S+/libhdf5[-.]\S+", maps))
+    hdf5 = ctypes.CDLL(library)
+    hdf5.H5Fopen.restype = ctypes.c_int64
+    place = ctypes.c_int64(hdf5.H5Fopen(bytes(path), 1, ctypes.c_int64(0)))
+    name, default = b"separation", ctypes.c_int64(0)
+    assert hdf5.H5Ldelete(place, name, default) == 0
+    assert hdf5.H5Lcreate_external(bytes(other), name, place, name, default, default) == 0
+    assert hdf5.H5Fclose(place) == 0
+
+
+def without_chunks(path, other):
+    """Store the separation as HDF5 stores numbers in other files, and virtual datasets."""
+    dataset = small_release.solved("fig04", tb.load_parameters().best)
+    storage = {name: {"zlib": True} for name in dataset.data_vars}
+    storage["separation"] = {"contiguous": True}
+    with netCDF4.Dataset(path, "w") as file:
+        for name, stored in declare(file, dataset, storage).items():
+            stored[:] = dataset[name].values
+
+
+@pytest.mark.parametrize(
+    ("forge", "fault"),
+    [(linked_elsewhere, "cannot be recomputed"), (without_chunks, "separation has no chunks")],
+)
+def test_numbers_that_may_lie_in_another_file_are_found(
+    copy, verify, release, tmp_path, forge, fault
+):
+    path, other = copy / "data/datasets/fig04.nc", tmp_path / "other.nc"
+    shutil.copyfile(path, other)
+    forge(path, other)
+    mend(copy, release)
+    faults = found(verify, copy)
+    assert list(faults) == ["data/datasets/fig04.nc"]
+    assert faults["data/datasets/fig04.nc"].startswith(fault)
+
+
+def test_bound_of_errors_that_promises_too_much_is_found(verify, tmp_path):
+    """Interpolated points are as exact as their bound says, and no more."""
+    genuine = GENUINE["rtol 0.01"]
+    assert outcome_of(verify, tmp_path, *genuine).findings == []
+    forged = outcome_of(verify, tmp_path, *genuine, forge=scaled("error_bound", by=1e-9))
+    assert any("is off by" in finding for finding in forged.findings)
+
+
 USUAL = ([0, 90], [0, 300], [300], [1e11])
 CROWD = {"participation": 1.0, "mean_ratio": 1.0, "spread_ratio": 1.0, "apparent_area": 5e-7}
 GENUINE = {
@@ -383,16 +506,25 @@ GENUINE = {
 
 @pytest.mark.parametrize(("conditions", "loads", "rtol", "changes"), GENUINE.values(), ids=GENUINE)
 def test_what_the_workflow_allows_is_no_forgery(verify, tmp_path, conditions, loads, rtol, changes):
+    outcome = outcome_of(verify, tmp_path, conditions, loads, rtol, changes)
+    assert outcome.findings == []
+    assert outcome.evaluated > 0
+
+
+def outcome_of(verify, tmp_path, conditions, loads, rtol, changes, forge=None):
+    """What the check finds in the dataset of these conditions, forged or not."""
     curves = [dict(zip(small_release.KEYS, conditions, strict=True))]
     scene = {"title": "x", "rtol": rtol, "load_axis": {"load_N": loads, "count": 30}}
     parameters = replace(tb.load_parameters().best, **changes)
     path = tmp_path / "mine.nc"
     write_dataset(scene_dataset(scene | {"curves": curves}, parameters, rtol), path)
     config = {"scenes": {"mine": scene | {"curves": curves}}}
+    if forge:
+        with netCDF4.Dataset(path, "a") as dataset:
+            dataset.set_auto_maskandscale(False)
+            forge(dataset)
     check = verify.own_module("recompute").check
-    outcome = check(path, config, asdict(parameters), 10, random.Random(1))
-    assert outcome.findings == []
-    assert outcome.evaluated > 0
+    return check(path, config, asdict(parameters), 10, random.Random(1))
 
 
 def test_scene_of_a_user_need_not_be_in_the_archive(copy, verify, release):
@@ -433,8 +565,24 @@ def test_input_that_is_changed_everywhere_is_found_by_the_equations(
     name = verify.own_module("contract").INPUTS[key]
     edit_json(INPUTS, lambda values: values.update({name: values[name] * factor}))(copy)
     forge_dataset(copy, "fig04", inputs(**{key: factor}), release)
+    forge_dataset(copy, "fig04", identified(verify, copy, "fig04"), release)
     fault = found(verify, copy)["data/datasets/fig04.nc"]
     assert re.search(r"is off by|cannot be recomputed \((ZeroDivision|Value)Error", fault), fault
+
+
+def identified(verify, folder, figure):
+    """Give a dataset the attributes that follow from the configuration beside it."""
+
+    def forge(dataset):
+        config, values = (
+            json.loads((folder / "data" / name).read_text(encoding="utf-8"))
+            for name in (SCENE, INPUTS)
+        )
+        data, scene = verify.own_module("recompute").read(dataset), config["scenes"][figure]
+        contract = verify.own_module("contract")
+        dataset.configuration_sha256, dataset.id = contract.identity(data, scene, values)
+
+    return forge
 
 
 NAMES = {
@@ -457,41 +605,58 @@ def test_no_name_forges_a_line(copy, name, encoding):
     assert done.stdout.isascii() and done.stdout.strip().decode().isprintable()
 
 
-def packed_again(folder, add):
-    """Change the packed archive beside ``folder``, and its sum on record."""
-    packed = folder.with_name(f"{folder.name}.zip")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of names that stand twice
-        with zipfile.ZipFile(packed, "a") as archive:
-            add(archive)
-    write_json(
-        folder.with_name(f"{folder.name}-provenance.json"), {"archive": {"sha256": digest(packed)}}
-    )
-    return packed
+def add(name, content, **attributes):
+    """Adds a member to a packed archive."""
+
+    def change(packed):
+        member = zipfile.ZipInfo(name)
+        for key, value in attributes.items():
+            setattr(member, key, value)
+        with warnings.catch_warnings(), zipfile.ZipFile(packed, "a") as archive:
+            warnings.simplefilter("ignore")  # of names that stand twice
+            archive.writestr(member, content)
+
+    return change
 
 
-MEMBERS = {
-    "leaves the bag": ("../bagit.txt", "do not both hold"),
-    "leaves a folder": ("data/../bagit.txt", "do not both hold"),
-    "in another bag": ("other/bagit.txt", "do not both hold"),
-    "absolute": ("/bagit.txt", "do not both hold"),
-    "twice": ("bagit.txt", "more than once"),
+def comment(packed):
+    with zipfile.ZipFile(packed, "a") as archive:
+        archive.comment = b"see elsewhere"
+
+
+LINK = {"create_system": 3, "external_attr": 0o120777 << 16}
+PACKED = {
+    "leaves the bag": add("../bagit.txt", b""),
+    "leaves a folder": add("data/../bagit.txt", b""),
+    "in another bag": add("other/bagit.txt", b""),
+    "absolute": add("/bagit.txt", b""),
+    "twice": add("bagit.txt", b""),
+    "on other systems twice": add("BAGIT.TXT", b""),
+    "link": add("data/link", b"/etc/passwd", **LINK),
+    "folder": add("data/folder/", b""),
+    "before": lambda packed: packed.write_bytes(b"#!/bin/sh\n" + packed.read_bytes()),
+    "behind": lambda packed: packed.write_bytes(packed.read_bytes() + b"behind"),
+    "comment": comment,
+    # the directory at the end no longer lists it, which some programs do not read
+    "not in the directory": lambda packed: packed.write_bytes(
+        b"PK\x03\x04" + bytes(26) + packed.read_bytes()
+    ),
 }
 
 
-@pytest.mark.parametrize(("name", "fault"), MEMBERS.values(), ids=MEMBERS)
-def test_member_of_the_packed_archive_that_leaves_the_bag_or_stands_twice_is_found(
-    copy, built, verify, release, name, fault
-):
-    shutil.copyfile(built.with_name(f"{built.name}.zip"), copy.with_name(f"{copy.name}.zip"))
-    content = (copy / "bagit.txt").read_bytes()
-    found, faults = verify.read_files(copy, {}), verify.Faults()
-    packed = packed_again(copy, lambda archive: None)
-    verify.check_packed(copy, found, faults)
-    assert faults == {}
-    packed_again(copy, lambda archive: archive.writestr(name, content))
-    verify.check_packed(copy, found, faults)
-    assert fault in faults[str(packed)]
+@pytest.mark.parametrize("change", PACKED.values(), ids=PACKED)
+def test_packed_archive_that_holds_anything_else_is_found(copy, built, verify, change):
+    packed = copy.with_name(f"{copy.name}.zip")
+    shutil.copyfile(built.with_name(packed.name), packed)
+    record = copy.with_name(f"{copy.name}-provenance.json")
+
+    def faults():
+        write_json(record, {"archive": {"sha256": digest(packed)}})
+        return verify.verify(copy, 0, seed=1, packed_too=True, sums_alone=True)[0]
+
+    assert faults() == {}
+    change(packed)
+    assert faults() == {str(packed): "holds something else than the folder"}
 
 
 def test_description_too_large_to_be_one_is_not_read(copy, verify, release):
@@ -633,5 +798,5 @@ def test_damaged_folder_is_not_packed(copy, tmp_path, monkeypatch):
     monkeypatch.chdir(ROOT)
     (copy / "data/datasets/fig03.nc").write_bytes(b"damaged")
     with pytest.raises(ValueError, match="is not packed: .*fig03.nc is changed"):
-        pack(copy, tmp_path / "archive.zip", "2026-01-01")
+        pack(copy, tmp_path / "archive.zip")
     assert not (tmp_path / "archive.zip").exists()

@@ -48,7 +48,6 @@ rule pack_release:
     localrule: True
     params:
         *sources_of("pack_release.py"),
-        date=RELEASE.date,
     message:
         "Pack the release"
     script:

@@ -212,7 +212,6 @@ rule write_index:
         "../scripts/write_index.py"
 
 
-# a product that is not as its job made it is refused
 rule write_sums:
     input:
         [product for product in rules.all.input if not product.endswith("SHA256SUMS")],

@@ -38,6 +38,6 @@ def provenance(archive, name):
 
 
 with job(snakemake) as output:
-    pack(Path(snakemake.input.sealed).parent, output.archive, snakemake.params.date)
+    pack(Path(snakemake.input.sealed).parent, output.archive)
     record = json.dumps(provenance(output.archive, Path(snakemake.output.archive).name), indent=1)
     output.provenance.write_text(record + "\n", encoding="utf-8")

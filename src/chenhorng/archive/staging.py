@@ -8,9 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
-import zipfile
 from collections.abc import Iterable, Mapping, Sequence
-from datetime import date
 from pathlib import Path
 from runpy import run_path
 from typing import Any
@@ -28,8 +26,6 @@ LICENCES = ("LICENSE", "LICENSE-DATA")
 VERIFICATION = "verification/"
 VERSION = "src/thirdbody/version.json"
 DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
-FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
-UNIX = 3  # code of a zip file for a system with such modes
 
 
 def stage(
@@ -105,24 +101,17 @@ def _write_manifest(folder: Path, kind: str, names: list[str]) -> None:
     (folder / f"{kind}-sha256.txt").write_text("".join(lines), encoding="utf-8")
 
 
-def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
-    """Write a sealed ``folder`` as a zip file, with the date ``day`` (ISO 8601).
-
-    The same files make the same bytes.  They are not compressed, because compression depends on the
-    version of its library.  The files lie at the root of the zip file, where programs look for
-    ``ro-crate-metadata.json``.
+def pack(folder: Path, archive: str | os.PathLike) -> None:
+    """Write a sealed ``folder`` as a zip file; the same files make the same bytes.  They lie at the
+    root of the zip file, where programs look for ``ro-crate-metadata.json``.
 
     Raises ``ValueError``, and writes nothing, if the folder does not match its checksums.
     """
-    command = [sys.executable, "verification/verify.py", str(folder), "--sums"]
+    program = f"{VERIFICATION}verify.py"
+    command = [sys.executable, program, str(folder), "--sums"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         reason = (done.stdout or done.stderr).strip()
         raise ValueError(f"{folder} is not packed: {reason}; stage the release again")
-    moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
-        for name in files_in(folder, folder):
-            member = zipfile.ZipInfo(name, moment)
-            member.create_system = UNIX
-            member.external_attr = FILE_MODE
-            packed.writestr(member, (folder / name).read_bytes())
+    with open(archive, "wb") as packed:
+        run_path(program)["write_zip"](folder, files_in(folder, folder), packed)
