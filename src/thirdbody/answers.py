@@ -136,7 +136,7 @@ def turning_load(
     notes = [
         f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
         f"stands out by {PROMINENCE:g} on both sides",
-        f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
+        f"particle sizes are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
         *(["A_sa,t* still rises at the last load"] if values["is_cut"] else []),
         *_ensemble_notes(parameters, conditions),
     ]
@@ -149,8 +149,8 @@ TURNING = {
     "load": ("F_TPCA*", "the same over A_n E_ss", "1"),
     "peak_ratio": ("A_sa,t*", "contact area of particles over the total there", "1"),
     "solid_load_fraction": ("L_s", "fraction of the load carried by the solids there", "1"),
-    "low": ("x_a", "least diameter with a turning point (dry)", "nm"),
-    "high": ("x_a", "largest diameter with a turning point (dry)", "nm"),
+    "low": ("x_a", "least particle size with a turning point (dry)", "nm"),
+    "high": ("x_a", "largest particle size with a turning point (dry)", "nm"),
 }
 
 

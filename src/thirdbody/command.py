@@ -212,7 +212,7 @@ FILE: dict[str, Any] = {"metavar": "FILE"}
 TEXTS = {
     "load": "normal load",
     "viscosity": "kinematic viscosity of the oil, 0 if dry",
-    "particle_diameter": "mean particle diameter x_a, 0 if none",
+    "particle_diameter": f"x_a: {AXES['particle_diameter'].label}",
     "roughness": "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2)",
     "particle_density": "particles per area, 0 if none",
     "speed": "entrainment speed; default: that of the inputs",

@@ -175,9 +175,7 @@ def test_particles_too_soft_are_refused(explorer):
 def test_what_no_interface_has_is_said(explorer):
     explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
     notes = explorer.one("#notes").text
-    assert (
-        "Particle diameter is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
-    )
+    assert "Particle size is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
 
 
 def test_another_interpretation_is_another_model(explorer):
@@ -406,7 +404,7 @@ def test_the_sizes_behind_x_a_are_given(explorer, defaults):
 def test_the_size_at_which_a_mode_ends_is_shown(explorer, defaults):
     explorer.open("figure=fig11&viscosity_cSt=0&load_N=2")
     text = explorer.one("#point").text
-    size = float(re.search(r"Particle diameter.*particle-surface from ([\d.]+) nm", text)[1])
+    size = float(re.search(r"Particle size.*particle-surface from ([\d.]+) nm", text)[1])
     load = 2.0 / defaults.newtons_per_load
     sizes = FIGURE_11._replace(particle_diameter=size * 1e-9 * np.array([0.99, 1.01]))
     found = solve(load=load, **sizes._asdict(), parameters=defaults)

@@ -104,8 +104,8 @@ function sizesText(engine, { load, ...condition }) {
   const { mean, largest } = contact.sizes;
   const scale = conditionWord("particle_diameter", condition.particle_diameter);
   return (
-    `${scale} is a scale: with these inputs the particles are ${text(mean)} large on average and ` +
-    `${text(largest)} at most, and carry load where the separation is below ${text(contact.reach)}.`
+    `The particle size ${scale} is a label: the mean of the sizes is ${text(mean)}, the largest, X_max, ` +
+    `${text(largest)}; particles carry load where the separation is below ${text(contact.reach)}.`
   );
 }
 
