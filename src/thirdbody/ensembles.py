@@ -1,4 +1,4 @@
-"""``Ensemble``: the sets of inputs that explain the paper about equally well, and their setup.
+"""``Ensemble``: sets of inputs, each fitted without some figures of the paper, and their setup.
 
 The best set gives the answer to a question.  The answers of all sets give its range.
 """
@@ -21,6 +21,11 @@ from thirdbody.files import format_value
 
 MEMBER = "member"  # the dimension of results of all members
 ENDS = (0.05, 0.95)  # quantiles at the ends of a range over the members
+# what a range is, in answers, captions, datasets and pages: no confidence interval
+RANGE = (
+    "range of the ensemble: 5 to 95 % of sets of inputs, "
+    "each fitted without some figures of the paper"
+)
 GIGA = 1e9
 USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
 BODIES = "ball", "flat", "particle"
@@ -189,7 +194,7 @@ PAPER_SETUP = Setup(ball=STEEL, flat=STEEL, particle=STEEL, oil_density_kg_per_m
 
 @dataclass(frozen=True, repr=False)
 class Ensemble:
-    """Sets of inputs that explain the paper about equally well, and the setup that they share.
+    """Sets of inputs, each fitted without some figures of the paper, and the setup they share.
 
     ``ensemble.ball_radius``, like every input, is the value of the best set.  An input that a user
     sets is known: all members have it, and the inputs that were calibrated with it follow.
@@ -349,7 +354,7 @@ def _what_stays(changes: Mapping[str, Any], members: Sequence[Parameters]) -> It
 
 
 def range_over_members(values: Sequence[ArrayLike]) -> NDArray:
-    """The ends of the range, 5 to 95 %, of ``values``, an array for each member: shape (2, ...).
+    """The ends ``ENDS`` of the range of ``values``, an array for each member: shape (2, ...).
 
     A member counts only where its value is finite.  Both ends are nan where no member counts.
     """

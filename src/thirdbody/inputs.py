@@ -99,7 +99,7 @@ def _default_content():
 
 
 def ensemble(parameters: Ensemble | None = None) -> list[Parameters]:
-    """The sets of inputs that explain the paper about equally well, the best first.
+    """The sets of inputs, each fitted without some figures of the paper, the best first.
 
     Parameters
     ----------

@@ -5,7 +5,7 @@ import numpy as np
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, mean_and_largest
-from thirdbody.ensembles import Ensemble
+from thirdbody.ensembles import RANGE, Ensemble
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
@@ -50,5 +50,4 @@ def range_note(ensemble: Ensemble) -> str:
     count = len(ensemble.members)
     if count == 1:
         return "no range: these inputs have no ensemble"
-    explain = "explain the paper about equally well"
-    return f"ranges are 5 to 95 % over {count} sets of inputs that {explain}"
+    return f"{RANGE}; here of {count} sets"

@@ -138,7 +138,7 @@ def solve(
     >>> points.solid_load_fraction.sel(oil="thick").round(4).values
     array([0.9997, 0.713 ])
 
-    The range, 5 to 95 %, over the inputs that explain the paper about equally well:
+    The range of the ensemble, from 5 to 95 % of its members:
 
     >>> points = tb.solve(load_N=10, viscosity_cSt=120, **layer, members=True)
     >>> shares = points.to_dataset()["solid_load_fraction"]

@@ -15,6 +15,7 @@ import pytest
 from chenhorng.home import config_directory
 from thirdbody.bearings import bearing, hertz_contact
 from thirdbody.curves import Condition
+from thirdbody.ensembles import RANGE
 from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
 from thirdbody.points import solve
@@ -364,7 +365,7 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
     found = ranges_over(ensemble, "particle_contact_area_ratio", point)
     row = re.search(r"(?m)Asa,t\*.* ([\d.]+) to ([\d.]+)$", explorer.one("#point").text)
     assert tuple(map(float, row.groups())) == pytest.approx(tuple(found), abs=rounding(found))
-    assert f"5 to 95 % over {len(ensemble)} sets" in explorer.one("#definition").text
+    assert f"{RANGE[1:]}; here of {len(ensemble)} sets" in explorer.one("#definition").text
 
 
 def rounding(ends):

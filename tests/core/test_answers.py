@@ -8,6 +8,7 @@ from methods import ENGINEERING
 
 import thirdbody as tb
 from thirdbody import answers
+from thirdbody.ensembles import RANGE
 from thirdbody.variables import FLAGS, QUANTITIES
 
 LAYER = {name: ENGINEERING[name] for name in ("roughness_nm", "particle_density_per_m2")}
@@ -48,7 +49,7 @@ def test_the_range_is_that_of_the_members(defaults):
     row = by_name(table).loc["solid_load_fraction"]
     assert (row["low"], row["high"]) == pytest.approx(tuple(np.quantile(shares, [0.05, 0.95])))
     assert (row["agree"], row["members"]) == (len(members), len(members))
-    assert any(f"5 to 95 % over {len(members)} sets" in note for note in table.attrs["notes"])
+    assert f"{RANGE}; here of {len(members)} sets" in table.attrs["notes"]
 
 
 def test_the_nominal_pressure_and_that_of_hertz_stand_beside_the_state(inputs):

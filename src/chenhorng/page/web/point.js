@@ -31,7 +31,7 @@ export function showPoint(parent) {
   const values = VALUES.map((name) => [labelOf(name), numberText(name, found[name], DIGITS), ""]);
   const waiting = axes.map(({ name }) => [wordOf(name), "…"]);
   parent.innerHTML =
-    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], memberInputs().length ? "range, 5 to 95 %" : "") +
+    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], memberInputs().length ? "range of the ensemble" : "") +
     table("Contact mode as one condition changes", waiting) +
     `<p>${typeset(sizesText(engine, point))}</p>`;
   const [answer, changes] = parent.querySelectorAll("tbody");
