@@ -272,6 +272,8 @@ QUANTITIES = _by_name(
         name=names.FILM_THICKNESS,
         symbol="H_c",
         label="central film thickness over ball radius",
+        comment="of the gap, which solids hold open too; lambda is of the film alone: "
+        "that of smooth bodies under the whole load, over sigma",
         equation="7",
         title="Film thickness",
         shown_unit="1e-4",
