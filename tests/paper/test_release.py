@@ -61,9 +61,9 @@ def test_each_link_of_a_page_leads_into_the_archive(built):
         assert (page.parent / link).is_file()
 
 
-def test_the_guide_calls_the_particle_size_a_label(built, parameters):
+def test_the_guide_calls_the_particle_size_a_label(built, defaults):
     guide = (built / "README.md").read_text(encoding="utf-8")
-    mean, largest = mean_and_largest(1.0, parameters)
+    mean, largest = mean_and_largest(1.0, defaults.best)
     assert "mean diameter" not in guide
     assert f"the mean of the sizes is {mean:.3g} x_a, the largest, X_max, {largest:.3g} x_a" in (
         guide.replace("\\", "")

@@ -96,7 +96,8 @@ def film_parameter(
     --------
     >>> import thirdbody
     >>> inputs = thirdbody.load_parameters().best
-    >>> film_parameter(10.0 / inputs.newtons_per_load, np.array([0.0, 90e-6]), 3e-7, inputs).round(2)
+    >>> load, oils = 10.0 / inputs.newtons_per_load, np.array([0.0, 90e-6])
+    >>> film_parameter(load, oils, 3e-7, inputs).round(2)
     array([0. , 2.9])
     """
     wet = has_film(viscosity)
