@@ -69,7 +69,8 @@ def load_parameters(
 
 def ensemble_of(calibrated: Mapping[str, Any]) -> Ensemble:
     """The ensemble from the content of a ``calibrated`` file, the best set first."""
-    inputs, members = (calibrated.get(key) for key in ("inputs", "ensemble"))
+    inputs: Any = calibrated.get("inputs")
+    members = calibrated.get("ensemble")
     if not isinstance(members, list) or not all(isinstance(x, dict) for x in (inputs, *members)):
         raise ValueError(
             "these are not calibrated inputs; allowed: inputs, a dict, and ensemble, a list of them"

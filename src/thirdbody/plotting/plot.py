@@ -189,8 +189,8 @@ def _panel(
     for (label, values), look in zip(curves.items(), looks, strict=True):
         series.append(Series(CURVE, label, x, np.asarray(values[name], float), look=look))
         if f"{name}_low" in values:
-            ends = (np.asarray(values[f"{name}_{end}"], float) for end in ("low", "high"))
-            series.append(range_series(label, x, *ends, look["color"]))
+            low, high = (np.asarray(values[f"{name}_{end}"], float) for end in ("low", "high"))
+            series.append(range_series(label, x, low, high, look["color"]))
     return Panel(SCALES[name].title, over, name, series)
 
 
@@ -256,7 +256,7 @@ def _of_best(data: xr.Dataset) -> xr.Dataset:
     best = data.isel({MEMBER: 0}, drop=True)
     for name in LUBRICATED:
         if name in data:
-            ends = range_over_members(data[name].transpose(MEMBER, ...).values)
+            ends = range_over_members([*data[name].transpose(MEMBER, ...).values])
             dims = best[name].dims
             best = best.assign({f"{name}_low": (dims, ends[0]), f"{name}_high": (dims, ends[1])})
     return best
