@@ -27,7 +27,7 @@ def printed_and_ranges(
     members: Sequence[Verdicts],
     unseen: Sequence[Sequence[int]],
 ) -> Iterator[dict[str, Any]]:
-    """Rows of the table ``coverage``: each printed number with the range, 5 to 95 %, of the
+    """Rows of the table ``coverage``: each printed number with the range of the
     ``members`` that have not seen its figure, ends to ``DIGITS`` digits.
 
     ``numbers`` come from ``chenhorng.calibration.choice.printed_numbers``; ``unseen`` has the
@@ -67,7 +67,7 @@ def sets_and_ranges(
     conditions: Mapping[str, Any],
 ) -> Iterator[dict[str, Any]]:
     """Rows of the table ``coverage_of_sets``: at how many of the ``conditions`` each of ``sets`` of
-    inputs, by name, lies within the range, 5 to 95 %, of the ``members``."""
+    inputs, by name, lies within the range of the ``members``."""
     ensemble = Ensemble(members=tuple(members), setup=PAPER_SETUP)
     every = solve(parameters=ensemble, members=True, progress=False, **conditions)
     ranges = {name: range_over_members(every.variables[name]) for name in VARIABLES}

@@ -10,17 +10,14 @@ import numpy as np
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition
-from thirdbody.ensembles import ENDS, range_over_members
+from thirdbody.ensembles import ENDS, RANGE, range_over_members
 from thirdbody.netcdf import FILL_FLOAT, PlainDataset, PlainVariable, curves_of, identity
 from thirdbody.variables import DIMENSIONS, QUANTITIES
 
 MEMBER_RTOL = 1e-4  # of each member: an error far below the width of a line
 SUFFIXES = "low", "high"
 ATTRIBUTES = {
-    "summary": (
-        "Range of each quantity, 5 to 95 %, over an ensemble of inputs that explain the paper's "
-        "statements about equally well, at the points of the dataset of this figure."
-    ),
+    "summary": f"For each quantity, at the points of the dataset of this figure, the {RANGE}.",
     "comment": (
         "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to "
         "it. Each member is solved at the same F_t*, which is another normal load where its "

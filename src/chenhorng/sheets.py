@@ -334,8 +334,8 @@ def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
     ]
     inside = sum(row["inside"] == "yes" for row in rows)
     note = (
-        f"Of {len(rows)} printed numbers {inside} lie within the range, 5 to 95 %, of the members of "
-        "the ensemble that were fitted without their figure."
+        f"Of {len(rows)} printed numbers {inside} lie within the range of the members of the "
+        "ensemble that were fitted without their figure."
         if rows
         else "The inputs of this run are not the calibrated ones, whose ensemble this table judges."
     )
@@ -350,8 +350,8 @@ def _coverage_of_sets(rows, _printed, _newtons_per_load) -> Sheet:
     widths = {row["variable"]: row["relative_width"] for row in rows}
     texts = [f"{QUANTITIES[name].symbol} {_percent(width)}" for name, width in widths.items()]
     note = (
-        "At how many random conditions of Table 2 other sets of inputs lie within the range, 5 to 95 "
-        f"%, of the calibrated ensemble. Median width of the range: {', '.join(texts)}."
+        "At how many random conditions of Table 2 other sets of inputs lie within the range of "
+        f"the ensemble. Median width of the range: {', '.join(texts)}."
     )
     title = "Other sets of inputs within the range of the ensemble"
     return Sheet(title=title, note=note, rows=[*lines.values()])

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from thirdbody.files import unreadable
+from thirdbody.variables import CONDITION_AXES
 
 
 class Column(NamedTuple):
@@ -16,6 +17,7 @@ class Column(NamedTuple):
 
     ``name`` ends with the SI unit if the column has one.  ``kind`` is the type of the Table Schema,
     ``number`` or ``string``.  ``unit`` is the SI unit, ``1`` for a pure number and empty for text.
+    An empty description in the file is that of a condition.
     ``heading`` is the heading in the sheet of the ``table``; an empty heading stands for the name.
     """
 
@@ -33,8 +35,13 @@ class Column(NamedTuple):
         return float(text) if self.kind == "number" else text
 
 
+# descriptions of columns that are conditions
+OF_CONDITIONS = {axis.column: f"{axis.symbol}: {axis.label}" for axis in CONDITION_AXES}
 with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as file:
-    COLUMNS = [Column(**row) for row in csv.DictReader(file, restval="")]
+    COLUMNS = [
+        Column(**row | {"description": row["description"] or OF_CONDITIONS.get(row["name"], "")})
+        for row in csv.DictReader(file, restval="")
+    ]
 TABLES = {table: list(columns) for table, columns in groupby(COLUMNS, attrgetter("table"))}
 DRAWN_POINTS = TABLES.pop("drawn_points")  # the columns of the CSV file beside each figure
 

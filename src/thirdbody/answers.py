@@ -18,6 +18,7 @@ import pandas as pd
 
 from thirdbody.bearings import hertz_contact
 from thirdbody.conditions import OutOfRangeWarning, axis_of, check_count
+from thirdbody.core.film import film_parameter
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import Ensemble, range_over_members
 from thirdbody.notes import area_note, few_notes, range_note, sizes_note, speed_notes
@@ -39,8 +40,9 @@ def state(parameters: Ensemble, conditions: Interface) -> pd.DataFrame:
     """Load sharing, contact area, regime, mode and nominal pressure of an interface."""
     values, of_members = _states(parameters, conditions)
     rows = [_row(name, values[name], [each[name] for each in of_members]) for name in SHOWN]
-    rows += _nominal_rows(parameters, conditions)
+    rows += [_lambda_row(parameters, conditions), *_nominal_rows(parameters, conditions)]
     notes = _notes(parameters, conditions, values["solution_status"])
+    notes.append(f"H_c is {VARIABLES['film_thickness'].comment}")
     is_solved = isinstance(values["separation"], float)
     return _table(f"State at {_words(conditions)}", rows, notes, is_solved)
 
@@ -136,7 +138,7 @@ def turning_load(
     notes = [
         f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
         f"stands out by {PROMINENCE:g} on both sides",
-        f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
+        f"particle sizes are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
         *(["A_sa,t* still rises at the last load"] if values["is_cut"] else []),
         *_ensemble_notes(parameters, conditions),
     ]
@@ -149,8 +151,8 @@ TURNING = {
     "load": ("F_TPCA*", "the same over A_n E_ss", "1"),
     "peak_ratio": ("A_sa,t*", "contact area of particles over the total there", "1"),
     "solid_load_fraction": ("L_s", "fraction of the load carried by the solids there", "1"),
-    "low": ("x_a", "least diameter with a turning point (dry)", "nm"),
-    "high": ("x_a", "largest diameter with a turning point (dry)", "nm"),
+    "low": ("x_a", "least particle size with a turning point (dry)", "nm"),
+    "high": ("x_a", "largest particle size with a turning point (dry)", "nm"),
 }
 
 
@@ -258,9 +260,25 @@ def _states(parameters, conditions) -> tuple[dict, list[dict]]:
     return _best_and_members([values(member) for member in range(len(parameters.members))])
 
 
-def _best_and_members(values: list[dict]) -> tuple[dict, list[dict]]:
+def _best_and_members(values: list) -> tuple[Any, list]:
     """The values of the best set, and those of all members: an empty list for a single member."""
     return values[0], values if len(values) > 1 else []
+
+
+def _lambda_row(parameters, conditions) -> dict:
+    """The row of lambda: the film of smooth bodies under the whole load, over sigma."""
+    given = {key: axis_of(key).to_si(conditions[key]) for key in ("viscosity_cSt", "roughness_nm")}
+    films = {"viscosity": np.asarray(given["viscosity_cSt"])}
+    if "speed_m_per_s" in conditions:
+        films["speed"] = np.asarray(conditions["speed_m_per_s"])
+    of_members = []
+    for member in parameters.members:
+        viscosity = parameters.setup.without_speed(films, member)["viscosity"]
+        load = conditions["load_N"] / member.newtons_per_load
+        of_members.append(float(film_parameter(load, viscosity, given["roughness_nm"], member)))
+    row = {"symbol": "lambda", "quantity": "film of smooth bodies under F_t, over sigma"}
+    value, of_members = _best_and_members(of_members)
+    return _with_range(row | {"unit": "1"}, value, of_members, len(of_members))
 
 
 def _nominal_rows(parameters, conditions) -> list[dict]:

@@ -8,12 +8,12 @@ import sys
 import warnings
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any
 
 from thirdbody.variables import AXES, CONDITIONS
 
 ANSWERED, NONE_FOUND, BAD_INPUT = 0, 1, 2  # exit codes
+READ, WRITTEN = ("inputs", "other_inputs"), ("csv", "plot", "write")  # options with a file
 
 
 def state(inputs: str | None, as_json: bool, **interface: float | None) -> int:
@@ -66,8 +66,6 @@ def curve(
     from thirdbody import answers
 
     conditions = _conditions(interface, without=along)
-    if csv is not None and plot is not None and Path(csv).resolve() == Path(plot).resolve():
-        raise ValueError(f"--csv and --plot are both {csv}; allowed: two files")
     alias = CONDITIONS[along].alias
     table = answers.curve(_parameters(inputs), conditions, alias, (first, last), count)
     if plot is not None:
@@ -145,6 +143,28 @@ def _by_alias(interface: Mapping[str, float | None]) -> dict[str, float]:
     }
 
 
+def _check_files(options: Mapping[str, Any]) -> None:
+    """Raise ``ValueError`` for a file to write that is read, or is written twice."""
+    written = [option for option in WRITTEN if options.get(option) not in (None, "-")]
+    if not written:
+        return
+    from thirdbody.files import is_same_file
+    from thirdbody.inputs import CALIBRATED_FILE
+
+    taken = [("the library", CALIBRATED_FILE)]
+    taken += [(_option(option), options[option]) for option in READ if options.get(option)]
+    for option in written:
+        for user, path in taken:
+            if is_same_file(options[option], path):
+                file = f"{_option(option)} is {options[option]}, the file of {user}"
+                raise ValueError(f"{file}; allowed: another file")
+        taken.append((_option(option), options[option]))
+
+
+def _option(name: str) -> str:
+    return f"--{name.replace('_', '-')}"
+
+
 def _parameters(path: str | None) -> Any:
     from thirdbody.inputs import load_parameters
 
@@ -192,7 +212,7 @@ FILE: dict[str, Any] = {"metavar": "FILE"}
 TEXTS = {
     "load": "normal load",
     "viscosity": "kinematic viscosity of the oil, 0 if dry",
-    "particle_diameter": "mean particle diameter x_a, 0 if none",
+    "particle_diameter": f"x_a: {AXES['particle_diameter'].label}",
     "roughness": "equivalent rms roughness, sqrt(Rq_1^2 + Rq_2^2)",
     "particle_density": "particles per area, 0 if none",
     "speed": "entrainment speed; default: that of the inputs",
@@ -205,7 +225,7 @@ LAYER = "--particle-diameter-nm 500 --roughness-nm 300", "--particle-density-per
 
 def _flag(name: str) -> str:
     """The option of a condition, with its unit."""
-    return f"--{CONDITIONS[name].alias.replace('_', '-')}"
+    return _option(CONDITIONS[name].alias)
 
 
 def _options(title: str) -> tuple[ArgumentParser, Callable]:
@@ -343,6 +363,7 @@ def main(arguments: list[str] | None = None) -> int:
         warnings.simplefilter("default", UserWarning)
         warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
         try:
+            _check_files(options)
             return options.pop("answer")(**options)
         except (ValueError, TypeError, OSError, ImportError) as error:
             print(f"error: {error}", file=sys.stderr)

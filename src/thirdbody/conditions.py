@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import LARGEST_DIAMETER
+from thirdbody.files import format_value
 from thirdbody.variables import AXES, CONDITIONS, Axis, decimal
 
 if TYPE_CHECKING:
@@ -472,17 +473,25 @@ def check_count(count: int) -> None:
         raise ValueError(f"count is {count!r}; allowed: 2 or more")
 
 
+def single_number(name: str, value: Any, unit: str = "1") -> float:
+    """A number or quantity as a float in ``unit``; ``ValueError`` for several numbers."""
+    numbers = numbers_in(name, value, unit)
+    if numbers.ndim:
+        raise ValueError(f"{name} is {format_value(value)}; allowed: one number")
+    return float(numbers)
+
+
 def checked_number(name: str, value: Any, positive: bool = True, unit: str = "1") -> float:
     """A number or quantity as a float in ``unit``.
 
     Raises ``ValueError`` unless it is a single finite number, at least 0, or above 0 if
     ``positive``.
     """
-    numbers = numbers_in(name, value, unit)
-    if numbers.ndim or not 0.0 <= numbers < np.inf or (positive and numbers == 0.0):
+    number = single_number(name, value, unit)
+    if not 0.0 <= number < np.inf or (positive and number == 0.0):
         sign = "a positive number" if positive else "zero or a positive number"
-        raise ValueError(f"{name} is {value!r}; allowed: {sign}")
-    return float(numbers)
+        raise ValueError(f"{name} is {format_value(value)}; allowed: {sign}")
+    return number
 
 
 def checked_numbers(

@@ -1,4 +1,4 @@
-"""``Ensemble``: the sets of inputs that explain the paper about equally well, and their setup.
+"""``Ensemble``: sets of inputs, each fitted without some figures of the paper, and their setup.
 
 The best set gives the answer to a question.  The answers of all sets give its range.
 """
@@ -15,11 +15,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditioning import conditioned, differing_numbers, far_texts
-from thirdbody.conditions import OIL_DENSITY, checked_number, checked_numbers, numbers_in
+from thirdbody.conditions import OIL_DENSITY, checked_number, checked_numbers, single_number
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
+from thirdbody.files import format_value
 
 MEMBER = "member"  # the dimension of results of all members
 ENDS = (0.05, 0.95)  # quantiles at the ends of a range over the members
+# what a range is, in answers, captions, datasets and pages: no confidence interval
+RANGE = (
+    "range of the ensemble: 5 to 95 % of sets of inputs, "
+    "each fitted without some figures of the paper"
+)
 GIGA = 1e9
 USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
 BODIES = "ball", "flat", "particle"
@@ -121,16 +127,18 @@ class Setup:
             name = "oil_density_kg_per_m3"
             density = checked_number(name, self.oil_density_kg_per_m3, unit="kg m-3")
             object.__setattr__(self, "oil_density_kg_per_m3", density)
+        for name in BODIES:
+            if not isinstance(body := getattr(self, name), Material | None):
+                raise ValueError(f"{name} is {format_value(body)}; allowed: {_names(Material)}")
 
     @classmethod
     def of(cls, content: Mapping[str, Any]) -> Self:
         """The setup from a dict that ``as_dict`` returned."""
-        unknown = content.keys() - {field.name for field in fields(cls)}
-        if unknown:
-            names = ", ".join(field.name for field in fields(cls))
-            raise ValueError(f"setup has {', '.join(sorted(unknown))}; allowed: {names}")
-        bodies = {name: Material(**content[name]) for name in BODIES if content.get(name)}
-        return cls(**{**content, **bodies})
+        values = _known_keys("setup", content, cls)
+        for name in BODIES:
+            if isinstance(values.get(name), Mapping):
+                values[name] = Material(**_known_keys(name, values[name], Material))
+        return cls(**values)
 
     def as_dict(self) -> dict[str, Any]:
         """The known values by name, with a dict for each material."""
@@ -163,6 +171,20 @@ class Setup:
         return solved
 
 
+def _names(kind) -> str:
+    return ", ".join(field.name for field in fields(kind))
+
+
+def _known_keys(name, content, kind) -> dict[str, Any]:
+    """A dict with fields of the dataclass ``kind``; ``ValueError`` for anything else."""
+    if not isinstance(content, Mapping):
+        raise ValueError(f"{name} is {format_value(content)}; allowed: {_names(kind)}")
+    unknown = [key for key in content if key not in {field.name for field in fields(kind)}]
+    if unknown:
+        raise ValueError(f"{name} has {', '.join(map(str, unknown))}; allowed: {_names(kind)}")
+    return dict(content)
+
+
 # Table 1.  The paper does not print the modulus of steel; this modulus gives the E_ss = 112 GPa of
 # the table.
 STEEL = Material(205.0, 0.29, 5.0)
@@ -172,7 +194,7 @@ PAPER_SETUP = Setup(ball=STEEL, flat=STEEL, particle=STEEL, oil_density_kg_per_m
 
 @dataclass(frozen=True, repr=False)
 class Ensemble:
-    """Sets of inputs that explain the paper about equally well, and the setup that they share.
+    """Sets of inputs, each fitted without some figures of the paper, and the setup they share.
 
     ``ensemble.ball_radius``, like every input, is the value of the best set.  An input that a user
     sets is known: all members have it, and the inputs that were calibrated with it follow.
@@ -311,9 +333,7 @@ def checked_inputs(changes: Mapping[str, Any]) -> dict[str, Any]:
         if name not in Parameters.names():
             raise ValueError(f"{name} is no input; allowed: {', '.join(Parameters.names())}")
     return {
-        name: value
-        if isinstance(value, str) and name in WORDS
-        else float(numbers_in(name, value, BOUNDS[name].unit))
+        name: value if name in WORDS else single_number(name, value, BOUNDS[name].unit)
         for name, value in changes.items()
     }
 
@@ -334,7 +354,7 @@ def _what_stays(changes: Mapping[str, Any], members: Sequence[Parameters]) -> It
 
 
 def range_over_members(values: Sequence[ArrayLike]) -> NDArray:
-    """The ends of the range, 5 to 95 %, of ``values``, an array for each member: shape (2, ...).
+    """The ends ``ENDS`` of the range of ``values``, an array for each member: shape (2, ...).
 
     A member counts only where its value is finite.  Both ends are nan where no member counts.
     """

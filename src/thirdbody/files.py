@@ -121,6 +121,16 @@ def _place(path: str | PathLike) -> Path:
     return Path(os.path.realpath(place)) if is_link_to_file else place
 
 
+def is_same_file(one: str | PathLike, other: str | PathLike) -> bool:
+    """Whether two names are of one file: by links too, or but for capitals, which some systems
+    ignore.  Devices and pipes are no files."""
+    places = Path(one), Path(other)
+    if any(map(_is_device, places)):
+        return False
+    names = {os.path.realpath(place).casefold() for place in places}
+    return len(names) == 1 or (all(p.exists() for p in places) and os.path.samefile(*places))
+
+
 class DamagedFile(OSError):
     """The file ``path``, which a program wrote, has changed since."""
 

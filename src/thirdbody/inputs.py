@@ -57,25 +57,27 @@ def load_parameters(
     >>> sparse.participation, sparse.truncation == parameters.truncation
     (0.5, True)
     """
-    calibrated, changes = _default_content(), {}
-    if path is not None:
-        content = read_yaml(path)
-        calibrated, changes = (content, {}) if "inputs" in content else (calibrated, content)
-    ensemble = ensemble_of(calibrated)
-    laid_over = dict(changes)
-    known = laid_over.pop("setup", None)
-    if setup is not None:
-        known = setup.as_dict() if isinstance(setup, Setup) else setup
+    content = {} if path is None else read_yaml(path)
+    is_calibrated = "inputs" in content
+    ensemble = ensemble_of(content if is_calibrated else _default_content())
+    known = content.pop("setup", None) if setup is None else setup
     if known is not None:
-        ensemble = replace(ensemble, setup=Setup.of(known))
-    return ensemble._with(laid_over | inputs, stacklevel=3)
+        ensemble = replace(ensemble, setup=known if isinstance(known, Setup) else Setup.of(known))
+    changes = {} if is_calibrated else content
+    return ensemble._with(changes | inputs, stacklevel=3)
 
 
 def ensemble_of(calibrated: Mapping[str, Any]) -> Ensemble:
     """The ensemble from the content of a ``calibrated`` file, the best set first."""
-    best = Parameters(**calibrated["inputs"])
+    inputs: Any = calibrated.get("inputs")
+    members = calibrated.get("ensemble")
+    if not isinstance(members, list) or not all(isinstance(x, dict) for x in (inputs, *members)):
+        raise ValueError(
+            "these are not calibrated inputs; allowed: inputs, a dict, and ensemble, a list of them"
+        )
+    best = Parameters(**inputs)
     best.check_ball()
-    others = [Parameters(**calibrated["inputs"] | member) for member in calibrated["ensemble"]]
+    others = [Parameters(**inputs | member) for member in members]
     if best in others:  # the best is a member as often as in the file
         others.remove(best)
     return Ensemble((best, *others), PAPER_SETUP).changed()
@@ -98,7 +100,7 @@ def _default_content():
 
 
 def ensemble(parameters: Ensemble | None = None) -> list[Parameters]:
-    """The sets of inputs that explain the paper about equally well, the best first.
+    """The sets of inputs, each fitted without some figures of the paper, the best first.
 
     Parameters
     ----------

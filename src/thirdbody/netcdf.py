@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.core.parameters import Parameters
+from thirdbody.core.particles import mean_and_largest
 from thirdbody.core.regimes import NO_FLAG
 from thirdbody.files import unreadable
 from thirdbody.variables import (
@@ -185,13 +186,24 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
     return PlainDataset(variables, coords, attributes)
 
 
-def coordinate_attributes(described: Variable, key: str = "") -> dict[str, str]:
-    """Attributes of a coordinate: the normal load, or an axis for which the user wrote ``key``."""
+def coordinate_attributes(
+    described: Variable, key: str = "", parameters: Parameters | None = None
+) -> dict[str, str]:
+    """Attributes of a coordinate: the normal load, or an axis for which the user wrote ``key``.
+
+    With the ``parameters`` that were solved, the particle size has the mean and the largest.
+    """
     attributes = {
         "units": described.unit,
         "long_name": described.label,
         "symbol": described.symbol,
     }
+    if parameters is not None and described.name == "particle_diameter":
+        mean, largest = mean_and_largest(1.0, parameters)
+        attributes["comment"] = (
+            f"with these inputs the mean of the sizes is {mean:.3g} x_a, "
+            f"the largest, X_max, {largest:.3g} x_a"
+        )
     return attributes | ({GIVEN_AS: key} if key == "load_N" else {})
 
 
@@ -263,7 +275,9 @@ def described_grid(
     }
     coordinates = {
         name: PlainVariable(
-            (name,), axis, coordinate_attributes(AXES[name], load_key if name == "load" else name)
+            (name,),
+            axis,
+            coordinate_attributes(AXES[name], load_key if name == "load" else name, parameters),
         )
         for name, axis in axes.items()
     }

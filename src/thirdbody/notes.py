@@ -1,31 +1,25 @@
 """Notes below an answer, each a sentence: on the sizes of particles, on A_n, the speed and the
 range."""
 
-from statistics import NormalDist
-
 import numpy as np
 
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.particles import ParticleLayer
-from thirdbody.ensembles import Ensemble
+from thirdbody.core.particles import ParticleLayer, mean_and_largest
+from thirdbody.ensembles import RANGE, Ensemble
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
     """A note on the sizes of particles with ``diameter`` x_a [m].
 
-    It has the mean and the largest size of the distribution, normal from 0 to X_max (Eq. 6), and
-    the separation d below which particles carry load on a ``roughness`` sigma [m].
+    It has their mean, the largest, and the separation d below which they carry load on a
+    ``roughness`` sigma [m].
     """
-    mean, spread = parameters.sizes(diameter)
-    largest = mean + parameters.truncation * spread
-    normal = NormalDist(mean, spread)
-    part = normal.cdf(largest) - normal.cdf(0.0)
-    mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
+    mean, largest = mean_and_largest(diameter, parameters)
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
     return (
-        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {1e9 * mean:.4g} nm on average "
-        f"and at most {1e9 * largest:.4g} nm, "
-        f"which carry load at separations d below {1e9 * layer.reach[0]:.4g} nm"
+        f"the particle size x_a = {1e9 * diameter:.4g} nm is a label: the mean of the sizes is "
+        f"{1e9 * mean:.4g} nm, the largest, X_max, {1e9 * largest:.4g} nm; "
+        f"particles carry load at separations d below {1e9 * layer.reach[0]:.4g} nm"
     )
 
 
@@ -56,5 +50,4 @@ def range_note(ensemble: Ensemble) -> str:
     count = len(ensemble.members)
     if count == 1:
         return "no range: these inputs have no ensemble"
-    explain = "explain the paper about equally well"
-    return f"ranges are 5 to 95 % over {count} sets of inputs that {explain}"
+    return f"{RANGE}; here of {count} sets"

@@ -110,8 +110,8 @@ def solve(
 
     Notes
     -----
-    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The paper calls the diameter x_a a
-    mean, but with a ``mean_ratio`` of 0 in ``parameters`` nearly all particles are smaller.  The
+    The roughness of two surfaces is sqrt(Rq_1^2 + Rq_2^2).  The particle size x_a
+    is a label: ``parameters`` say what the mean of the sizes and the largest are, over x_a.  The
     speed of a disc under a ball that does not turn is twice the entrainment speed (u_1 + u_2)/2.
     The density of the oil is in the ``setup`` of an ensemble: ``thirdbody.bearing`` sets it, and
     the default is 850 kg/m3.  A load in newtons is the same for all members, though their A_n
@@ -138,7 +138,7 @@ def solve(
     >>> points.solid_load_fraction.sel(oil="thick").round(4).values
     array([0.9997, 0.713 ])
 
-    The range, 5 to 95 %, over the inputs that explain the paper about equally well:
+    The range of the ensemble, from 5 to 95 % of its members:
 
     >>> points = tb.solve(load_N=10, viscosity_cSt=120, **layer, members=True)
     >>> shares = points.to_dataset()["solid_load_fraction"]
@@ -365,11 +365,12 @@ def _labelled(solution: Solution) -> xr.Dataset:
     dimensions = names if labelled is None else labelled.dims
     coordinates = {} if labelled is None else dict(labelled.coords)
     ensemble = solution.parameters
+    single = None if solution.has_members else ensemble.best
     if solution.has_members:
         coordinates[MEMBER] = MEMBER, np.arange(len(ensemble.members))
     for name, values in conditions.items():
         if name not in coordinates:
-            attributes = coordinate_attributes(CONDITIONS[name], solution.keys[name])
+            attributes = coordinate_attributes(CONDITIONS[name], solution.keys[name], single)
             coordinates[name] = *_placed(values, dimensions, shape), attributes
     described = {}
     for name, values in variables.items():

@@ -154,9 +154,9 @@ AXES = _by_name(
         name="particle_diameter",
         symbol="x_a",
         unit="m",
-        label="mean diameter of the third particles, 0 without them",
-        title="Particle diameter",
-        axis_words="Particle diameter",
+        label="particle size, a label of the size distribution, 0 without particles",
+        title="Particle size",
+        axis_words="Particle size",
         shown_unit="nm",
         scale=1e-9,
         alias="particle_diameter_nm",
@@ -272,6 +272,8 @@ QUANTITIES = _by_name(
         name=names.FILM_THICKNESS,
         symbol="H_c",
         label="central film thickness over ball radius",
+        comment="of the gap, which solids hold open too; lambda is of the film alone: "
+        "that of smooth bodies under the whole load, over sigma",
         equation="7",
         title="Film thickness",
         shown_unit="1e-4",
@@ -341,7 +343,7 @@ DERIVED = _by_name(
     Variable(
         name="diameter_ratio",
         symbol="x_a/sigma",
-        title="Ratio of particle diameter to roughness",
+        title="Ratio of particle size to roughness",
     ),
     Variable(
         name="turning_point_ratio",

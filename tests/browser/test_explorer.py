@@ -15,6 +15,7 @@ import pytest
 from chenhorng.home import config_directory
 from thirdbody.bearings import bearing, hertz_contact
 from thirdbody.curves import Condition
+from thirdbody.ensembles import RANGE
 from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
 from thirdbody.points import solve
@@ -175,9 +176,7 @@ def test_particles_too_soft_are_refused(explorer):
 def test_what_no_interface_has_is_said(explorer):
     explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
     notes = explorer.one("#notes").text
-    assert (
-        "Particle diameter is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
-    )
+    assert "Particle size is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
 
 
 def test_another_interpretation_is_another_model(explorer):
@@ -366,7 +365,7 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
     found = ranges_over(ensemble, "particle_contact_area_ratio", point)
     row = re.search(r"(?m)Asa,t\*.* ([\d.]+) to ([\d.]+)$", explorer.one("#point").text)
     assert tuple(map(float, row.groups())) == pytest.approx(tuple(found), abs=rounding(found))
-    assert f"5 to 95 % over {len(ensemble)} sets" in explorer.one("#definition").text
+    assert f"{RANGE[1:]}; here of {len(ensemble)} sets" in explorer.one("#definition").text
 
 
 def rounding(ends):
@@ -406,7 +405,7 @@ def test_the_sizes_behind_x_a_are_given(explorer, defaults):
 def test_the_size_at_which_a_mode_ends_is_shown(explorer, defaults):
     explorer.open("figure=fig11&viscosity_cSt=0&load_N=2")
     text = explorer.one("#point").text
-    size = float(re.search(r"Particle diameter.*particle-surface from ([\d.]+) nm", text)[1])
+    size = float(re.search(r"Particle size.*particle-surface from ([\d.]+) nm", text)[1])
     load = 2.0 / defaults.newtons_per_load
     sizes = FIGURE_11._replace(particle_diameter=size * 1e-9 * np.array([0.99, 1.01]))
     found = solve(load=load, **sizes._asdict(), parameters=defaults)
@@ -503,13 +502,23 @@ def test_the_link_restores_everything(explorer):
     explorer.choose("[name=y_scale]", "log")
     fragment = explorer.run("return location.hash.slice(1)")
     expected = "figure=fig06&viscosity_cSt=55&spread_ratio=0.4&film_load=total&y_scale=log"
-    assert parse_qs(fragment) == parse_qs(expected)
+    assert parse_qs(fragment.partition("&")[2]) == parse_qs(expected)
     look = """return [
         ...[...document.querySelectorAll('#charts .line, #charts .ghost')].map((line) => line.getAttribute('d')),
         ...[...document.querySelectorAll('input, select')].map((field) => field.value),
         document.getElementById('claims').innerText];"""
     before = explorer.run(look)
     assert explorer.open(fragment).run(look) == before
+
+
+def test_a_link_that_was_cut_or_is_of_other_inputs_says_so(explorer):
+    explorer.open("figure=fig04&load_N=20&particle_density_per_m2=1e12&spread_ratio=0.4")
+    whole = explorer.run("return location.hash.slice(1)")
+    assert whole.startswith("sum=") and explorer.open(whole).one("#damaged").text == ""
+    ends = whole[:-1], whole.rpartition("&")[0], whole.replace("=20", "=21"), f"sum=1{whole[4:]}"
+    for fragment in ends:
+        assert "it was cut or changed" in explorer.open(fragment).one("#damaged").text
+        assert explorer.run("return location.hash") == ""
 
 
 def test_a_page_saved_as_it_stands_opens_again(explorer, tmp_path):

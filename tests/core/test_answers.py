@@ -8,6 +8,8 @@ from methods import ENGINEERING
 
 import thirdbody as tb
 from thirdbody import answers
+from thirdbody.core.film import film_parameter
+from thirdbody.ensembles import RANGE
 from thirdbody.variables import FLAGS, QUANTITIES
 
 LAYER = {name: ENGINEERING[name] for name in ("roughness_nm", "particle_density_per_m2")}
@@ -48,7 +50,7 @@ def test_the_range_is_that_of_the_members(defaults):
     row = by_name(table).loc["solid_load_fraction"]
     assert (row["low"], row["high"]) == pytest.approx(tuple(np.quantile(shares, [0.05, 0.95])))
     assert (row["agree"], row["members"]) == (len(members), len(members))
-    assert any(f"5 to 95 % over {len(members)} sets" in note for note in table.attrs["notes"])
+    assert f"{RANGE}; here of {len(members)} sets" in table.attrs["notes"]
 
 
 def test_the_nominal_pressure_and_that_of_hertz_stand_beside_the_state(inputs):
@@ -58,6 +60,20 @@ def test_the_nominal_pressure_and_that_of_hertz_stand_beside_the_state(inputs):
     # a = (3 F R/4 E)^(1/3) = 75.2 um for 10 N on the ball of Table 2
     assert rows["A_H"] == pytest.approx(np.pi * 0.07518**2, rel=1e-3)
     assert rows["A_H"] * rows["p_H"] == pytest.approx(10.0)
+
+
+def test_lambda_stands_beside_the_gap_that_solids_hold_open(inputs):
+    def rows(**changes):
+        table = answers.state(inputs, ENGINEERING | changes)
+        assert "lambda is of the film alone" in table.attrs["notes"][-1]
+        return table.set_index("symbol")["value"]
+
+    here, slower = rows(), rows(speed_m_per_s=0.25 * inputs.speed)
+    load = 10.0 / inputs.newtons_per_load
+    assert here["lambda"] == pytest.approx(film_parameter(load, 90e-6, 3e-7, inputs.best))
+    assert slower["lambda"] == pytest.approx(0.25**0.663 * here["lambda"])
+    assert slower["H_c"] * inputs.ball_radius / 3e-7 > 3.0 > 1.5 > slower["lambda"]
+    assert rows(viscosity_cSt=0.0)["lambda"] == 0.0
 
 
 def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):

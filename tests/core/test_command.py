@@ -33,7 +33,8 @@ REFUSED = [  # a command, and what its refusal names
     (f"transitions --along viscosity --viscosity-cSt 90 --load-N 10 {LAYER}", "--along viscosity"),
     (f"{CURVE} --load-N 10", "--along load"),
     (f"transitions --along viscosity --from 100 --to 10 --load-N 10 {LAYER}", "(100.0, 10.0)"),
-    (f"{CURVE} --csv same.svg --plot ./same.svg", "same.svg"),
+    (f"{CURVE} --csv same.svg --plot ./same.svg", "--plot is ./same.svg, the file of --csv"),
+    (f"{CURVE} --csv same.svg --plot SAME.svg", "--plot is SAME.svg, the file of --csv"),
     (f"{CURVE} --csv no/a.csv", "no/a.csv"),
     (f"{CURVE} --plot a.txt", "txt"),
     (f"{CURVE} --count 1", "count is 1"),
@@ -187,6 +188,46 @@ def test_a_curve_is_printed_as_it_is_written_and_drawn(capsys):
     assert Path("curve.svg").read_text(encoding="utf-8").startswith("<?xml")
     table = pd.read_csv("curve.csv")
     assert table["load_N"].tolist() == pytest.approx([1.0, 2.0**0.5, 2.0])
+
+
+@pytest.fixture
+def mine(capsys):
+    """A file of inputs, by other names too."""
+    assert run("bearing --ball-radius-mm 10 --write mine.yaml") == ANSWERED
+    capsys.readouterr()
+    os.symlink("mine.yaml", "link.svg")
+    os.link("mine.yaml", "hard.csv")
+    os.symlink(inputs.CALIBRATED_FILE, "calibrated.yaml")
+    return Path("mine.yaml")
+
+
+@pytest.mark.parametrize("name", ["mine.yaml", "./mine.yaml", "MINE.yaml", "link.svg", "hard.csv"])
+@pytest.mark.parametrize(
+    "command",
+    [
+        "bearing --inputs mine.yaml --write",
+        f"{CURVE} --inputs mine.yaml --csv",
+        f"{CURVE} --inputs mine.yaml --plot",
+        f"{CURVE} --inputs link.svg --csv",
+    ],
+)
+def test_a_file_that_is_read_is_never_written(mine, command, name, capsys):
+    before, names = mine.read_bytes(), sorted(os.listdir())
+    assert run(f"{command} {name}") == BAD_INPUT
+    assert f"{name}, the file of --inputs; allowed: another file" in capsys.readouterr().err
+    assert mine.read_bytes() == before and sorted(os.listdir()) == names
+
+
+def test_the_inputs_of_the_library_are_never_written(mine, capsys):
+    before = inputs.CALIBRATED_FILE.read_bytes()
+    assert run("bearing --ball-radius-mm 10 --write calibrated.yaml") == BAD_INPUT
+    assert "the file of the library" in capsys.readouterr().err
+    assert inputs.CALIBRATED_FILE.read_bytes() == before
+
+
+def test_a_file_beside_the_one_that_is_read_is_written(mine):
+    assert run("bearing --inputs mine.yaml --write other.yaml") == ANSWERED
+    assert tb.load_parameters("other.yaml") == tb.load_parameters("mine.yaml")
 
 
 def test_output_is_printed_in_any_encoding():

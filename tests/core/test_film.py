@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.core.film import Film
+from thirdbody.core.film import Film, film_parameter
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -19,6 +19,18 @@ ROUGHNESS = 300e-9
 def test_film_thickness_to_the_printed_digits(parameters, load_parameter, viscosity, printed):
     film = Film.of(np.array([viscosity]) * CENTISTOKES, ROUGHNESS, parameters)
     assert float(f"{film.thickness(np.log(load_parameter))[0][0]:.3e}") == printed
+
+
+def test_lambda_is_of_smooth_bodies_under_the_whole_load(parameters):
+    loads, oils = np.array([1.0, 10.0]), np.array([0.0, 90e-6])
+    found = film_parameter(loads[:, None] / parameters.newtons_per_load, oils, 3e-7, parameters)
+    radius = parameters.ball_radius
+    W = loads / (parameters.elastic_modulus_surfaces * radius**2)
+    U, G = parameters.speed_per_viscosity * 90e-6, parameters.material_parameter
+    smooth = 3.672 * W**-0.045 * U**0.663 * G**0.502 * (1.0 - 0.573 * np.exp(-0.74))
+    assert parameters.ellipticity == 1.0
+    assert_allclose(found[:, 1], smooth * radius / 3e-7, rtol=1e-12)
+    assert_allclose(found[:, 0], 0.0)
 
 
 def test_the_ranges_of_figure_11c_end_at_one_load(parameters):

@@ -1,5 +1,6 @@
 """YAML that is read, and inputs of a user laid over the calibrated ones."""
 
+import copy
 import math
 import pickle
 from dataclasses import replace
@@ -8,10 +9,11 @@ import pytest
 import yaml
 
 from chenhorng.home import config_directory
-from thirdbody.bearings import bearing
+from thirdbody.bearings import FORMULAS, bearing
 from thirdbody.core.parameters import Parameters
 from thirdbody.files import read_yaml
 from thirdbody.inputs import CALIBRATED_FILE, load_parameters
+from thirdbody.points import solve
 
 CALIBRATED = config_directory() / "calibrated"
 
@@ -158,6 +160,13 @@ def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp
 
 # ---- the setup: what a user gave, and the inputs do not say
 
+INTERFACE = {
+    "load_N": 10.0,
+    "viscosity_cSt": 90.0,
+    "particle_diameter_nm": 500.0,
+    "roughness_nm": 300.0,
+    "particle_density_per_m2": 1e11,
+}
 OWN = {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 870.0, "ball": "silicon nitride"}
 
 
@@ -169,7 +178,16 @@ OWN = {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 870.0, "ball": "silicon ni
         lambda inputs, write: load_parameters(**inputs.as_dict()),
         lambda inputs, write: load_parameters(write(yaml.safe_dump(inputs.known()))),
         lambda inputs, write: bearing(inputs, apparent_area_mm2=4.0),
+        lambda inputs, write: bearing(inputs, ball_radius_mm=3.0),
+        lambda inputs, write: load_parameters(
+            write(yaml.safe_dump(calibrated(inputs) | {"setup": inputs.setup.as_dict()}))
+        ),
+        lambda inputs, write: load_parameters(setup=inputs.setup).changed(
+            **{name: getattr(inputs, name) for name in FORMULAS}
+        ),
         lambda inputs, write: pickle.loads(pickle.dumps(inputs)),
+        lambda inputs, write: copy.copy(inputs),
+        lambda inputs, write: copy.deepcopy(inputs),
         lambda inputs, write: next(iter(inputs)),
     ],
 )
@@ -180,6 +198,39 @@ def test_each_operation_keeps_the_setup(write, operation):
     assert kept.setup.oil_density_kg_per_m3 == 870.0
     assert kept.setup.ball.hardness_GPa == 15.0
     assert kept.speed == pytest.approx(2.0)
+
+
+def test_a_set_of_inputs_alone_has_no_oil_and_none_is_assumed():
+    inputs = replace(bearing(**OWN).best, truncation=3.0)
+    with pytest.raises(ValueError, match="the density of the oil is unknown"):
+        solve(**INTERFACE, speed_m_per_s=4.0, parameters=inputs)
+
+
+def test_an_answer_at_another_speed_does_not_depend_on_how_inputs_are_passed_on(write):
+    inputs = bearing(**OWN)
+    written = load_parameters(write(yaml.safe_dump(inputs.known())))
+    passed = load_parameters(**inputs.as_dict())
+    answers = [
+        solve(**INTERFACE, speed_m_per_s=4.0, parameters=each).solid_load_fraction
+        for each in (inputs, written, passed, inputs.changed())
+    ]
+    other = bearing(**OWN | {"speed_m_per_s": 4.0})
+    assert answers == [pytest.approx(solve(**INTERFACE, parameters=other).solid_load_fraction)] * 4
+
+
+def test_each_way_to_change_an_input_warns_alike(write):
+    ways = [
+        lambda: load_parameters(ball_radius=3e-3),
+        lambda: load_parameters().changed(ball_radius=3e-3),
+        lambda: load_parameters(write("ball_radius: 3.0e-3")),
+    ]
+    messages = []
+    for way in ways:
+        with pytest.warns(UserWarning) as warned:
+            way()
+        messages.append([str(each.message) for each in warned])
+    assert messages == [messages[0]] * 3
+    assert "ball_radius is changed without speed_per_viscosity" in messages[0][0]
 
 
 def test_a_file_of_inputs_is_read_as_it_was_written(write):
@@ -193,6 +244,26 @@ def test_other_oils_are_other_inputs():
     assert twice.members == one.members and twice != one
 
 
-def test_a_setup_of_another_key_is_refused(write):
-    with pytest.raises(ValueError, match="^setup has oil; allowed: ball, flat, particle, oil_den"):
-        load_parameters(write("setup: {oil: 870}"))
+def calibrated(inputs):
+    """The content of a calibrated file of one member."""
+    return {"inputs": inputs.best.as_dict(), "ensemble": [{}]}
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [
+        ("setup: {oil: 870}", "setup has oil; allowed: ball, flat, particle, oil_den"),
+        ("setup: 870", "setup is 870; allowed: ball, flat, particle, oil_den"),
+        ("setup: {ball: steel}", "ball is 'steel'; allowed: modulus_GPa, poisson_ratio"),
+        ("setup: {ball: {modulus: 205}}", "ball has modulus; allowed: modulus_GPa"),
+        ("setup: {oil_density_kg_per_m3: [870]}", "oil_density_kg_per_m3 is [870]; allowed: one"),
+        ("film_load: 5", "film_load is 5; allowed: fluid, total"),
+        ("film_load: [fluid]", "film_load is ['fluid']; allowed: fluid, total"),
+        ("truncation: [3.0]", "truncation is [3.0]; allowed: one number"),
+        ("inputs: {truncation: 3.0}", "these are not calibrated inputs; allowed: inputs"),
+        ("{inputs: 3, ensemble: [{}]}", "these are not calibrated inputs; allowed: inputs"),
+        ("{inputs: {}, ensemble: [3]}", "these are not calibrated inputs; allowed: inputs"),
+    ],
+)
+def test_a_value_of_another_type_is_refused_in_one_line(write, content, expected):
+    assert refusal(load_parameters, write(content)).startswith(expected)

@@ -1,14 +1,16 @@
 """Results as datasets and as tables: nothing loses its name, its unit or its meaning."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from methods import POINT
+from methods import ENGINEERING, POINT
 
 import thirdbody as tb
+from thirdbody.core.particles import mean_and_largest
 from thirdbody.variables import AXES, VARIABLES
 
 LOADS = np.array([1e-6, 1e-5, 1e-4])
@@ -251,3 +253,31 @@ def test_turning_points_have_the_index_of_the_columns():
     assert table.index.equals(TABLE.index)
     newtons = table["load"] * tb.load_parameters().newtons_per_load
     np.testing.assert_allclose(table["load_N"], newtons)
+
+
+def test_the_particle_size_is_a_label_with_its_mean_and_largest(parameters):
+    points = tb.solve(**ENGINEERING, parameters=parameters).to_dataset()
+    size = points["particle_diameter"].attrs
+    assert size["long_name"].startswith("particle size, a label")
+    mean, largest = mean_and_largest(1.0, parameters)
+    assert f"is {mean:.3g} x_a, the largest, X_max, {largest:.3g} x_a" in size["comment"]
+    # by a sum over sizes
+    centre, spread = parameters.sizes(1.0)
+    sizes = np.linspace(0.0, centre + parameters.truncation * spread, 200_001)
+    weights = np.exp(-0.5 * ((sizes - centre) / spread) ** 2)
+    assert mean == pytest.approx(np.average(sizes, weights=weights), rel=1e-4)
+    assert largest == sizes[-1]
+
+
+def test_only_quotes_of_the_paper_call_the_particle_size_a_mean():
+    root = Path(__file__).resolve().parents[2]
+    texts = [*(root / "src").rglob("*.*"), *(root / "docs").glob("*.md")]
+    texts += (root / "config").glob("*.yaml")
+    kinds = {".py", ".md", ".csv", ".json", ".yaml", ".js", ".html", ".j2"}
+    found = {
+        path.name
+        for path in texts
+        if path.suffix in kinds
+        and re.search("mean (particle )?diameter", path.read_text(encoding="utf-8"), re.IGNORECASE)
+    }
+    assert found == {"model.md", "paper_tables.yaml"}

@@ -1,5 +1,7 @@
 """The paper's panels for datasets of one's own, however they were made."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -212,14 +214,32 @@ def test_a_curve_of_one_interface_is_drawn_with_its_range(along, unit):
     assert not second.collections
 
 
-def test_a_band_is_drawn_over_newtons(grid):
-    data = grid(viscosity=9e-5)
-    ends = {f"solid_load_fraction_{end}": data["solid_load_fraction"] for end in ("low", "high")}
-    chosen = dict(variables="solid_load_fraction", band=data.assign(ends))
-    (axes,) = tb.plot(data, over="load_N", **chosen).axes
+@pytest.mark.parametrize("solver", [tb.grid, tb.solve])
+@pytest.mark.parametrize("over", ["load", "load_N", "viscosity"])
+def test_data_of_members_are_drawn_as_the_best_with_the_range(defaults, over, solver):
+    inputs = replace(defaults, members=defaults.members[:3])
+    interface = dict(particle_diameter=3e-7, particle_density=1e11, roughness=3e-7)
+    along = np.array([2.0, 10.0, 50.0]), np.array([9e-5, 12e-5, 15e-5])
+    load, viscosity = (along[0], 9e-5) if over != "viscosity" else (10.0, along[1])
+    data = solver(load_N=load, viscosity=viscosity, **interface, parameters=inputs, members=True)
+    (axes,) = tb.plot(data, over=over, variables="solid_load_fraction").axes
+    (curve,) = [line for line in axes.lines if line.get_xdata().size == 3]
+    shares = [
+        tb.solve(load_N=load, viscosity=viscosity, **interface, parameters=each).solid_load_fraction
+        for each in inputs
+    ]
+    np.testing.assert_allclose(curve.get_ydata(), shares[0], rtol=1e-6)
     (outline,) = axes.collections[-1].get_paths()
-    newtons = data["normal_load"].values
-    np.testing.assert_allclose([outline.vertices[:, 0].max()], newtons.max())
+    expected = np.quantile(shares, (0.05, 0.95), axis=0)
+    for place in (0, -1):  # every second load has an edge
+        at = np.isclose(outline.vertices[:, 0], curve.get_xdata()[place])
+        drawn = outline.vertices[at, 1]
+        assert (drawn.min(), drawn.max()) == pytest.approx(expected[:, place], rel=1e-6)
+
+
+def test_a_range_of_another_interface_cannot_be_given(grid):
+    with pytest.raises(TypeError, match="band"):
+        tb.plot(grid(), band=grid(roughness=1e-7))
 
 
 def test_a_solution_without_its_status_is_drawn(parameters):

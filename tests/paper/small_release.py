@@ -65,6 +65,10 @@ def make_products(folder):
     for kind, content in {**PICTURES, "csv": drawn.encode()}.items():
         products.append(folder / "figures" / f"fig03.{kind}")
         products[-1].write_bytes(content)
+    pages = {"index.html": "figures/fig03.svg", "tables/tpca_windows.html": "../index.html"}
+    for name, link in pages.items():
+        products.append(folder / name)
+        products[-1].write_text(f'<p><a href="{link}">a page</a></p>\n', encoding="utf-8")
     return products
 
 

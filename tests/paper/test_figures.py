@@ -1,6 +1,7 @@
 """Figures: what each shows, that its files say the same, and that their bytes are stable."""
 
 import csv
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from matplotlib.text import Text
 import thirdbody as tb
 from chenhorng.claims.between_curves import BEND
 from chenhorng.claims.claims import load_claims, printed_rows
-from chenhorng.figures.captions import HEADLINES, caption
+from chenhorng.figures.captions import HEADLINES, caption, inputs_sentence
 from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
 from chenhorng.figures.numbers import Number
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED, WINDOW
@@ -24,6 +25,7 @@ from chenhorng.figures.sections import STRETCH, sections, state_of
 from chenhorng.sampling import area_slope
 from chenhorng.scenes import scene_dataset
 from thirdbody.curves import Condition, condition_key
+from thirdbody.ensembles import RANGE
 from thirdbody.plotting.load_curves import curve_figure, curves_in
 from thirdbody.plotting.marks import BAND, SLIGHT
 from thirdbody.plotting.marks import TURNING_POINTS as STARS
@@ -129,8 +131,8 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         curves, ranges = panel.of_kind(CURVE), panel.of_kind(BAND)
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
-    assert "ensemble range" in key_of(drawing)
-    assert "Shaded in colour: the range, 5 to 95 %" in caption(name, drawing.panels).shows
+    assert "range of the ensemble" in key_of(drawing)
+    assert f"Shaded in colour, for some curves: the {RANGE}." in caption(name, drawing.panels).shows
     drawing.draw_without_rendering()
     width, height = drawing.bbox.size
     box = drawing.get_tightbbox().extents * drawing.dpi  # [inches]
@@ -697,3 +699,17 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
     body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
     assert body.count("<strong>") == 2
+
+
+def test_a_caption_says_of_which_inputs_the_curves_are(defaults):
+    curves = [{"viscosity_cSt": [90], "particle_diameter_nm": [300], "roughness_nm": [300]}]
+    curves[0]["particle_density_per_m2"] = [1e11]
+    scene = {"title": "Any", "load_axis": LOAD_AXIS | {"count": 3}, "curves": curves}
+    changes = dict.fromkeys(("hardness_surface_1", "hardness_surface_2"), 3e9)
+    soft = replace(defaults.best, **changes, particle_plane="surface")
+    said = [inputs_sentence(scene_dataset(scene, each)) for each in (defaults.best, soft)]
+    assert said[0] == "The curves are of the default inputs."
+    assert said[1].startswith(
+        "The curves are of inputs that differ from the default: Hₛ1 = 3×10⁹ Pa"
+    )
+    assert said[1].endswith("particle_plane = surface.")

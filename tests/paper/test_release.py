@@ -29,6 +29,7 @@ from chenhorng.archive.crate import METADATA, OF_BAG, WORKFLOW
 from chenhorng.archive.descriptions import describe_content, schema_of
 from chenhorng.archive.files import files_in, render, render_json, source_files
 from chenhorng.tables import DRAWN_POINTS, TABLES, table_schema, write_csv
+from thirdbody.core.particles import mean_and_largest
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "tests" / "schemas"
@@ -50,6 +51,23 @@ def read_json(path):
 
 def test_bag_is_valid(built):
     bagit.Bag(str(built)).validate()
+
+
+def test_each_link_of_a_page_leads_into_the_archive(built):
+    pages = sorted(built.glob("data/**/*.html"))
+    assert built / "data/index.html" in pages and len(pages) == 2
+    for page in pages:
+        (link,) = re.findall(r'href="([^"]+)"', page.read_text(encoding="utf-8"))
+        assert (page.parent / link).is_file()
+
+
+def test_the_guide_calls_the_particle_size_a_label(built, defaults):
+    guide = (built / "README.md").read_text(encoding="utf-8")
+    mean, largest = mean_and_largest(1.0, defaults.best)
+    assert "mean diameter" not in guide
+    assert f"the mean of the sizes is {mean:.3g} x_a, the largest, X_max, {largest:.3g} x_a" in (
+        guide.replace("\\", "")
+    )
 
 
 def test_each_table_has_its_schema_once(built):

@@ -129,7 +129,7 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     main = (numbered[10], HELD, WORDY, window[10]._replace(worst=1))
     results = report(main, members, headline=["taken", "one", "other"])
     table = verdicts.headline_table(results).set_index("id")
-    column = table["ensemble, 5 to 95 %"]
+    column = table["range of the ensemble"]
     assert column["taken"] == "1 to 19"
     assert column["one"] == "16 of 21 agree"
     assert column["other"] == "0.05 to 0.95, 1.1 to 2.9"
@@ -138,7 +138,7 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     ends = rows.loc["other", ["value", "range_low", "range_high"]].tolist()
     assert ends == pytest.approx([2.0, 1.1, 2.9])
     alone = verdicts.headline_table(report(main, headline=["one"]))
-    assert alone["ensemble, 5 to 95 %"].tolist() == ["no ensemble"]
+    assert alone["range of the ensemble"].tolist() == ["no ensemble"]
 
 
 def test_the_score_says_among_how_many_the_default_was_chosen():

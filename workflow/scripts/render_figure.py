@@ -4,7 +4,7 @@ import json
 
 import matplotlib.style
 
-from chenhorng.figures.captions import caption
+from chenhorng.figures.captions import caption, inputs_sentence
 from chenhorng.figures.curve_figures import plot
 from chenhorng.figures.products import save, write_wide
 from chenhorng.job_log import job
@@ -23,7 +23,8 @@ with job(snakemake) as output:
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
     ranges = read_plain(ensemble_range) if ensemble_range else None
     area = json.loads(data.attrs["model_parameters"])["A_n"]
-    notes = [f"Newtons are for A_n = {1e6 * area:.3g} mm², which the paper does not print."]
+    notes = [inputs_sentence(data)]
+    notes += [f"Newtons are for A_n = {1e6 * area:.3g} mm², which the paper does not print."]
     if ranges:
         notes.append(f"The ensemble has {len(json.loads(ranges.attrs['ensemble']))} members.")
     with matplotlib.style.context(snakemake.input.style, after_reset=True):

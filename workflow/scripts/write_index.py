@@ -10,8 +10,10 @@ import jinja2
 from markupsafe import Markup
 
 from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+from chenhorng.figures.captions import inputs_sentence
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
+from thirdbody.netcdf import read_plain
 from thirdbody.symbols import html
 from thirdbody.version import current
 
@@ -95,6 +97,7 @@ with job(snakemake) as output:
             base64.b64encode(Path(path).read_bytes()).decode() for path in snakemake.input.precision
         ],
         "score": f"{judged['score']} {judged['counts']}",
+        "inputs": inputs_sentence(read_plain(snakemake.input.datasets[0])),
         "version": current().text,
     }
     for path, template in zip((output.page, output.captions), templates, strict=True):

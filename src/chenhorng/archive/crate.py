@@ -11,6 +11,7 @@ from rocrate.rocrate import ROCrate
 
 from chenhorng.archive.citation import Release
 from chenhorng.archive.files import files_in, media_type, render_json
+from thirdbody.ensembles import RANGE
 
 METADATA = "ro-crate-metadata.json"
 WORKFLOW = "data/source/Snakefile"
@@ -19,7 +20,7 @@ OF_BAG = ("bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha25
 # folders of products, named as in results/, and their titles
 PRODUCT_FOLDERS = {
     "datasets": "solved points, one file a figure",
-    "bands": "range of each quantity, 5 to 95 % (_low, _high), over the calibrated ensemble",
+    "bands": f"{RANGE} (_low, _high)",
     "tables": "tables of the paper and what was extracted from the datasets",
     "figures": "figures, with the points drawn as CSV",
     "claims": "statements of the paper and their verdicts",

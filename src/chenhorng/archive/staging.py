@@ -39,7 +39,8 @@ def stage(
     """Fill the ``folder`` of a release, from the root of the repository: copy the files, describe
     them, and add checksums, ``tagmanifest-sha256.txt`` last.
 
-    ``products`` are files in the folders ``PRODUCT_FOLDERS`` of ``results/``.  ``settings`` is the
+    ``products`` are files in the folders ``PRODUCT_FOLDERS`` of ``results/``, and the index and the
+    captions beside these folders, to which pages link.  ``settings`` is the
     content of ``configuration/``, by file name.  ``software`` has the versions of the packages that
     were used.  A release of an unknown version raises ``ValueError``.
     """
@@ -51,7 +52,8 @@ def stage(
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
     for path in map(Path, products):
-        _copy(path, data / path.parent.name / path.name)
+        folder_of_kind = path.parent.name if path.parent.name in PRODUCT_FOLDERS else ""
+        _copy(path, data / folder_of_kind / path.name)
     for source in sources:
         _copy(source, data / "source" / source)
         if source.startswith(VERIFICATION):

@@ -30,7 +30,7 @@ from chenhorng.claims.judge import (
 from chenhorng.places import part_of_paper
 from chenhorng.tables import TABLES
 from thirdbody.core.turning_points import PROMINENCE
-from thirdbody.ensembles import range_over_members
+from thirdbody.ensembles import RANGE, range_over_members
 from thirdbody.symbols import html
 
 COUNTED = {
@@ -141,7 +141,7 @@ def headline_table(report: Report) -> pd.DataFrame:
             "id": table["id"],
             "paper": table["published"],
             "model": table["computed"].map(once),
-            "ensemble, 5 to 95 %": [once(_range_text(report, id)) for id in table["id"]],
+            "range of the ensemble": [once(_range_text(report, id)) for id in table["id"]],
             "verdict": table["verdict"],
         }
     )
@@ -159,7 +159,7 @@ def _range_text(report: Report, id: str) -> str:
 
 
 def number_ranges(report: Report, id: str) -> np.ndarray:
-    """The range of the ensemble, 5 to 95 %, for each number of a statement: shape (numbers, 2), nan
+    """The range of the ensemble for each number of a statement: shape (numbers, 2), nan
     without an ensemble.
     """
     members = [verdicts[id].numbers for verdicts in report.members if verdicts[id].numbers]
@@ -189,6 +189,7 @@ def claims_markdown(report: Report) -> str:
     return ENVIRONMENT.get_template("claims.md.j2").render(
         report=report,
         score=score_sentence(report),
+        range=RANGE,
         reached=numbers["verdict"].eq(HOLDS).sum(),
         headline=numbers.drop(columns="id"),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
@@ -220,9 +221,9 @@ def claims_json(report: Report) -> str:
     """The statements and their verdicts for programs, as JSON.
 
     A statement has the columns of the table ``claims``, with lists and objects instead of texts.
-    It also has the part of the paper, the finding as a sentence, the ensemble range of each number,
-    the reason for the tolerance, and ``verdicts_of``: its verdict with the inputs of each
-    interpretation.
+    It also has the part of the paper, the finding as a sentence, the range of each number
+    over the ensemble, the reason for the tolerance, and ``verdicts_of``: its verdict with the
+    inputs of each interpretation.
     """
     held, of = count_once(report.claims, report.verdicts)
     predicted, predicted_of = count_once(report.claims, report.predicted)

@@ -43,7 +43,7 @@ def choose_inputs(
         # a file of inputs may have a setup; the workflow needs none, as scenes have no speed
         changes = checked_inputs({key: value for key, value in changes.items() if key != "setup"})
         chosen = ensemble.changed(**changes)
-    except (TypeError, ValueError, KeyError) as error:
+    except (TypeError, ValueError) as error:
         raise ValueError(f"{place}: {error}") from None
     _check_printed(uncalibrated_values(folder), ensemble, calibrated)
     values = chosen.best.as_dict()

@@ -93,12 +93,12 @@ Viscosity = Annotated[
 ]
 Diameter = Annotated[
     float,
-    Field(ge=0, le=1e5, description="mean particle diameter x_a [nm], 0 without particles"),
+    Field(ge=0, le=1e5, description="particle size x_a [nm], 0 without particles"),
     zero_or_from(1),
 ]
 Ratio = Annotated[
     float,
-    Field(ge=0, le=1000, description="mean particle diameter over roughness, x_a/sigma [1]"),
+    Field(ge=0, le=1000, description="particle size over roughness, x_a/sigma [1]"),
 ]
 Roughness = Annotated[
     float,

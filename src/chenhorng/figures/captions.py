@@ -1,5 +1,6 @@
 """Captions and alternative texts: words of ``captions.yaml``, and what follows from the panels."""
 
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,8 +9,12 @@ import numpy as np
 
 from chenhorng.figures import printed
 from chenhorng.markdown import markdown_text
+from thirdbody.core.parameters import BOUNDS
 from thirdbody.curves import Condition
+from thirdbody.ensembles import RANGE
 from thirdbody.files import read_yaml
+from thirdbody.inputs import or_calibrated
+from thirdbody.netcdf import KEYS, Dataset, model_attribute
 from thirdbody.plotting import marks
 from thirdbody.plotting.panels import CURVE, Panel
 from thirdbody.plotting.scales import (
@@ -55,6 +60,7 @@ WORDS = read_yaml(Path(__file__).with_suffix(".yaml"))
 FIGURES, MARKS, SENTENCES = WORDS["figures"], WORDS["marks"], WORDS["sentences"]
 HEADLINES = {name: words["headline"] for name, words in FIGURES.items() if "headline" in words}
 REMARKS = WORDS["remarks"]
+UNITS = {key: BOUNDS[name].unit for name, key in KEYS["body"].items()}  # SI, of the inputs
 
 
 def caption(
@@ -75,6 +81,23 @@ def caption(
     )
 
 
+def inputs_sentence(data: Dataset) -> str:
+    """Of which inputs the points of a dataset are: the default, or those that it names."""
+    default = model_attribute(or_calibrated(None).best, data["roughness"].values)
+    solved, expected = json.loads(data.attrs["model_parameters"]), json.loads(default)
+    texts = [_input_text(key, value) for key, value in solved.items() if value != expected[key]]
+    return SENTENCES["others"].format(", ".join(texts)) if texts else SENTENCES["default"]
+
+
+def _input_text(key, value) -> str:
+    """An input with its value; of those that follow the roughness, the range."""
+    if isinstance(value, list):
+        value = f"{min(value):.3g} to {max(value):.3g}" if len(value) > 1 else value[0]
+    text = value if isinstance(value, str) else f"{value:.4g}"
+    unit = UNITS.get(key, "1")
+    return f"{unicode(key, is_symbol=True)} = {unicode(text)}" + (f" {unit}" if unit != "1" else "")
+
+
 def _notes(panels) -> list[str]:
     """Sentences on the panels, the load axis, the conditions, marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
@@ -92,7 +115,7 @@ def _notes(panels) -> list[str]:
         contents.append(f"{letter}{quantity(panel.y)}{at}{over}")
     sentences = ["; ".join(contents) + "."]
     sentences += [SENTENCES["loads"], _conditions(conditions)]
-    sentences += [sentence for kind, sentence in MARKS.items() if kind in named]
+    sentences += [sentence.format(RANGE) for kind, sentence in MARKS.items() if kind in named]
     statuses = [status.replace("_", " ") for status in marks.STATUSES if status in named]
     sentences += map(SENTENCES["status"].format, statuses)
     sentences += _outside(panels)

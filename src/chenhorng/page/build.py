@@ -11,6 +11,7 @@ import numpy as np
 
 import thirdbody.symbols as symbols
 from thirdbody.core.parameters import BOUNDS
+from thirdbody.ensembles import RANGE
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
@@ -88,6 +89,7 @@ def page_content(
             for name, entry in inputs.items()
         },
         "ensemble": list(ensemble),
+        "range": RANGE,
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
         **{key: judged[key] for key in ("held", "judged", "counts")},

@@ -73,6 +73,39 @@ def load_of_film(
     return np.where(wet, load, 0.0), np.where(wet, slope / separation, 0.0)
 
 
+def film_parameter(
+    load: float | NDArray, viscosity: NDArray, roughness: float | NDArray, parameters: Parameters
+) -> NDArray:
+    """lambda = h_c/sigma [1], with the film of smooth bodies that carries the whole load (Eq. 7).
+
+    H_c of a solution, times R_x over sigma, is another number: the gap that solids hold open too.
+
+    Parameters
+    ----------
+    load, viscosity, roughness : array or float
+        F_t* [1], nu [m2/s] and sigma [m], of shapes that broadcast.
+    parameters : Parameters
+        Inputs of the model.
+
+    Returns
+    -------
+    array
+        0 where there is no film.
+
+    Examples
+    --------
+    >>> import thirdbody
+    >>> inputs = thirdbody.load_parameters().best
+    >>> load, oils = 10.0 / inputs.newtons_per_load, np.array([0.0, 90e-6])
+    >>> film_parameter(load, oils, 3e-7, inputs).round(2)
+    array([0. , 2.9])
+    """
+    wet = has_film(viscosity)
+    film = Film.of(np.where(wet, viscosity, 1.0), roughness, parameters)
+    log_thickness = film.smooth + film.exponents[0] * log_load_parameter(np.log(load), parameters)
+    return np.where(wet, np.exp(log_thickness) * parameters.ball_radius / roughness, 0.0)
+
+
 @dataclass(frozen=True)
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).

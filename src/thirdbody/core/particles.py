@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from statistics import NormalDist
 
 import numpy as np
 import scipy  # scipy.special is loaded on first use: many jobs do not need it
@@ -33,6 +34,25 @@ LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
 NEXT_TO_LARGEST = 0.25
 NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over this width
 SHAPE_SAMPLES, GUESSES = np.geomspace(1e-5, 1.0, 199), 1001
+
+
+def mean_and_largest(diameter: float, parameters: Parameters) -> tuple[float, float]:
+    """Mean of the sizes and largest size X_max [m], for x_a [m] (Eq. 6).
+
+    Sizes are normal about m, from 0 to X_max, so that their mean is not m.
+
+    Examples
+    --------
+    >>> import thirdbody
+    >>> inputs = thirdbody.load_parameters(spread_ratio=0.4, mean_ratio=0.0, truncation=4.0)
+    >>> [round(size, 4) for size in mean_and_largest(1.0, inputs.best)]
+    [0.3191, 1.6]
+    """
+    centre, spread = parameters.sizes(diameter)
+    largest = centre + parameters.truncation * spread
+    normal = NormalDist(centre, spread)
+    part = normal.cdf(largest) - normal.cdf(0.0)
+    return centre + spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part, largest
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ def sweep(
     Parameters
     ----------
     axes : mapping
-        Load [1], viscosity [m2/s], particle diameter [m], roughness [m] and particle density [m-2]
+        Load [1], viscosity [m2/s], particle size x_a [m], roughness [m] and particle density [m-2]
         by name; 1-D and increasing.
     parameters : Parameters
         Inputs of the model.

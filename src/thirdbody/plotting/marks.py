@@ -38,7 +38,8 @@ LOOKS: dict[str, dict[str, Any]] = {
         "markerfacecolor": "white",
         "markeredgecolor": "0.45",
     },
-    BAND: {"label": "ensemble range", "color": "#C3DEDD", "linewidth": 6.0},  # a tint, not grey
+    # a tint, not grey
+    BAND: {"label": "range of the ensemble", "color": "#C3DEDD", "linewidth": 6.0},
 }
 LOOKS |= {
     status: OF_STATUS | {"marker": marker, "label": status.replace("_", " ")}

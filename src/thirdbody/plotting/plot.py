@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from thirdbody.conditions import axis_of, checked_variables, numbers_in, unit_of
 from thirdbody.curves import LUBRICATED
+from thirdbody.ensembles import MEMBER, range_over_members
 from thirdbody.netcdf import GIVEN_AS, OF_THE_FILE, read_plain
 from thirdbody.plotting.drawing import STYLE
 from thirdbody.plotting.load_curves import curve_figure, draw_panels
@@ -43,7 +44,6 @@ def plot(
     over: str | None = None,
     variables: str | Sequence[str] = LUBRICATED,
     turning_points: Sequence[Mapping] | str | PathLike = (),
-    band: xr.Dataset | str | PathLike | None = None,
     ax: Axes | Sequence[Axes] | None = None,
 ) -> Figure:
     """Draw A_sa,t*, A_t*, L_s and H_c of any dataset of solved points over one of its axes.
@@ -54,7 +54,8 @@ def plot(
         A solution, a dataset of ``grid`` or ``Solution.to_dataset``, the table of such a dataset,
         or a NetCDF file of ``stream`` or of the workflow.  ``Solution.to_dataframe`` is no such
         table: its load in newtons does not give F_t*.  Points in a list must be all combinations of
-        their conditions.
+        their conditions.  Data of all members (``members=True``) are drawn as the curves of the
+        best, with the range of the ensemble around some of them.
     over : str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by
         default the load, in newtons if it was given so, or, where there is one load, the axis with
@@ -66,8 +67,6 @@ def plot(
     turning_points : sequence of mapping, or path, optional
         Turning points to mark over the load: mappings of the four conditions [SI], ``load`` [1] and
         ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
-    band : xarray.Dataset or path, optional
-        Ensemble range on the axes of ``data``, drawn over the load: a file in ``results/bands/``.
     ax : matplotlib.axes.Axes, or sequence of them, optional
         Draw there, one for each panel; by default on a new figure.
 
@@ -98,12 +97,17 @@ def plot(
     '$A_{sa,t}^*$'
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity $ν$ (cSt)'
+
+    With the range of the ensemble:
+
+    >>> loads = np.geomspace(1e-6, 1e-4, 5)
+    >>> figure = tb.plot(tb.grid(load=loads, **oils, **debris, members=True))
     """
     names = checked_variables(variables, LUBRICATED)
     axes: list[Axes] = [] if ax is None else [*np.ravel(np.asarray(ax, object))]
     if isinstance(turning_points, str | PathLike):
         turning_points = read_turning_points(turning_points)
-    complete = _with_all_dimensions("data", data)
+    complete = _with_all_dimensions(data)
     over = over or _longest(complete)
     along = axis_of(over).name
     if complete.sizes[along] < 2:
@@ -114,12 +118,11 @@ def plot(
         if complete.sizes.get(SPEED.name, 1) > 1:
             raise ValueError(f"data vary with the speed; allowed: over='{SPEED.alias}'")
         complete = complete.squeeze(SPEED.name, drop=True) if SPEED.name in complete else complete
-        ranges = None if band is None else _with_all_dimensions("band", band)
         figure = curve_figure(complete)
         x = NORMAL_LOAD.name if over == "load_N" else "load"
         chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
         figure = replace(figure, contents=chosen)
-        return figure.plot(complete, turning_points, ranges, axes=axes)
+        return figure.plot(complete, turning_points, axes=axes)
 
 
 def _longest(data: xr.Dataset) -> str:
@@ -173,10 +176,6 @@ def plot_curve(table: pd.DataFrame, along: str) -> Figure:
     else:
         x = axis.to_si(x)
     panels = [_panel(name, x, each, {"": table}, [{"color": BLUE}]) for each in LUBRICATED]
-    for panel in panels:
-        if f"{panel.y}_low" in table:
-            low, high = (table[f"{panel.y}_{end}"].to_numpy() for end in ("low", "high"))
-            panel.series.append(range_series("", x, low, high, BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, [])
 
@@ -184,11 +183,14 @@ def plot_curve(table: pd.DataFrame, along: str) -> Figure:
 def _panel(
     over: str, x: NDArray, name: str, curves: Mapping[str, Mapping], looks: Sequence[Look]
 ) -> Panel:
-    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables."""
-    series = [
-        Series(CURVE, label, x, np.asarray(values[name], float), look=look)
-        for (label, values), look in zip(curves.items(), looks, strict=True)
-    ]
+    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables, and
+    its range if it has one."""
+    series = []
+    for (label, values), look in zip(curves.items(), looks, strict=True):
+        series.append(Series(CURVE, label, x, np.asarray(values[name], float), look=look))
+        if f"{name}_low" in values:
+            low, high = (np.asarray(values[f"{name}_{end}"], float) for end in ("low", "high"))
+            series.append(range_series(label, x, low, high, look["color"]))
     return Panel(SCALES[name].title, over, name, series)
 
 
@@ -201,7 +203,7 @@ def _note(data: xr.Dataset, name: str, value: float) -> str:
     return f"{text} ({newtons:.3g} N)"
 
 
-def _with_all_dimensions(name: str, data: Any) -> xr.Dataset:
+def _with_all_dimensions(data: Any) -> xr.Dataset:
     """A dataset over the five axes in their order; missing ones have length one."""
     if isinstance(data, str | PathLike):
         data = read_plain(data).to_xarray()
@@ -212,13 +214,13 @@ def _with_all_dimensions(name: str, data: Any) -> xr.Dataset:
         data = data.to_dataset()
     if any(each in variable.attrs for variable in data.variables.values() for each in OF_THE_FILE):
         data = xr.decode_cf(data, decode_times=False)
-    data = _in_si(data)
-    if STATUS not in data:  # not asked for, or a range
+    data = _of_best(_in_si(data))
+    if STATUS not in data:  # not asked for
         data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
     dimensions = _dimensions(data)
     data = data.set_coords(dimensions)
     if not set(data.dims) <= set(dimensions):
-        data = _placed_on_axes(name, data)
+        data = _placed_on_axes(data)
     data = data.expand_dims([each for each in dimensions if data[each].ndim == 0])
     if NORMAL_LOAD.name in data:  # also where it was repeated along other axes
         newtons = data["load"].values * _newtons_per_load(data)
@@ -247,7 +249,20 @@ def _in_si(data: xr.Dataset) -> xr.Dataset:
     return data
 
 
-def _placed_on_axes(name: str, data: xr.Dataset) -> xr.Dataset:
+def _of_best(data: xr.Dataset) -> xr.Dataset:
+    """Data of all members as those of the best, with both ends of the range over the members."""
+    if MEMBER not in data.dims:
+        return data
+    best = data.isel({MEMBER: 0}, drop=True)
+    for name in LUBRICATED:
+        if name in data:
+            ends = range_over_members([*data[name].transpose(MEMBER, ...).values])
+            dims = best[name].dims
+            best = best.assign({f"{name}_low": (dims, ends[0]), f"{name}_high": (dims, ends[1])})
+    return best
+
+
+def _placed_on_axes(data: xr.Dataset) -> xr.Dataset:
     """Points along other dimensions on the five axes, if they are all combinations of their
     conditions.
     """
@@ -257,7 +272,7 @@ def _placed_on_axes(name: str, data: xr.Dataset) -> xr.Dataset:
     complete = prod(map(len, table.index.remove_unused_levels().levels))
     if len(table) != complete:
         other = next(each for each in data.dims if each not in DIMENSIONS)
-        message = f"{name} has the dimension {other!r}, with points that are not all combinations"
+        message = f"data has the dimension {other!r}, with points that are not all combinations"
         raise ValueError(f"{message}; allowed: one point for each of {', '.join(DIMENSIONS)}")
     placed = table.to_xarray()
     placed["load"].attrs = data["load"].attrs

@@ -80,7 +80,7 @@ const KEY = {
   levels: { text: "printed, between the strokes", color: "var(--ink)", kind: "level", hasEnds: true },
   windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
   limits: { text: "printed, without height (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit", isUpright: true },
-  ranges: { text: "range, 5 to 95 %", fill: "var(--range)" },
+  ranges: { text: "range of the ensemble", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
   here: { text: "at your conditions", color: "var(--accent)", kind: "here", isUpright: true },
   doubts: { text: "with a remark", mark: "doubt" },

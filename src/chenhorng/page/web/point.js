@@ -31,7 +31,7 @@ export function showPoint(parent) {
   const values = VALUES.map((name) => [labelOf(name), numberText(name, found[name], DIGITS), ""]);
   const waiting = axes.map(({ name }) => [wordOf(name), "…"]);
   parent.innerHTML =
-    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], memberInputs().length ? "range, 5 to 95 %" : "") +
+    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], memberInputs().length ? "range of the ensemble" : "") +
     table("Contact mode as one condition changes", waiting) +
     `<p>${typeset(sizesText(engine, point))}</p>`;
   const [answer, changes] = parent.querySelectorAll("tbody");
@@ -104,8 +104,8 @@ function sizesText(engine, { load, ...condition }) {
   const { mean, largest } = contact.sizes;
   const scale = conditionWord("particle_diameter", condition.particle_diameter);
   return (
-    `${scale} is a scale: with these inputs the particles are ${text(mean)} large on average and ` +
-    `${text(largest)} at most, and carry load where the separation is below ${text(contact.reach)}.`
+    `The particle size ${scale} is a label: the mean of the sizes is ${text(mean)}, the largest, X_max, ` +
+    `${text(largest)}; particles carry load where the separation is below ${text(contact.reach)}.`
   );
 }
 

@@ -1,6 +1,8 @@
-// Ranges: 5 to 95 % over the ensemble of the calibrated inputs. What the reader has changed is known:
+// Ranges over the ensemble of the calibrated inputs. What the reader has changed is known:
 // all members have it. Here their other inputs stay, while in the library they follow.
 
+import { content } from "./content.js";
+import { capital } from "./names.js";
 import { currentInputs, memberInputs } from "./state.js";
 import { currentEngine, memberEngines } from "./engine.js";
 import { curveOf } from "./curves.js";
@@ -13,7 +15,7 @@ const KEPT = 40; // curves
 export function definition() {
   const { length } = memberInputs();
   if (!length) return "";
-  return `Ranges are 5 to 95 % over ${length} sets of inputs that explain the paper about equally well. What you change is known: all sets have it.`;
+  return `${capital(content.range)}; here of ${length} sets. What you change is known: all sets have it.`;
 }
 
 // Both ends of the range of values, without those that are not solved.

@@ -98,7 +98,15 @@ export function toFragment() {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
   }
   for (const [name, value] of Object.entries(state.inputs)) given.set(name, String(value));
-  return given.toString().replaceAll("+", "%20"); // a plus would be read as one
+  const text = given.toString().replaceAll("+", "%20"); // a plus would be read as one
+  return text && `sum=${sumOf(given)}&${text}`;
+}
+
+// A sum of what a link says and of the default from which it differs: a link that was cut, or made with other
+// inputs, has another one.
+function sumOf(given) {
+  const signs = [...JSON.stringify(defaultInputs), ...given.toString()];
+  return signs.reduce((sum, sign) => (Math.imul(31, sum) + sign.codePointAt(0)) >>> 0, 7).toString(36);
 }
 
 // Show what a fragment says. If it says anything that is not known or not allowed, show the default and say so.
@@ -114,7 +122,13 @@ export function fromFragment(text) {
 function stateIn(text) {
   const wanted = fresh();
   const plusKept = text.replaceAll("+", "%2B"); // that of 1e+12 is not a space
-  const entries = [...new URLSearchParams(plusKept)];
+  const given = new URLSearchParams(plusKept);
+  if (plusKept.startsWith("sum=")) { // a link that a person wrote has none
+    const sum = given.get("sum");
+    given.delete("sum");
+    if (sum !== sumOf(given)) throw new RangeError("it was cut or changed, or made with other default inputs");
+  }
+  const entries = [...given];
   for (const [place, [name, word]] of entries.entries()) {
     const axis = axes.find(({ key }) => key === name);
     const isRepeated = entries.findIndex(([other]) => other === name) < place;
