@@ -53,10 +53,10 @@ LONGEST_LINE = 10_000_000  # characters of a table that are read at once
 LARGEST_TEXT = 100_000_000  # bytes of a manifest, description or page, which are read at once
 # a part of a path that every system can write
 PORTABLE = re.compile(r"[A-Za-z0-9._+-]*[A-Za-z0-9_+-]")
-# how each page begins: a browser then loads nothing from elsewhere
+# how each page begins: a browser then loads nothing but pictures from beside it
 POLICY = (
-    "default-src 'none'; img-src data:; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
-    "base-uri 'none'; form-action 'none'"
+    "default-src 'none'; img-src 'self' data:; script-src 'unsafe-inline'; "
+    "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"
 )
 PAGE_BEGINS = re.compile(
     r"<!doctype html>\s*<html lang=\"en\">\s*<head>\s*<meta charset=\"utf-8\">\s*"
