@@ -30,6 +30,7 @@ from tabulate import tabulate
 
 import thirdbody
 from benchmarks.work_precision import largest_errors
+from chenhorng.claims.words import counted_once
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.core.particles import first_yield_depth
 
@@ -66,25 +67,31 @@ def read_claims() -> dict:
 
 def claims_block(move: float = 0.0) -> str:
     """The score beside what other inputs hold, the printed numbers, and what ranges are worth."""
-    others = {row["departure"]: row for row in read_rows("departures", move)}
+    departures = {row["departure"]: row for row in read_rows("departures", move)}
     least, most = (
-        next(row for name, row in others.items() if f", the {word} of" in name)
+        next(row for name, row in departures.items() if f", the {word} of" in name)
         for word in ("least", "most")
     )
-    printed = others["baseline: all but summits and A_n as the text words it"]
+    printed = departures["baseline: all but summits and A_n as the text words it"]
     null = (
         f"Usual inputs at random hold {least['holds']:g} to {most['holds']:g} of "
         f"{most['judged']:g}, the words of the text as printed {printed['holds']:g} of "
         f"{printed['judged']:g}."
     )
     inside = [row["inside"] == "yes" for row in read_rows("coverage")]
+    rows = read_csv(RESULTS / "tables" / "held_out.csv", TABLES["own_claims"])
+    held, of = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
+    others = (
+        f"Of {of} statements in the abstracts of three other papers on the model, which no search "
+        f"has seen, {held} hold."
+    )
     sizes = pd.DataFrame(read_rows("deviations", move))["deviation"].abs()
     deviations = (
         f"Of the {len(sizes)} numbers in the headline statements the median deviation is "
         f"{sizes.median():.1%}, the mean {sizes.mean():.1%}; {sum(inside)} of the {len(inside)} "
         "lie in the range of members of the ensemble that have not seen their figure."
     )
-    return fill(f"{read_claims()['score']} {null} {deviations}", 120)
+    return fill(f"{read_claims()['score']} {null} {deviations} {others}", 120)
 
 
 def ranking_block() -> str:

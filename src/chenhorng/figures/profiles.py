@@ -22,12 +22,14 @@ LOOKS = {False: {"color": "C0", "marker": "o"}, True: {"color": "C1", "marker": 
 
 def plot(rows: Sequence[Mapping], acceptance: float) -> Drawing:
     """The rise of the objective above its least over each quantity, from rows of the table
-    ``profiles``, with the line up to which a set is acceptable, ``acceptance`` [1]."""
+    ``profiles``, with the line up to which a set is acceptable, ``acceptance`` [1].
+
+    The least is that of a panel, as searches end at different heights.
+    """
     words = FIGURES["profiles"]
-    least = min(row["objective"] for row in rows)
     panels, titles = [], words["panels"]
     for along in dict.fromkeys(row["along"] for row in rows):
-        series = [*_series([row for row in rows if row["along"] == along], least)]
+        series = [*_series([row for row in rows if row["along"] == along])]
         panels.append(Panel(_title(titles[along], series[0], acceptance), along, "rise", series))
     figure = empty_panels(panels, SIZE, columns=COLUMNS)
     for axes, panel in zip(figure.axes, figure.panels, strict=True):
@@ -55,8 +57,9 @@ def acceptable_ends(x: NDArray, rise: NDArray, acceptance: float) -> tuple[float
     return float(low), float(high)
 
 
-def _series(rows, least) -> Iterator[Series]:
+def _series(rows) -> Iterator[Series]:
     """The profile of each interpretation along a quantity; W of F_f first."""
+    least = min(row["objective"] for row in rows)
     for name, group in groupby(rows, key=lambda row: row["interpretation"]):
         levels, objectives = np.array([[row["level"], row["objective"]] for row in group]).T
         look = LOOKS[name.startswith(TOTAL)]
