@@ -12,7 +12,7 @@ Solve one point with the calibrated inputs, in SI units (loads are dimensionless
 ...     parameters=tb.load_parameters(),
 ... )
 >>> print(f"{point.solid_load_fraction:.3f} of the load is carried by solids")
-0.250 of the load is carried by solids
+0.246 of the load is carried by solids
 
 ``solve`` also takes arrays.  ``grid`` returns a dataset over five axes, ``plot`` draws it, and
 ``stream`` writes datasets larger than memory.  ``find``, ``transitions``, ``turning_point`` and

@@ -211,7 +211,7 @@ class Ensemble:
     >>> import thirdbody as tb
     >>> inputs = tb.load_parameters()
     >>> len(inputs.members), inputs.members[0] == inputs.best
-    (30, True)
+    (31, True)
     >>> inputs.best.ball_radius == inputs.ball_radius
     True
 

@@ -125,9 +125,9 @@ def solve(
     >>> layer = dict(particle_diameter=0.5e-6, roughness_nm=300, particle_density=1e11)
     >>> points = tb.solve(load=1e-5, viscosity_cSt=[0, 120], **layer)
     >>> points.solid_load_fraction.round(4)
-    array([1.   , 0.713])
+    array([1.    , 0.7794])
     >>> points.separation.round(10)  # [m]
-    array([1.0343e-06, 1.1862e-06])
+    array([1.0560e-06, 1.1968e-06])
 
     Loads and viscosities with named dimensions give a table:
 
@@ -136,14 +136,14 @@ def solve(
     >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
     >>> points = tb.solve(load=loads, viscosity=oils, **layer)
     >>> points.solid_load_fraction.sel(oil="thick").round(4).values
-    array([0.9997, 0.713 ])
+    array([0.9997, 0.7794])
 
     The range of the ensemble, from 5 to 95 % of its members:
 
     >>> points = tb.solve(load_N=10, viscosity_cSt=120, **layer, members=True)
     >>> shares = points.to_dataset()["solid_load_fraction"]
     >>> shares.quantile((0.05, 0.95), "member").round(2).values
-    array([0.45, 0.53])
+    array([0.49, 0.62])
     """
     ensemble = or_calibrated(parameters)
     check_rtol(rtol)

@@ -119,8 +119,8 @@ def find(
     >>> table = tb.find("solid_load_fraction", [0.9, 0.5], "viscosity_cSt", load_N=10, **layer)
     >>> print(table[["level", "viscosity_cSt"]].round(1).to_string(index=False))
      level  viscosity_cSt
-       0.9           78.8
-       0.5          117.3
+       0.9           83.1
+       0.5          143.3
     """
     ensemble = or_calibrated(parameters)
     check_rtol(rtol)
@@ -178,9 +178,9 @@ def transitions(
     >>> table = tb.transitions("viscosity_cSt", load_N=10, **layer)
     >>> print(table[["before", "after", "viscosity_cSt"]].round(1).to_string(index=False))
       before            after  viscosity_cSt
-    boundary            mixed           78.8
-      hybrid particle_surface          167.9
-       mixed        full_film          313.8
+    boundary            mixed           83.1
+      hybrid particle_surface          159.4
+       mixed        full_film          309.0
     """
     ensemble = or_calibrated(parameters)
     check_rtol(rtol)

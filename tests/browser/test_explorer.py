@@ -331,7 +331,8 @@ def test_verdicts_are_those_of_the_workflow(explorer, page):
         explorer.one(f"[data-statement={statement['id']}]").click()
         explorer.settle()
         text = explorer.one("#claims .more").get_attribute("textContent")
-        changed = [each["verdicts"][statement["id"]] != statement["verdict"] for each in taken_back]
+        others = [each["verdicts"][statement["id"]] for each in taken_back]
+        changed = [other != statement["verdict"] for other in others if other in ("holds", "fails")]
         assert bool(re.search(r"(Holds|Fails) if: ", text)) == any(changed)
 
 

@@ -93,8 +93,8 @@ def test_numbers_of_other_bases_are_refused_as_they_were_typed(tmp_path, typed):
 
 @pytest.mark.filterwarnings("ignore:.* is changed without")
 def test_single_inputs_win_over_a_file_and_a_file_over_the_calibrated_inputs(write, defaults):
-    path = write("truncation: 3.0\nmean_ratio: 0.5\nfilm_load: total\n")
-    expected = replace(defaults.best, truncation=4.0, mean_ratio=0.5, film_load="total")
+    path = write("truncation: 3.0\nellipticity: 2.0\nfilm_load: total\n")
+    expected = replace(defaults.best, truncation=4.0, ellipticity=2.0, film_load="total")
     assert load_parameters(path, truncation=4).best == expected
 
 

@@ -7,6 +7,7 @@ import dataclasses
 import sys
 from pathlib import Path
 
+import chenhorng
 import thirdbody as tb
 from chenhorng.archive.citation import Release, software_versions
 from chenhorng.archive.staging import pack, stage
@@ -14,6 +15,9 @@ from chenhorng.scenes import scene_dataset
 from chenhorng.tables import DRAWN_POINTS, TABLES, write_csv
 from thirdbody.netcdf import write_dataset
 
+# as each page of the archive begins
+SHEET = Path(chenhorng.__file__).with_name("sheets.html")
+PAGE_HEAD = SHEET.read_text(encoding="utf-8").partition("<meta name=")[0]
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {
     # dry, with and without particles
@@ -68,7 +72,9 @@ def make_products(folder):
     pages = {"index.html": "figures/fig03.svg", "tables/tpca_windows.html": "../index.html"}
     for name, link in pages.items():
         products.append(folder / name)
-        products[-1].write_text(f'<p><a href="{link}">a page</a></p>\n', encoding="utf-8")
+        products[-1].write_text(
+            f'{PAGE_HEAD}<p><a href="{link}">a page</a></p>\n', encoding="utf-8"
+        )
     return products
 
 

@@ -51,7 +51,7 @@ def test_each_calibrated_file_has_all_inputs_and_members_within_bounds(path):
     content = read_yaml(path)
     assert content["interpretation"] == path.stem
     assert content["inputs"].keys() == {*Parameters.names()}
-    assert len(content["ensemble"]) == len(content["ensemble_interpretations"])
+    assert len(content["ensemble"]) == len(content["unseen"])
     ensemble_of(content)  # refuses a number out of bounds
 
 

@@ -3,7 +3,6 @@ twice."""
 
 import csv
 import json
-import re
 from pathlib import Path
 
 import pytest
@@ -96,16 +95,13 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
 def test_a_held_out_statement_that_changes_searches_nothing_again(calibrated, tmp_path):
     again = calibrated.copied_to(tmp_path / "thirdbody")
 
-    def jobs_after(file):
-        again.rewrite(file, lambda text: text.replace("statement: ", "statement: Indeed, ", 1))
-        asked = again.snakemake("calibrate", "--dry-run", "--quiet", "host", *MINIMAL)
-        assert asked.returncode == 0, asked.stdout + asked.stderr
-        return re.findall(r"^ *(?:check|local)?rule (\w+):", asked.stdout, re.MULTILINE)
+    searches = "Scatter inputs", "Search inputs", "Sample inputs", "Summarise", "Choose the default"
 
-    before = again.snakemake("calibrate", "--dry-run", "--quiet", "host", *MINIMAL).stdout
-    searches = {"scatter_inputs", "search_inputs", "search_fold", "sample_fold"}
-    searches |= {"summarise_inputs", "choose_default"}
-    assert not [name for name in searches if name in before]
-    asked = jobs_after("config/held_out.yaml")
-    assert searches.isdisjoint(asked)
-    assert not searches.isdisjoint(jobs_after("config/claims.yaml"))
+    def is_searched_after(file):
+        again.rewrite(file, lambda text: text.replace("statement: ", "statement: Indeed, ", 1))
+        asked = again.snakemake("calibrate", "--dry-run", *MINIMAL)
+        assert asked.returncode == 0, asked.stdout + asked.stderr
+        return any(words in asked.stdout + asked.stderr for words in searches)
+
+    assert not is_searched_after("config/held_out.yaml")
+    assert is_searched_after("config/claims.yaml")

@@ -141,7 +141,8 @@ class Value(NumberClaim):
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
         is_change = self.reference and self.quantity not in LOADS_BETWEEN_CURVES
-        return () if is_change else [(self.extreme, self.quantity, self.published)]
+        is_drawn = self.quantity != "total_contact_area_slope"  # a slope is no point of a figure
+        return () if is_change or not is_drawn else [(self.extreme, self.quantity, self.published)]
 
 
 @dataclass(frozen=True, kw_only=True)
