@@ -42,7 +42,7 @@ def test_friction_and_resistance(page):
 
 def test_measurements_stand_beside_the_model(page):
     assert page["coefficients"].tolist() == pytest.approx([0.1105230532, 0.039052037])
-    assert "2.2e-07 ohm m" in page["printed"]
+    assert "2.17e-07 ohm m" in page["printed"]
     table = page["table"]
     columns = ["model", "low", "high", "residual"]
     first = [0.1105209005, 0.1105197912, 0.1105215422, 0.0005790995]
