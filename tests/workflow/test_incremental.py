@@ -37,7 +37,8 @@ DIGITS += ("tables/apparent_area.*", "tables/limits.*")
 TABLES_SHOWN = ("index.html", "captions.md", "SHA256SUMS")
 PAGE = ("explorer/*", *TABLES_SHOWN)
 ALL = (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *JUDGED, *SENSITIVITY, *PAGE)
-ALL += DIGITS + HELD_OUT + SETS
+PROFILES = ("tables/profiles.*", "figures/profiles.*")
+ALL += DIGITS + HELD_OUT + SETS + PROFILES
 FORMATS = ("csv", "html", "tex")
 
 
