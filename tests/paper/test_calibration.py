@@ -149,7 +149,12 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
     folds = make_folds(CLAIMS, SETTINGS["folds"])
     left_out = [claim.id for fold in folds for claim in fold.left_out]
     assert sorted(left_out) == sorted(claim.id for claim in CLAIMS)  # each exactly once
-    for figures, fold in zip(SETTINGS["folds"], folds, strict=True):
+    base = parameters.as_dict()
+    every = Objective.without(None, CLAIMS, SETTINGS, base).claims
+    assert every == [claim for claim in CLAIMS if not (claim.aside or claim.impossible)]
+    for number, (figures, fold) in enumerate(zip(SETTINGS["folds"], folds, strict=True)):
+        seen = Objective.without(number, CLAIMS, SETTINGS, base).claims
+        assert seen == [claim for claim in fold.fitted if claim in every]
         names = {claim.counted_as for claim in fold.left_out}
         for claim in fold.fitted:
             assert not claim.all_figures & set(figures), claim.id

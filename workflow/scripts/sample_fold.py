@@ -2,13 +2,7 @@
 fold.
 """
 
-from chenhorng.calibration.calibration import (
-    Interpretation,
-    Objective,
-    make_folds,
-    read_rows,
-    write_rows,
-)
+from chenhorng.calibration.calibration import Interpretation, Objective, read_rows, write_rows
 from chenhorng.calibration.search import posterior_sample
 from chenhorng.claims.claims import load_claims
 from chenhorng.job_log import job
@@ -16,8 +10,7 @@ from chenhorng.job_log import job
 with job(snakemake) as output:
     settings, fold = snakemake.params.settings, int(snakemake.wildcards.fold)
     statements = load_claims(snakemake.params.claims)
-    fitted = make_folds(statements, settings["folds"])[fold].fitted
-    objective = Objective.of(fitted, settings, snakemake.params.parameters)
+    objective = Objective.without(fold, statements, settings, snakemake.params.parameters)
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     found = read_rows(snakemake.input.evaluations)
     drawn = posterior_sample(interpretation, objective, found, settings["budget"], fold)

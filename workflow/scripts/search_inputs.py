@@ -4,13 +4,7 @@ fold.
 
 import numpy as np
 
-from chenhorng.calibration.calibration import (
-    Interpretation,
-    Objective,
-    make_folds,
-    read_rows,
-    write_rows,
-)
+from chenhorng.calibration.calibration import Interpretation, Objective, read_rows, write_rows
 from chenhorng.calibration.search import find_inputs, nearby_starts, scattered_starts
 from chenhorng.claims.claims import load_claims
 from chenhorng.job_log import job
@@ -20,9 +14,7 @@ with job(snakemake) as output:
     seeds, budget = snakemake.params.seeds, settings["budget"]
     statements = load_claims(snakemake.params.claims)
     base = snakemake.params.parameters
-    # ``fold`` is the number of the fold that is left out, or None
-    fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
-    objective = Objective.of(fitted, settings, base)
+    objective = Objective.without(fold, statements, settings, base)
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     rows = np.vstack([read_rows(path) for path in snakemake.input.start])
     entry = settings["interpretations"][interpretation.name]

@@ -131,6 +131,20 @@ class Objective:
         ]
         return cls(Judge(fitted, base, settings["newtons"]), np.array(weights))
 
+    @classmethod
+    def without(
+        cls,
+        fold: int | None,
+        claims: Sequence[Claim],
+        settings: Mapping[str, Any],
+        base: Mapping[str, Any],
+    ) -> Objective:
+        """The objective over the ``claims`` that a search without the ``fold`` may see, by its
+        number, or over all if it is None."""
+        if fold is not None:
+            claims = make_folds(claims, settings["folds"])[fold].fitted
+        return cls.of(claims, settings, base)
+
     @property
     def claims(self) -> Sequence[Claim]:
         """The statements to which the inputs are fitted."""

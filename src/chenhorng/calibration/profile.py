@@ -7,7 +7,7 @@ wide valley (Raue et al. 2009, doi:10.1093/bioinformatics/btp358).
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,20 +32,31 @@ def largest_size(inputs: Mapping[str, Any]) -> float:
     return inputs["mean_ratio"] + inputs["truncation"] * inputs["spread_ratio"]
 
 
-# Combinations of inputs: the input that follows from the others, and its value at a level.
-COMBINATIONS: dict[str, tuple[str, Callable[[Mapping[str, Any], float], float]]] = {
-    "reach": ("elastic_depth_ratio", lambda inputs, level: level - largest_size(inputs)),
-    "mean_square": ("participation", lambda inputs, level: level / mean_square(inputs)),
+class Combination(NamedTuple):
+    """A combination of inputs: its value, and the ``dependent`` input that gives it a level."""
+
+    dependent: str
+    value: Callable[[Mapping[str, Any]], float]
+    dependent_at: Callable[[Mapping[str, Any], float], float]
+
+
+COMBINATIONS = {
+    "reach": Combination(
+        dependent="elastic_depth_ratio",
+        value=lambda inputs: largest_size(inputs) + inputs["elastic_depth_ratio"],
+        dependent_at=lambda inputs, level: level - largest_size(inputs),
+    ),
+    "mean_square": Combination(
+        dependent="participation",
+        value=lambda inputs: inputs["participation"] * mean_square(inputs),
+        dependent_at=lambda inputs, level: level / mean_square(inputs),
+    ),
 }
 
 
 def quantity(name: str, inputs: Mapping[str, Any]) -> float:
     """An input, or a combination of inputs, by name."""
-    if name == "reach":
-        return largest_size(inputs) + inputs["elastic_depth_ratio"]
-    if name == "mean_square":
-        return inputs["participation"] * mean_square(inputs)
-    return inputs[name]
+    return COMBINATIONS[name].value(inputs) if name in COMBINATIONS else inputs[name]
 
 
 @dataclass(frozen=True)
@@ -58,7 +69,7 @@ class Held(Interpretation):
     @classmethod
     def at(cls, interpretation: Interpretation, along: str, level: float) -> Self:
         """The ``interpretation`` with a quantity held."""
-        dependent, _ = COMBINATIONS.get(along, (along, None))
+        dependent = COMBINATIONS[along].dependent if along in COMBINATIONS else along
         free = tuple(each for each in interpretation.unknowns if each.name != dependent)
         fixed = interpretation.fixed
         if along not in COMBINATIONS:
@@ -69,8 +80,9 @@ class Held(Interpretation):
         inputs = super().values(positions)
         if self.along not in COMBINATIONS:
             return {**inputs, self.along: self.level}
-        dependent, value_at = COMBINATIONS[self.along]
-        return {**inputs, dependent: value_at({**self.fixed, **inputs}, self.level)}
+        combination = COMBINATIONS[self.along]
+        known = {**self.fixed, **inputs}
+        return {**inputs, combination.dependent: combination.dependent_at(known, self.level)}
 
 
 def profile(
@@ -98,9 +110,9 @@ def profile(
             starts = [held.positions(inputs) for inputs in _with_fewer(passed[-1][1])]
             starts.append(_led_to(held, passed, level))
             start = min(starts, key=partial(objective, held))
-            found = best_of(descend_twice(held, objective, start, ITERATIONS))
-            evolved = best_of(search(held, objective, found[:-1], EVALUATIONS, seed=1))
-            row = min(found, evolved, key=lambda row: row[-1])
+            descended = descend_twice(held, objective, start, ITERATIONS)
+            evolved = search(held, objective, best_of(descended)[:-1], EVALUATIONS, seed=1)
+            row = best_of(np.vstack([descended, evolved]))
             inputs = held.values(row[:-1])
             passed.append((level, inputs))
             rows[level] = {"level": level, "objective": float(row[-1]), **inputs}
