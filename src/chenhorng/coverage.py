@@ -14,7 +14,7 @@ from scipy.stats.qmc import LatinHypercube
 from chenhorng.claims.claim import Claim
 from chenhorng.claims.judge import Verdicts
 from thirdbody.core.parameters import Parameters
-from thirdbody.ensembles import PAPER_SETUP, Ensemble, range_over_members
+from thirdbody.ensembles import Ensemble, range_over_members
 from thirdbody.points import solve
 
 DIGITS = 3  # of the ends of a range, as many as the paper prints at most
@@ -62,15 +62,18 @@ def random_conditions(settings: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def sets_and_ranges(
-    members: Sequence[Parameters],
+    ensemble: Ensemble,
     sets: Mapping[str, Parameters],
     conditions: Mapping[str, Any],
 ) -> Iterator[dict[str, Any]]:
     """Rows of the table ``coverage_of_sets``: at how many of the ``conditions`` each of ``sets`` of
-    inputs, by name, lies within the range of the ``members``."""
-    ensemble = Ensemble(members=tuple(members), setup=PAPER_SETUP)
+    inputs, by name, lies within the range of the ``ensemble``."""
     every = solve(parameters=ensemble, members=True, progress=False, **conditions)
     ranges = {name: range_over_members(every.variables[name]) for name in VARIABLES}
+    widths = {
+        name: float(np.nanmedian((high - low) / np.abs(0.5 * (high + low))))
+        for name, (low, high) in ranges.items()
+    }
     for set_name, inputs in sets.items():
         points = solve(parameters=inputs, progress=False, **conditions)
         for name, (low, high) in ranges.items():
@@ -82,5 +85,5 @@ def sets_and_ranges(
                 "variable": name,
                 "inside": int(inside[known].sum()),
                 "conditions": int(known.sum()),
-                "relative_width": float(np.nanmedian((high - low) / np.abs(0.5 * (high + low)))),
+                "relative_width": widths[name],
             }

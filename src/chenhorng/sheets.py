@@ -264,10 +264,7 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
         _headed(
             "deviations",
             {
-                "place": row["place"].removesuffix(", section 3.3"),
-                "statement": row["statement"],
-                "printed": short(f"{row['printed']:.4g}"),
-                "computed": "none" if row["computed"] is None else short(f"{row['computed']:.4g}"),
+                **_number_cells(row),
                 "deviation": f"{100.0 * row['deviation']:+.1f} %".replace("-0.0", "0.0"),
             },
         )
@@ -279,6 +276,17 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
         "H_c are those from 0.04 to 80 N."
     )
     return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
+
+
+def _number_cells(row) -> dict[str, str]:
+    """The cells of a printed number, and of the computed one."""
+    computed = row["computed"]
+    return {
+        "place": row["place"].removesuffix(", section 3.3"),
+        "statement": row["statement"],
+        "printed": short(f"{row['printed']:.4g}"),
+        "computed": "none" if computed is None else short(f"{computed:.4g}"),
+    }
 
 
 def _departures(rows, _printed, _newtons_per_load) -> Sheet:
@@ -321,10 +329,7 @@ def _held_out(rows, _printed, _newtons_per_load) -> Sheet:
 def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
     lines = [
         {
-            "place": row["place"].removesuffix(", section 3.3"),
-            "statement": row["statement"],
-            "printed": short(f"{row['printed']:.4g}"),
-            "default": "none" if row["computed"] is None else short(f"{row['computed']:.3g}"),
+            **_number_cells(row),
             "range without its figure": " to ".join(
                 short(f"{row[end]:.3g}") for end in ("low", "high")
             ),

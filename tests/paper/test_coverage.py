@@ -10,6 +10,7 @@ from chenhorng.claims.claims import load_claims
 from chenhorng.coverage import VARIABLES, printed_and_ranges, random_conditions, sets_and_ranges
 from chenhorng.home import config_directory
 from chenhorng.tables import TABLES
+from thirdbody.ensembles import PAPER_SETUP, Ensemble
 from thirdbody.files import read_yaml
 
 CLAIMS = load_claims(config_directory() / "claims.yaml")
@@ -71,7 +72,7 @@ def test_a_set_lies_within_the_range_of_its_like_and_another_does_not(parameters
     members = [replace(parameters, spread_ratio=spread) for spread in spreads]
     sets = {"same": parameters, "far": replace(parameters, spread_ratio=2 * spreads[-1])}
     conditions = random_conditions(SETTINGS | {"conditions": 20})
-    rows = [*sets_and_ranges(members, sets, conditions)]
+    rows = [*sets_and_ranges(Ensemble(members, PAPER_SETUP), sets, conditions)]
     assert [row["variable"] for row in rows] == [*VARIABLES] * 2
     shares = {(row["set"], row["variable"]): row["inside"] / row["conditions"] for row in rows}
     assert min(shares["same", name] for name in VARIABLES) > 0.9

@@ -7,6 +7,7 @@ from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
 from thirdbody.core.parameters import Parameters
 from thirdbody.files import read_yaml
+from thirdbody.inputs import ensemble_of
 
 with job(snakemake) as output:
     calibrated = read_yaml(snakemake.params.default)
@@ -23,7 +24,7 @@ with job(snakemake) as output:
         "the best with a mean of x_a/2": best[[name for name in best.index if name in known]],
     }
     rows = sets_and_ranges(
-        [Parameters(**known | member) for member in calibrated["ensemble"]],
+        ensemble_of(calibrated),
         {name: Parameters(**known | dict(inputs)) for name, inputs in sets.items()},
         random_conditions(snakemake.params.conditions),
     )
