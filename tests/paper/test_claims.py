@@ -106,6 +106,14 @@ def test_value_compares_the_extreme_of_a_curve():
     assert not wrong.holds and wrong.score == pytest.approx(1.0 + np.log(4.0))
 
 
+def test_a_number_that_stands_for_words_is_not_said_to_be_printed():
+    curve = make_curve(solid=0.9)
+    printed, meant = least(0.8), least(0.8, stands_for="gradually")
+    assert judged(printed, curve).finding.endswith("0.8 is printed.")
+    assert judged(meant, curve).finding.endswith('0.8 stands for "gradually".')
+    assert printed.printed_numbers and not meant.printed_numbers
+
+
 def test_value_of_several_curves_is_that_of_the_worst():
     curves = make_curve(), make_curve(solid=0.95), make_curve(solid=0.99)
     verdict = judged(least(1.0, 0.02, given=viscosities(3)), by_viscosity(*curves))

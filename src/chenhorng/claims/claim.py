@@ -135,6 +135,8 @@ class Claim:
     cluster : str
         Common name of repeated statements.  They count once, as held if all tested statements among
         them hold.  In the objective of the calibration they share one weight.
+    stands_for : str
+        The words of the paper that the published number stands for, if the paper prints no number.
     by_definition : str
         Why it holds under any inputs: such statements are told apart beside the score.
     impossible : str
@@ -176,6 +178,7 @@ class Claim:
     limit: str = ""
     aside: str = ""
     cluster: str = ""
+    stands_for: str = ""
     by_definition: str = ""
     impossible: str = ""
 

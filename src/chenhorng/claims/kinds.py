@@ -86,7 +86,8 @@ class NumberClaim(Claim):
         """The numbers in a sentence, with the ``published`` number."""
         is_change = bool(self.references) and self.quantity not in BETWEEN_CURVES
         start = beginning(self.quantity, self.extreme, self.limits, is_change)
-        return sentence(f"{start} {listed(texts)}", published and f"{published} is printed")
+        source = f'stands for "{self.stands_for}"' if self.stands_for else "is printed"
+        return sentence(f"{start} {listed(texts)}", published and f"{published} {source}")
 
     def is_tested(self, evidence: "Evidence") -> bool:
         """Whether the computed loads decide the claim.  Only a claim on loads can be undecided: a
@@ -141,8 +142,9 @@ class Value(NumberClaim):
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
         is_change = self.reference and self.quantity not in LOADS_BETWEEN_CURVES
-        is_drawn = self.quantity != "total_contact_area_slope"  # a slope is no point of a figure
-        return () if is_change or not is_drawn else [(self.extreme, self.quantity, self.published)]
+        if is_change or self.stands_for:
+            return ()
+        return [(self.extreme, self.quantity, self.published)]
 
 
 @dataclass(frozen=True, kw_only=True)
