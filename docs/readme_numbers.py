@@ -156,7 +156,12 @@ def took_block(move: float = 0.0) -> str:
             held["all particles carry load"],
         ),
         ("load in W of Eq. 8", "F_t", "F_f, that of the film", held["W of F_t"]),
-        ("apparent area A_n", "no value", f"{1e6 * inputs.apparent_area:.2f} mm²", ""),
+        (
+            "apparent area A_n",
+            "no value, but the digits of its loads",
+            f"{1e6 * inputs.apparent_area:.2f} mm²",
+            "",
+        ),
         (
             "all but summits and A_n as the text words it",
             "",
