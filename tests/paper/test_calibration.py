@@ -27,6 +27,7 @@ from chenhorng.calibration.choice import (
 )
 from chenhorng.calibration.profile import (
     Held,
+    along_the_means,
     largest_size,
     mean_square,
     profile,
@@ -61,7 +62,7 @@ NAMES = list(SETTINGS["interpretations"])
 LINEAR = Unknown("mean_ratio", (0.0, 4.0), (1.0, 2.0), False)
 RADIUS = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 TWO = Interpretation("two", {}, (LINEAR, RADIUS))
-BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5, "walkers": 16, "steps": 300}
+BUDGET = {"scattered": 40, "evaluations": 100, "elastic_radius": 5e-5}
 BUDGET |= {"starts": 3, "descents": 1, "hops": 1, "iterations": 20}
 
 
@@ -260,14 +261,29 @@ def test_losses_of_least_squares_have_their_derivatives(loss_of):
 
 
 def test_samples_have_the_density_that_the_objective_gives():
-    rows = searched()
-    drawn = posterior_sample(TWO, valley, rows, BUDGET, 1)
-    again = posterior_sample(TWO, valley, rows, BUDGET, 1)
+    starts = np.random.default_rng(0).random((16, 2))
+    drawn, again = (posterior_sample(TWO, valley, starts, 300, 1) for _ in range(2))
     assert np.array_equal(drawn, again)
     assert drawn.shape == (225 * 16, 3)
     ratio = np.array([TWO.values(row)["mean_ratio"] for row in drawn[:, :-1]])
     assert ratio.mean() == pytest.approx(1.5, abs=0.05)
     assert (4.0 * ratio).std() == pytest.approx(np.sqrt(0.5), rel=0.1)
+    assert_allclose(drawn[:, -1], [valley(TWO, row[:-1]) for row in drawn], rtol=1e-12)
+
+
+def test_walkers_start_at_one_largest_size_and_one_mean_square():
+    free = Interpretation.of("free", SETTINGS)
+    inputs = {"mean_ratio": 0.1, "spread_ratio": 0.37, "participation": 0.5}
+    inputs |= {
+        unknown.name: unknown.value(0.5) for unknown in free.unknowns if unknown.name not in inputs
+    }
+    known = free.fixed | inputs
+    rows = [free.fixed | free.values(row) for row in along_the_means(free, inputs, 5)]
+    assert [row["mean_ratio"] for row in rows] == pytest.approx([0.0, 0.15, 0.3, 0.45, 0.6])
+    assert_allclose([largest_size(row) for row in rows], largest_size(known), rtol=1e-12)
+    squares = [quantity("mean_square", row) for row in rows]
+    assert_allclose(squares, quantity("mean_square", known), rtol=1e-9)
+    assert len({row["summit_radius"] for row in rows}) == 1
 
 
 def test_a_summary_is_a_valid_file_with_the_best_of_all_seeds_and_of_each_fold(tmp_path):

@@ -19,6 +19,7 @@ from chenhorng.calibration.search import best_of, descend_twice, search
 ITERATIONS = 6, 8  # of least squares at a level, in both rounds
 FEWER = 0.7, 0.5, 0.35  # parts of the particles: sizes about a mean are larger
 EVALUATIONS = {"evaluations": 15}  # of the evolution after them, per unknown
+MEANS = 0.0, 0.6  # of the sizes over x_a [1], past both ends of what is acceptable
 
 
 def mean_square(inputs: Mapping[str, Any]) -> float:
@@ -117,6 +118,23 @@ def profile(
             passed.append((level, inputs))
             rows[level] = {"level": level, "objective": float(row[-1]), **inputs}
     return [rows[level] for level in sorted(rows)]
+
+
+def along_the_means(
+    interpretation: Interpretation, inputs: Mapping[str, Any], count: int
+) -> NDArray:
+    """Positions with ``MEANS`` of the sizes, shape (count, unknowns).
+
+    X_max and p<x^2> stay as in the ``inputs``: the statements determine these, and not the mean.
+    """
+    known = {**interpretation.fixed, **inputs}
+    rows = []
+    for mean in np.linspace(*MEANS, count).tolist():
+        spread = (largest_size(known) - mean) / known["truncation"]
+        moved = {**known, "mean_ratio": mean, "spread_ratio": spread}
+        moved["participation"] = quantity("mean_square", known) / mean_square(moved)
+        rows.append(interpretation.positions(moved))
+    return np.array(rows)
 
 
 def _with_fewer(inputs: Mapping[str, Any]) -> list[dict[str, Any]]:

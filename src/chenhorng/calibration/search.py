@@ -27,7 +27,7 @@ HOP = 0.1  # standard deviation of a hop, in the unit cube
 # standard deviations of the first steps of both evolutions, in the unit cube
 FIRST_STEPS = 0.03, 0.01
 SAME_HEIGHT = 0.03  # largest difference of objectives in a converged search [1]
-START_ABOVE_BEST = 1.0  # largest excess of the objective where walkers start, per unknown [1]
+START_SCATTER = 5e-3  # standard deviation of the starts of walkers, in the unit cube
 # Walkers step by the difference of two other walkers.  Full-length steps move between valleys.
 MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
@@ -216,15 +216,15 @@ def search(
 def posterior_sample(
     interpretation: Interpretation,
     objective: Callable[[Interpretation, NDArray], float],
-    evaluations: NDArray,
-    budget: Mapping[str, int],
+    starts: NDArray,
+    steps: int,
     seed: int,
 ) -> NDArray:
     """Sample sets of inputs with the density exp(-objective): rows as from ``search``.
 
-    Walkers start from the best of the ``evaluations`` of a search.  The first quarter of their
-    steps is dropped (Foreman-Mackey et al. 2013, doi:10.1086/670067; ter Braak & Vrugt 2008,
-    doi:10.1007/s11222-008-9104-9).
+    Walkers start from the positions ``starts``, shape (walkers, unknowns).  The first quarter of
+    their ``steps`` is dropped (Foreman-Mackey et al. 2013, doi:10.1086/670067; ter Braak & Vrugt
+    2008, doi:10.1007/s11222-008-9104-9).
     """
 
     def log_density(positions):
@@ -232,13 +232,9 @@ def posterior_sample(
             return -np.inf
         return -objective(interpretation, positions)
 
-    walkers, steps, unknowns = budget["walkers"], budget["steps"], len(interpretation.unknowns)
     random = np.random.RandomState(seed)
-    ordered = evaluations[np.argsort(evaluations[:, -1], kind="stable")]
-    good = ordered[ordered[:, -1] <= ordered[0, -1] + START_ABOVE_BEST * unknowns, :-1]
-    chosen = good[np.linspace(0, len(good) - 1, walkers).astype(int)]
-    start = np.clip(chosen + 1e-3 * random.normal(size=chosen.shape), 1e-6, 1.0 - 1e-6)
-    sampler = EnsembleSampler(walkers, unknowns, log_density, moves=MOVES)
+    start = np.clip(starts + START_SCATTER * random.normal(size=starts.shape), 1e-6, 1.0 - 1e-6)
+    sampler = EnsembleSampler(*starts.shape, log_density, moves=MOVES)
     sampler.run_mcmc(State(start, random_state=random.get_state()), steps)
     dropped = steps // 4
     positions = sampler.get_chain(discard=dropped, flat=True)
