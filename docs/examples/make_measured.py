@@ -1,4 +1,4 @@
-"""Writes ``measured.csv``: no measurement, but a member of the ensemble with errors of a
+"""Writes ``measured.csv``: no measurement, but the model with other p and R, and with errors of a
 laboratory.
 
 Friction and contact resistance come from the estimates of ``docs/recipes.md``.
@@ -13,7 +13,7 @@ import thirdbody as tb
 
 SCATTER = 0.03  # relative
 loads = np.geomspace(1.0, 50.0, 9)
-truth = tb.ensemble()[4]
+truth = tb.load_parameters().changed(participation=0.55, summit_radius=1e-4)
 points = tb.solve(
     load_N=loads,
     viscosity_cSt=90,

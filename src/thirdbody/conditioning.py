@@ -2,7 +2,8 @@
 
 Matheron's rule: each member is moved by the regression of its other inputs on what is given, and
 keeps its own residual (Chiles & Delfiner 2012, Geostatistics, section 7.3).  It is exact for
-Gaussian ensembles, and the standard deviation of no linear combination of the inputs grows.
+Gaussian ensembles.  The valley of the calibrated inputs is bent, so that only the members nearest
+to what is given stay.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ from thirdbody.core.parameters import BOUNDS, Parameters
 # combinations of what is given in which members differ less than this, of that in which they
 # differ most, say nothing on the other inputs
 LEAST_SPREAD = 0.01
+# the part of the members that is near what is given, and the least number of them
+NEAR, FEWEST = 1.0 / 3.0, 12
 
 
 def differing_numbers(members: Sequence[Parameters]) -> list[str]:
@@ -27,7 +30,7 @@ def differing_numbers(members: Sequence[Parameters]) -> list[str]:
 
 
 def conditioned(members: Sequence[Parameters], given: Mapping[str, Any]) -> list[Parameters]:
-    """Members that have the ``given`` inputs, SI.
+    """Members that have the ``given`` inputs, SI: the first, and of the others those near to them.
 
     The other inputs follow as far as members tell; an input that all members share is only set.  A
     member that has the given values stays as it is.
@@ -47,8 +50,20 @@ def conditioned(members: Sequence[Parameters], given: Mapping[str, Any]) -> list
                 inputs[name] = value
     # what is given last, as the regression stops where no member is near
     return [
-        replace(member, **inputs, **given) for member, inputs in zip(members, moved, strict=True)
+        replace(members[index], **moved[index], **given) for index in _near(members, known, given)
     ]
+
+
+def _near(members, known, given) -> list[int]:
+    """Indices of the first member and of those that are nearest in the ``known``."""
+    if not known:
+        return [*range(len(members))]
+    places = np.column_stack([_scaled(name, _values(members, name)) for name in known])
+    target = [_scaled(name, given[name]) for name in known]
+    distances = np.linalg.norm((places - target) / places.std(axis=0), axis=1)
+    distances[0] = 0.0
+    count = max(round(NEAR * len(members)), FEWEST)
+    return sorted(np.argsort(distances, kind="stable")[:count].tolist())
 
 
 def _moved(members, known, others, given) -> dict[str, NDArray]:

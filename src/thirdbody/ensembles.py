@@ -211,7 +211,7 @@ class Ensemble:
     >>> import thirdbody as tb
     >>> inputs = tb.load_parameters()
     >>> len(inputs.members), inputs.members[0] == inputs.best
-    (31, True)
+    (61, True)
     >>> inputs.best.ball_radius == inputs.ball_radius
     True
 
@@ -264,7 +264,8 @@ class Ensemble:
 
         Where members differ in an input, it was calibrated together with others.  These follow, in
         each member by their regression on what is given (Matheron's rule), in logarithms if they
-        are always positive, and within their bounds.  Inputs in which all members agree are only
+        are always positive, and within their bounds.  The third of the members that is nearest to
+        what is given stays, and at least twelve.  Inputs in which all members agree are only
         set, also those that were given before: give together what belongs together.
 
         Raises

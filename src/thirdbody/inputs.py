@@ -116,6 +116,6 @@ def ensemble(parameters: Ensemble | None = None) -> list[Parameters]:
     --------
     >>> import thirdbody as tb
     >>> len(tb.ensemble())
-    31
+    61
     """
     return list(or_calibrated(parameters).members)

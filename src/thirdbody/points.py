@@ -143,7 +143,7 @@ def solve(
     >>> points = tb.solve(load_N=10, viscosity_cSt=120, **layer, members=True)
     >>> shares = points.to_dataset()["solid_load_fraction"]
     >>> shares.quantile((0.05, 0.95), "member").round(2).values
-    array([0.49, 0.62])
+    array([0.47, 0.7 ])
     """
     ensemble = or_calibrated(parameters)
     check_rtol(rtol)

@@ -90,10 +90,10 @@ def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):
 
 def test_what_is_not_passed_is_not_found(inputs):
     table = answers.changes_along(
-        inputs, without("load_N", viscosity_cSt=0.0), "load_N", (5.0, 6.0)
+        inputs, without("load_N", viscosity_cSt=0.0), "load_N", (5.6, 6.0)
     )
     assert not table.attrs["found"] and table.empty
-    assert "searched: load 5 to 6 N" in table.attrs["notes"]
+    assert "searched: load 5.6 to 6 N" in table.attrs["notes"]
     assert "none" in answers.table_text(table)
 
 
