@@ -241,6 +241,18 @@ def hertz_contact(load_N: ArrayLike, parameters: Parameters | Ensemble) -> tuple
     return area, load / area
 
 
+def hardness_notes(load_N: ArrayLike, parameters: Parameters | Ensemble) -> list[str]:
+    """A note if the largest load presses the smooth ball harder than the softer surface is."""
+    if not np.size(load_N):
+        return []
+    load = float(np.max(load_N))
+    hardness = min(parameters.hardness_surface_1, parameters.hardness_surface_2)
+    _, pressure = hertz_contact(load, parameters)
+    note = f"load {load:g} N: the mean Hertz pressure is {1e-9 * pressure:.3g} GPa, above the "
+    note += f"hardness of the softer surface, {1e-9 * hardness:g} GPa"
+    return [note] if pressure > hardness else []
+
+
 def derived_inputs(parameters: Parameters | Ensemble | None = None) -> pd.DataFrame:
     """A table of the inputs that ``bearing`` derives, with value, unit and formula.
 
