@@ -262,7 +262,9 @@ class Configuration(Closed):
             "inputs with their values, or the path of a YAML file below config/",
         ),
     ]
-    rtol: Rtol
+    rtol: Annotated[
+        Rtol, Field(description="requested relative error [1], by default that of the library")
+    ]
     bands: Annotated[bool, Field(description="whether figures show the range of the ensemble")]
     windows: Windows
     load_axis: LoadAxis
