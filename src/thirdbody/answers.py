@@ -242,7 +242,7 @@ def _table(title, rows, notes, is_found) -> pd.DataFrame:
 def _row(name, value, of_members) -> dict:
     """The row of the variable ``name``: of a number, or of a flag with the name of its state."""
     variable = VARIABLES[name]
-    unit = "nm" if name == "separation" else "" if name in FLAGS else variable.unit
+    unit = "" if name in FLAGS else "1" if variable.unit == "1" else variable.shown_unit
     symbol = "" if name in FLAGS else variable.symbol
     row = {"name": name, "symbol": symbol, "quantity": variable.label, "unit": unit}
     if name in FLAGS:
@@ -267,13 +267,13 @@ def _with_range(row, value, numbers, members) -> dict:
 def _states(parameters, conditions) -> tuple[dict, list[dict]]:
     """The variables of one point for the best set, and for all members if there are several.
 
-    They are numbers, d in nm, or names of states.
+    They are numbers, d in its shown unit, or names of states.
     """
     points = solve(**conditions, parameters=parameters, members=True)
 
     def values(member):
         numbers = {name: float(getattr(points, name)[member]) for name in QUANTITIES}
-        numbers["separation"] *= 1e9
+        numbers["separation"] = float(VARIABLES["separation"].from_si(numbers["separation"]))
         known = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
         states = {name: str(getattr(points, name)[member]) for name in FLAGS}
         if states["lubrication_regime"] == "full_film":

@@ -27,6 +27,7 @@ from thirdbody.ensembles import (
 )
 from thirdbody.inputs import or_calibrated
 from thirdbody.notes import speed_notes
+from thirdbody.variables import SPEED
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 # by argument of ``bearing``: its least and its most usual value, and their unit
 USUAL_BEARING = {
     "ball_radius_mm": (0.1, 1000.0, "mm"),
-    "speed_m_per_s": (1e-6, 200.0, "m s-1"),
+    SPEED.alias: (*SPEED.usual, SPEED.unit),
     "oil_density_kg_per_m3": (500.0, 3000.0, "kg m-3"),
     "pressure_viscosity_per_GPa": (1.0, 100.0, "GPa-1"),
     "apparent_area_mm2": (1e-4, 1e6, "mm2"),

@@ -105,9 +105,7 @@ def solve(
     Warns
     -----
     OutOfRangeWarning
-        Once, for numbers that are probably in another unit.  The usual ranges are 1e-13 to 0.02 for
-        F_t*, 3e-7 to 0.01 m2/s for nu, 1 nm to 1 mm for x_a and sigma, and 1e6 to 1e16 m-2 for
-        eta_a.
+        Once, for numbers outside their usual ranges, which are probably in another unit.
 
     Notes
     -----
@@ -337,9 +335,9 @@ def _in_words(name: str, values: NDArray) -> str:
     numbers = values[~np.isnan(values)]
     if numbers.size == 0:
         return "none"
-    unit = ""
-    if name == "separation":
-        numbers, unit = 1e9 * numbers, " nm"
+    variable, unit = VARIABLES[name], ""
+    if variable.unit != "1":
+        numbers, unit = variable.from_si(numbers), f" {variable.shown_unit}"
     ends = f"{numbers.min():.6g}", f"{numbers.max():.6g}"
     return (ends[0] if values.size == 1 else " to ".join(ends)) + unit
 

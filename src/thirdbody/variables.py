@@ -382,6 +382,7 @@ def with_table(documented: Documented) -> Documented:
         conditions += [
             f"{axis.name}, {axis.alias} : array_like",
             f"    The {axis.label}: {axis.symbol} [{axis.unit}]{alias}.",
+            f"    Usual: {axis.usual[0]:g} to {axis.usual[1]:g} [{axis.unit}].",
         ]
     for variable in VARIABLES.values():
         symbol = f": {variable.symbol} [{variable.unit}]" if variable.name in QUANTITIES else ""
