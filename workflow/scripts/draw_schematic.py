@@ -22,8 +22,7 @@ with job(snakemake) as output:
         solved = solve_points(point, inputs, DEFAULT_RTOL, VARIABLES)
         states.append(state_of(condition, panel["load_N"], solved))
     layers = sorted({(each.particle_diameter, each.roughness) for each in conditions})
-    words = [sizes_note(*layer, inputs) for layer in layers if layer[0] > 0.0]
-    notes = [f"{note[0].upper()}{note[1:]}." for note in words]
+    notes = [f"{sizes_note(*layer, inputs)}." for layer in layers if layer[0] > 0.0]
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         drawing = SCHEMATICS[figure](sections(figure, states, inputs))
         save(drawing, output.png.with_suffix(""), caption(figure, notes=notes))
