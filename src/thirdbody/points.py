@@ -344,11 +344,10 @@ def _in_words(name: str, values: NDArray) -> str:
 
 def _notes(solution: Solution) -> list[str]:
     """The notes on all points together."""
-    parameters = solution.parameters
-    given = {}
+    parameters, given = solution.parameters, {}
     for name, values in solution.conditions.items():
-        alias = CONDITIONS[name].alias
-        given[alias] = np.asarray(from_si(alias, values, parameters.newtons_per_load))
+        given[CONDITIONS[name].alias] = CONDITIONS[name].from_si(np.asarray(values))
+    given["load_N"] *= parameters.newtons_per_load
     return [
         *outside_notes(given),
         *hardness_notes(given["load_N"], parameters),
