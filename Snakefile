@@ -1,5 +1,6 @@
 # Every dataset, table and figure of Chen & Horng (2024): snakemake -c2
 
+import atexit
 import os
 import platform
 
@@ -88,7 +89,8 @@ onsuccess:
     if Path(RESULTS, "index.html").is_file() and judged.is_file():
         score = json.loads(judged.read_text(encoding="utf-8"))
         hold = f"{score['held']} of {score['judged']} statements hold"
-        print(f"{hold}; open {RESULTS}/index.html in a browser")
+        # at the end of the process, below what Snakemake says of its log
+        atexit.register(print, f"{hold}; open {RESULTS}/index.html in a browser")
 
 
 onerror:

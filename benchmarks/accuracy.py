@@ -27,7 +27,8 @@ from benchmarks.classes import (
 )
 from benchmarks.points import CLASS, VARIABLES, grouped, relative_error
 
-CURVE = np.geomspace(0.1, 10.0, 40)  # of its load: the curve on which a grid has a golden point
+# a grid is solved on a curve over the load: these multiples of the load of a golden point
+CURVE = np.geomspace(0.1, 10.0, 40)
 
 
 def error_rows(
@@ -77,7 +78,7 @@ def _claimed(solution, rtol):
 
 
 def _quiet():
-    """No warnings: of conditions beyond the usual ones, and of quad where rounding limits it."""
+    """Silence two warnings: of unusual conditions, and of rounding that limits quad."""
     return warnings.catch_warnings(action="ignore")
 
 

@@ -5,10 +5,11 @@ surfaces, over the load.
     python -m benchmarks.boundary_elements benchmarks/boundary_elements.csv
 
 Writes one row for each surface, hardness and load, in some ten minutes.  ``ContactMechanics``
-presses a rigid rough plane on an elastic half-space, by boundary elements that bear at most the
-hardness; ``thirdbody`` has the summits of the same heights.  Area over load depends on F*/slope,
-H/(E_ss slope) and eta_s R sigma alone, so that one slope stands for all.  ``PolonskyKeerRey`` of
-the package ``tamaas`` finds the same elastic areas within 2e-4 (one surface, three loads).
+presses a rigid rough plane on an elastic half-space.  Its boundary elements bear at most the
+hardness.  ``thirdbody`` solves the summits of the same heights.  Area over load depends on
+F*/slope, H/(E_ss slope) and eta_s R sigma alone, so that one slope stands for all.
+``PolonskyKeerRey`` of the package ``tamaas`` finds the same elastic areas within 2e-4 (one surface,
+three loads).
 """
 
 import csv
@@ -33,15 +34,16 @@ SHORTEST = 32  # waves on a side
 LONGEST = 4, 8  # waves on a side, of surfaces with different eta_s R sigma
 SEEDS = 1, 2, 3
 LOADS = 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1  # F*/slope
-# H/(E_ss slope): without yielding; and slopes of 0.033 and 0.1 with H/E_ss of 0.0446, as in Table 1
+# H/(E_ss slope).  The first never yields; the others have H/E_ss = 0.0446, that of Table 1, and
+# slopes of 0.033 and 0.1
 HARDNESSES = math.inf, 1.34, 0.446
 HARDEST = 1e14  # Pa; does not yield here
 COLUMNS = (
     *("seed", "summit_parameter", "hardness_over_slope", "load_over_slope"),
     *("area_of_boundary_elements", "area_of_summits"),
 )
-# Yastrebov, Anciaux & Molinari (2017, Tribol. Int. 114:161): what squares add to an area, over
-# perimeter and spacing
+# Squares on a grid count too much area.  The excess over perimeter and spacing is from Yastrebov,
+# Anciaux & Molinari (2017, Tribol. Int. 114:161)
 CORNERS = (math.pi - 1.0 + math.log(2.0)) / 24.0
 
 
@@ -108,7 +110,7 @@ def summit_area(inputs: tb.Ensemble, hardness: float, load: float) -> float:
     inputs = inputs.changed(
         hardness_surface_1=hardness,
         hardness_surface_2=hardness,
-        hardness_parameter=inputs.hardness_parameter,  # of a film, and there is none
+        hardness_parameter=inputs.hardness_parameter,  # only a film needs it, and there is none
     )
     nothing = {"viscosity": 0.0, "particle_diameter": 0.0, "particle_density": 0.0}
     roughness = inputs.reference_roughness

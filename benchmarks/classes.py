@@ -1,5 +1,5 @@
-"""Classes of points whose time and error are measured, random points and grids of a class, and time
-itself.
+"""Classes of points whose time and error are measured: their random points, their grids, and the
+clock.
 """
 
 import time
@@ -25,8 +25,8 @@ HEAVIEST = PointClass("lubricated", "three_body", "usual")  # the most expensive
 TIMED = HEAVIEST, HEAVIEST._replace(span="extremes")
 NAMES = ("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes")
 CLASSES = [PointClass(*names) for names in product(*NAMES)]
-# Ends between which conditions are drawn, evenly in their logarithms, SI: F_t [N], nu [m2/s],
-# x_a [m], eta_a [m-2].  The usual ones are those of Table 2.
+# Conditions are drawn between these ends, evenly in their logarithms: F_t [N], nu [m2/s], x_a [m]
+# and eta_a [m-2].  The usual ends are those of Table 2.
 SPANS = {
     "usual": {
         "normal_load": (0.04, 80.0),
@@ -59,8 +59,10 @@ def random_conditions(
 def grid_axes(
     kind: PointClass, counts: Mapping[str, int], parameters: tb.Parameters
 ) -> dict[str, NDArray[np.float64]]:
-    """Axes of a grid over the span of a class, with so many values each, and all its
-    roughnesses."""
+    """Axes of a grid over the span of a class.
+
+    ``counts`` has the number of values on each axis; the axis of the roughness has ``ROUGHNESS``.
+    """
     counts = {"normal_load": counts["load"], **counts}
     spans = SPANS[kind.span].items()
     axes = {name: np.geomspace(*ends, counts[name]) for name, ends in spans}
@@ -83,10 +85,10 @@ def _of_class(kind, given, roughness, parameters):
 def least_seconds(
     functions: Mapping, rounds: int, clock: Callable[[], float] = time.process_time
 ) -> dict:
-    """Least time [s] of each function over several rounds, by name: other programs can only add to
-    a time.
+    """Least time [s] of each function over several rounds, by name.
 
-    The functions take turns, so that a busy minute falls on all of them.
+    The least counts, as other programs can only add to a time.  The functions take turns, so that a
+    busy minute falls on all of them.
     """
     times = {name: [] for name in functions}
     for _ in range(rounds):

@@ -57,8 +57,9 @@ def _judge_group(group: Group, rtol: float) -> Iterator[tuple[str, float, str, s
 
 
 def verdict(row: Mapping[str, str], status: str, error: float, bound: float, rtol: float) -> str:
-    """``right``; ``refused: ...`` if the library truly says that its error is above ``rtol``; or
-    ``wrong``.
+    """``right``, ``refused: ...`` or ``wrong``.
+
+    A point is refused if the library says, and rightly, that its error is above ``rtol``.
     """
     if status == row["status"] and error <= rtol:
         return "right"

@@ -13,8 +13,9 @@ from tests.oracle.extended import Oracle, why_not
 
 
 def oracle_rows(settings: Mapping[str, Any], threads: int = 1) -> list[dict[str, Any]]:
-    """Rows of the table ``oracle``, as ``config/accuracy.yaml`` asks for; none where the oracle
-    cannot run.
+    """Rows of the table ``oracle``, of as many points as ``config/accuracy.yaml`` says.
+
+    There are none where the oracle cannot run.
     """
     if why_not() is not None:
         print(f"nothing is compared in extended precision: {why_not()}")

@@ -35,8 +35,9 @@ def read_rows(path: str | PathLike) -> list[dict[str, str]]:
 
 
 def grouped(rows: Iterable[dict[str, str]]) -> list[Group]:
-    """Golden points with the same inputs and class together; ``ValueError`` if inputs are not
-    physical.
+    """Golden points in groups that share inputs and class.
+
+    Raises ``ValueError`` if inputs are not physical.
     """
     shared = {}
     for row in rows:
@@ -55,7 +56,7 @@ def _columns(rows, names):
 
 
 def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters:
-    """The inputs described by ``model``, for the summits of the one surface at ``roughness`` [m].
+    """The inputs in ``model``, whose summits are those of one surface, of ``roughness`` [m].
 
     ``model`` has the keys of ``model_parameters``; older datasets lack ``particle_plane``.
     """

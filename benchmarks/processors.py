@@ -1,4 +1,4 @@
-"""What depends on the processor: the points of all figures, solved with other instructions of it.
+"""Which digits depend on the processor: all figures, solved with some of its instructions off.
 
     python -m benchmarks.processors
 

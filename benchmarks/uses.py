@@ -36,8 +36,9 @@ tb.solve(load=1e-5, viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, part
 def use_rows(
     parameters: tb.Parameters, budget: Mapping[str, Any], directory: Path
 ) -> Iterator[dict[str, Any]]:
-    """Rows of the table ``uses``, as ``config/accuracy.yaml`` asks for them; a file in
-    ``directory`` is removed.
+    """Rows of the table ``uses``, of as many points as ``config/accuracy.yaml`` says.
+
+    A grid is written to a file in ``directory``, and the file is removed.
     """
     rtol, sizes = budget["uses"]["rtol"], budget["uses"]
     asked = {"parameters": parameters, "rtol": rtol}

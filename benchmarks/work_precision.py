@@ -12,20 +12,18 @@ from matplotlib.figure import Figure
 from thirdbody.plotting.drawing import STYLE, TWO_COLUMNS, Drawing
 
 HEIGHT = 2.9  # inches
-METHODS = {  # label, form and size; where two are the same, both are seen
+METHODS = {  # label, form and size: marks at the same place are both seen
     "library": ("tb.solve, rtol 1e-2 to 1e-11", "o-", 3.5),
     "library_grid": ("tb.grid, rtol written at the points", "s-", 6.5),
     "nested_roots": ("quad and brentq, a point at a time", "^", 5.0),
 }
-DECADES = 0.5  # of the error, within which points of the grid have one text
+DECADES = 0.5  # points of the grid whose errors are closer than this have one text
 SPANS = {"usual": "conditions of Table 2", "extremes": "extreme conditions"}
 Rows = Sequence[Mapping[str, Any]]
 
 
 def largest_errors(rows: Rows) -> dict[tuple, float]:
-    """Largest true error over all variables and classes, by method, ``rtol`` and span; of rows of
-    ``errors``.
-    """
+    """Largest true error of rows of ``errors``, by method, ``rtol`` and span."""
     found: dict[tuple, float] = {}
     for row in rows:
         key = row["method"], row["rtol"], row["span"]
@@ -63,9 +61,7 @@ def draw(errors: Rows, times: Rows) -> Figure:
 
 
 def _name_tolerances(axes, rows, errors) -> None:
-    """Write above the points of the grid for which ``rtol`` they are; those of about the same error
-    have one text.
-    """
+    """Write ``rtol`` above the points of the grid, once for points of about the same error."""
     places: dict[int, list[tuple]] = {}
     for row, error in zip(rows, errors, strict=True):
         point = row["rtol"], error, row["microseconds_per_point"]

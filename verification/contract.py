@@ -9,8 +9,8 @@ import math
 
 import numpy as np
 
-FILL_VALUE = 9.969209968386869e36  # of netCDF, where a figure shows no point
-NOT_SHOWN = -127  # the same of flags
+FILL_VALUE = 9.969209968386869e36  # a number at a point that no figure shows
+NOT_SHOWN = -127  # a flag at such a point
 AXIS_ROUNDING = 1e-12  # relative; steps of the load axis are powers
 SUMMIT_ROUNDING = 1e-12  # relative; power laws of the roughness
 
@@ -62,17 +62,17 @@ GLOBAL_FIXED = {
     "source": "doi:10.3389/fmech.2024.1390335",
     "license": "CC-BY-4.0",
 }
-# attributes that say what this program derives from the configuration
+# this program derives the values of these attributes from the configuration
 GLOBAL_DERIVED = {"title", "rtol", "model_parameters", "configuration_sha256", "id"}
-# texts, which only the sums protect
+# attributes with texts: only the sums of the files protect them
 GLOBAL_TEXTS = {
     *("summary", "keywords", "references", "comment", "history", "acknowledgement", "project"),
     *("creator_name", "creator_type", "institution", "contributor_name", "contributor_role"),
     *("naming_authority", "standard_name_vocabulary", "schema_version", "processing_level"),
 }
-TEXTS = {"long_name", "comment"}  # the same of a variable
+TEXTS = {"long_name", "comment"}  # such attributes of a variable
 TIGHTEST, LOOSEST = 1e-11, 1e-2  # rtol that the workflow allows
-MOST_POINTS = 5_000_000  # of one dataset: what is read at once is limited before it is read
+MOST_POINTS = 5_000_000  # of one dataset, which is read at once
 # attribute `model_parameters`: the name of each input in configuration/parameters.json
 INPUTS = {
     "E_ss": "elastic_modulus_surfaces",
@@ -174,8 +174,11 @@ def attributes(owner):
 
 
 def attribute_findings(owner, present, fixed, others):
-    """Attributes that are neither ``fixed`` nor among the names of ``others``, as programs may
-    change numbers by them, or that are of another value than the ``fixed`` ones."""
+    """Unknown attributes, and ``fixed`` ones of another value.
+
+    A program may change numbers by an unknown attribute.  An attribute is known if it is ``fixed``
+    or named in ``others``.
+    """
     prefix = f"{owner}: " if owner else ""
     for name in sorted(present.keys() - fixed.keys() - others):
         yield f"{prefix}unknown attribute {name}"

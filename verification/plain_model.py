@@ -24,12 +24,13 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 NEGLIGIBLE = 80.0  # exp(-80) of the greatest weight is nothing in float64
-NEARLY_ALL = 0.99  # L_f; beyond it, 1 - L_f has fewer digits than the load that solids bear at d
-FILM_AT_WORK = 1e-3  # L_f; what a film is like that bears less matters to nothing else
-THICKEST_FILM = 0.01  # h_c/R_x; Eq. 7 is for films that are thin against the bodies,
-# and for bodies that bear its mean pressure F/A_n without yielding as a whole
-ROUNDING = 4.0 * sys.float_info.epsilon  # of lengths that a separation is compared with
-STEP = 1e-7  # of these lengths, over which the fall of the forces is taken
+# L_f; above it, L_s follows from the solids at d, because 1 - L_f has fewer digits
+NEARLY_ALL = 0.99
+FILM_AT_WORK = 1e-3  # L_f; a film that bears less changes nothing
+# h_c/R_x; Eq. 7 is for films that are thin against the bodies
+THICKEST_FILM = 0.01
+ROUNDING = 4.0 * sys.float_info.epsilon  # of the lengths in a difference with d
+STEP = 1e-7  # of these lengths: the step of a difference of forces
 
 
 class Point(NamedTuple):
@@ -218,7 +219,7 @@ def coverage(moment, model, point):
 
 
 def elastic_factor(model):
-    """What an elastic particle bears, over a plastic one of its size (Eqs. 4 and 5)."""
+    """Load of an elastic particle over that of a plastic one of its size (Eqs. 4 and 5)."""
     strains = (model["H_s1"] / model["E_sa"]) ** 2 + (model["H_s2"] / model["E_ss"]) ** 2
     return 9.0 * math.pi**2 / 4.0 * strains
 
@@ -272,8 +273,8 @@ def log_solid_load(separation, model, point):
 def state(separation, model, point, log_solid=None):
     """Loads, areas and coverage at ``separation`` d [m].
 
-    Next to X_max the load says better than d, which is rounded, what area particles have: where
-    ln F_s* is known to be ``log_solid`` and they bear most of it, Eq. 4 is turned around.
+    Next to X_max the area of the particles has few digits, as d is rounded.  If the particles bear
+    most of a known ``log_solid``, ln F_s*, their area follows from their load by Eq. 4.
     """
     area, load_covered, area_covered = particle_share(separation, model, point)
     summit_load = log_summit_load(separation, model, point) + logarithm(1.0 - load_covered)
@@ -316,7 +317,7 @@ def film_separation(log_load, model, point):
 
 
 def log_film_load(separation, model, point):
-    """ln F_f* under which the film is as thick as ``separation`` d [m], F_t* at most."""
+    """ln F_f* under which the film is as thick as ``separation`` d [m], at most ln F_t*."""
     total = math.log(point.load)
     if separation <= film_separation(total, model, point):
         return total
@@ -337,10 +338,10 @@ def log_load_in_w(log_fluid_fraction, model, point):
 
 
 def outside_film_formula(fluid_fraction, film_thickness, model, point):
-    """Whether a film that is at work, of thickness H_c [1], is outside of the meaning of Eq. 7.
+    """Whether the film bears load where Eq. 7 has no meaning.
 
-    There H_c falls with rising viscosity, dH_c/dU <= 0, the film is not thin, or the load in W
-    would press on A_n with more than the hardness of the softer surface.
+    It has none where H_c falls with rising viscosity, dH_c/dU <= 0, where the film is not thin, and
+    where the load in W over A_n is above the hardness of the softer surface.
     """
     if point.dry or fluid_fraction <= FILM_AT_WORK:
         return False
@@ -356,14 +357,14 @@ def outside_film_formula(fluid_fraction, film_thickness, model, point):
 
 
 def bears_fluid_share(model, point):
-    """Whether the film bears the load that Eq. 7 gives it, as opposed to what solids leave."""
+    """Whether Eq. 7 gives the load of the film; otherwise the film bears what the solids leave."""
     return not point.dry and model["film_load"] == "fluid"
 
 
 def log_borne(separation, model, point):
     """ln((F_s + F_f)/F_t) at ``separation`` d [m]; zero where Eq. 1 holds.
 
-    A film under the total load counts for nothing beyond its own thickness.
+    F_f is 0 if Eq. 7 has the total load: that film bears only where d is its thickness.
     """
     solid = log_solid_load(separation, model, point)
     fluid = (
@@ -407,7 +408,7 @@ def shares(separation, model, point):
 
 
 def solve(model, point):
-    """The ``Solution`` at ``point``; of several statuses, the one without values."""
+    """The ``Solution`` at ``point``; if several statuses apply, that without values."""
     if exceeds_solids(model, point):
         return Solution("load_exceeded")
     if load_coverage(model, point) > 1.0:
@@ -424,18 +425,18 @@ def solve(model, point):
 
 
 def uncertainty(separation, model, point, noise):
-    """How far loads and areas at the solution ``separation`` [m] may be off [1], where forces are
-    known to the relative ``noise``.
+    """The relative error [1] that loads and areas at the solution ``separation`` [m] may have.
 
-    The separation moves by the rounding of the lengths it is compared with, and until the forces
-    have changed by their noise.  This is the largest relative change of what follows.
+    The forces are known to the relative ``noise``.  So the separation may be off by the rounding of
+    lengths, and by the distance over which the forces change by their noise.  The error is the
+    largest change of loads and areas over this distance.
     """
     lengths = separation + point.roughness + point.summit_offset
     if not point.two_body:
         lengths += sizes(model, point)[2]
     film = film_alone(model, point)
     move = ROUNDING * lengths + noise * separation
-    lack = 0.0  # of what is borne, where the film leaves off
+    lack = 0.0  # relative error of what the solids leave to the film
     if separation > film or bears_fluid_share(model, point):
         step = STEP * lengths
         fall = log_borne(separation, model, point) - log_borne(separation + step, model, point)
@@ -452,8 +453,7 @@ def uncertainty(separation, model, point, noise):
 
 
 def known_logarithms(separation, model, point):
-    """ln of loads and areas at ``separation`` d [m], by name, as far as float64 holds the
-    numbers."""
+    """ln of the loads and areas at ``separation`` d [m] that float64 holds in full, by name."""
     there = state(separation, model, point)
     least, log_area = math.log(sys.float_info.min), logarithm(there.total_area)
     logarithms = {

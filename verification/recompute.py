@@ -15,19 +15,19 @@ from contract import DIMENSIONS
 
 BOUND = "error_bound"  # of the numbers of a point
 QUANTITIES = tuple(name for name in contract.NUMBERS if name != BOUND)
-NOT_SHOWN = "not_shown"  # what a flag says of a combination that a figure does not show
-SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
+NOT_SHOWN = "not_shown"  # the flag of a combination that no figure shows
+SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # inputs with a value for each roughness
 UNSOLVED = ("coverage_exceeded", "load_exceeded")  # Eq. 1 has no solution: a point has no values
 UNRESOLVED = "not_converged"  # float64 does not hold the digits that were asked for
 ROUNDING = 1e-14  # of sums and products of stored numbers
-EVALUATION = 1e-9  # own error of Eqs. 4, 5 and 7 at a stored separation
-SOLUTION = 1e-8  # own error of a solution, where float64 resolves it
-INTEGRALS = 1e-11  # own error of the forces, which counts where it does not
+EVALUATION = 1e-9  # error of this program in Eqs. 4, 5 and 7 at a stored separation
+SOLUTION = 1e-8  # error of a solution by this program, where float64 resolves it
+INTEGRALS = 1e-11  # error of its forces, which counts where float64 does not
 FLOAT64 = 1e-15  # relative noise of forces in float64, for each unit of their logarithms
 LARGEST_LOGARITHM = 745.0  # of a number in float64
-MARGIN = 100.0  # by which two programs may judge the noise of one point differently
+MARGIN = 100.0  # ratio of what two programs may take for the noise of one point
 LARGEST_FILE = 100 * contract.MOST_POINTS  # bytes: twelve numbers a point, not compressed
-LEAST_BOUND = 1e-14  # loads are known as logarithms of up to 30: no float64 solver promises less
+LEAST_BOUND = 1e-14  # least honest bound: solvers hold loads as logarithms of up to 30
 
 
 class Dataset(NamedTuple):
@@ -43,8 +43,8 @@ class Dataset(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What a check found: ``findings`` say what is wrong; counts, the worst deviation [1] and
-    the ``rtol`` [1] that was asked for.  Only a file that ``has_form`` may be read further."""
+    """What a check found: what is wrong (``findings``), counts of points, the worst deviation [1],
+    and the ``rtol`` [1] asked for.  Only a file that ``has_form`` may be read further."""
 
     findings: list
     evaluated: int = 0
@@ -56,8 +56,8 @@ class Outcome(NamedTuple):
 
 @contextmanager
 def opened(path):
-    """The dataset ``path``, read while this process can open no other file: numbers, links and
-    filters that lie elsewhere are errors.  Only POSIX systems have such a limit."""
+    """The dataset ``path``.  Meanwhile this process can open no other file: a link to numbers or
+    filters elsewhere is an error.  Only POSIX systems have such a limit."""
     content = path.read_bytes()
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (0, hard))
@@ -105,7 +105,7 @@ def point_at(data, index):
 
 
 def deviation(first, second):
-    """Difference of two numbers over the larger; if float64 holds neither in full, none."""
+    """Difference of two numbers over the larger; 0 if float64 holds neither in full."""
     larger = max(abs(first), abs(second))
     if first == second or larger < sys.float_info.min:
         return 0.0
@@ -114,12 +114,11 @@ def deviation(first, second):
 
 
 class Own(NamedTuple):
-    """What this program knows of a point: its solution from the inputs alone, and how far it and
-    the library may be off [1] there because of rounding."""
+    """The solution of a point by this program, from the inputs alone, and its relative errors."""
 
     solution: plain_model.Solution
-    uncertainty: float
-    noise: float  # the part that is of float64, not of the integrals here
+    uncertainty: float  # by which it and the library may differ because of rounding
+    noise: float  # the part that comes from float64, not from the integrals here
 
 
 def solve(point, model):
@@ -136,7 +135,7 @@ def solve(point, model):
 
 
 def area_ratios(state, point):
-    """Names and values of those shares of the contact area whose areas float64 holds in full."""
+    """Names and values of the shares of the contact area that float64 holds in full."""
     least = sys.float_info.min
     for name, share in (
         ("particle_contact_area_ratio", state.particle_ratio),
@@ -173,7 +172,7 @@ def evaluated(row, point, data, tolerance):
 
 
 def hidden_film(separation, model, point):
-    """What a film with L_f = 0 would carry at ``separation`` d [m], or how far it exceeds d [1]."""
+    """L_f [1] of a film at ``separation`` d [m] that is stored as 0, or its excess over d [1]."""
     if plain_model.bears_fluid_share(model, point):
         fluid = math.exp(plain_model.log_film_load(separation, model, point) - math.log(point.load))
         return deviation(0.0, fluid)
@@ -196,8 +195,11 @@ def misnamed(row, point, data):
 
 
 def another_status(status, own, rtol):
-    """The status that a point should have, if it is not ``status``: it has values or none, and is
-    resolved to ``rtol`` or not.  Which of the others it is follows from its values."""
+    """The status that a point should have; None if ``status`` may be right.
+
+    This compares whether the point has values, and whether ``rtol`` is reached.  ``misnamed`` says
+    which status belongs to values.
+    """
     if own.solution.state is None:
         return own.solution.status if status != own.solution.status else None
     if status in UNSOLVED:
@@ -247,14 +249,15 @@ def check(path, config, inputs, count, rng):
 
 
 def point_findings(data, index, is_sampled):
-    """What is wrong at one point, and the largest deviation from the own solution of a resolved
-    one.
+    """What is wrong at one point, and its largest deviation from the solution of this program.
+
+    The deviation is 0 for a point that float64 does not resolve.
     """
     row = {name: data.values[name].item(index) for name in data.values}
     point, status = point_at(data, index), row["solution_status"]
     where = f"at {','.join(map(str, map(int, index)))}"
     uncertainty, measured, worst = 0.0, [], 0.0
-    if is_sampled or status in (*UNSOLVED, UNRESOLVED):  # values do not show these
+    if is_sampled or status in (*UNSOLVED, UNRESOLVED):  # such a status is not seen in values
         own = solve(point, data.model)
         expected = another_status(status, own, data.rtol)
         if expected:

@@ -16,7 +16,7 @@ import sys
 
 sys.dont_write_bytecode = True  # nothing may be added to the archive, not even by checking it
 if __name__ == "__main__" and not sys.flags.safe_path:
-    del sys.path[0]  # the folder of this program: Python would run a json.py or numpy.py laid there
+    del sys.path[0]  # this folder: Python would run a json.py or numpy.py that lies here
 
 import argparse
 import csv
@@ -39,16 +39,16 @@ METADATA = "ro-crate-metadata.json"
 TABLE_SCHEMAS = "table-schemas.json"
 BAG_DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 PROGRAMS = ("content_hash.py", "contract.py", "plain_model.py", "recompute.py", "verify.py")
-# of the bag itself, which the crate does not describe
+# files of the bag itself: the crate does not describe them
 OF_BAG = {"bag-info.txt", "bagit.txt", "manifest-sha256.txt", "tagmanifest-sha256.txt"}
 # everything beside data/
 TAG_FILES = {"README.md", METADATA, *OF_BAG, *(f"verification/{name}" for name in PROGRAMS)}
-NO_PRODUCTS = ("source", "configuration")  # what the payload holds besides products
+NO_PRODUCTS = ("source", "configuration")  # other folders of the payload
 CONFIGURATION = "data/configuration/config.json"
 INPUTS = "data/configuration/parameters.json"
 CONTENT_SUMS = "data/datasets/content-sha256.json"
 SHOWN_FAULTS = 5
-SHOWN_DEVIATION = 1e-16  # no smaller one is worth a digit
+SHOWN_DEVIATION = 1e-16  # a smaller one is shown as this
 LONGEST_LINE = 10_000_000  # characters of a table that are read at once
 LARGEST_TEXT = 100_000_000  # bytes of a manifest, description or page, which are read at once
 # a part of a path that every system can write
@@ -292,15 +292,17 @@ def check_datasets(folder, found, count, seed, faults):
 
 
 def own_module(name):
-    """A module of this folder, which Python looks in last: numpy is never taken from here."""
+    """A module of this folder.  Python searches it last, so that numpy is never taken from here."""
     if str(HERE) not in sys.path:
         sys.path.append(str(HERE))
     return importlib.import_module(name)
 
 
 def check_packed(folder, found, faults):
-    """The packed archive beside ``folder`` is the one on record, and what `write_zip` makes of the
-    files.  So no program unpacks anything else from it."""
+    """The packed archive beside ``folder`` has the sum on record, and the bytes of `write_zip`.
+
+    So no program unpacks anything else from it.
+    """
     packed = packed_beside(folder)
     packed_sum = sha256(packed)
     if packed_sum != record_beside(folder)["archive"]["sha256"]:

@@ -16,12 +16,21 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from thirdbody.bearings import hertz_contact
+from thirdbody.bearings import hardness_notes, hertz_contact
 from thirdbody.conditions import OutOfRangeWarning, axis_of, check_count
 from thirdbody.core.film import film_parameter
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import Ensemble, range_over_members
-from thirdbody.notes import area_note, few_notes, range_note, sizes_note, speed_notes
+from thirdbody.notes import (
+    area_note,
+    few_notes,
+    label_note,
+    number_text,
+    outside_notes,
+    range_note,
+    sizes_note,
+    speed_notes,
+)
 from thirdbody.points import solve
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
 from thirdbody.variables import FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
@@ -29,18 +38,19 @@ from thirdbody.variables import FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # 1 minus another row
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
 INVALID = "outside_film_formula", "area_exceeded"  # changes with these statuses are left out
-DIGITS = 4
+DIGITS = 3  # of a number, or fewer if its range is wide
 WIDTH = 80  # letters of a line of text
 LAYER = "particle_diameter_nm", "roughness_nm", "particle_density_per_m2"
 COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
 Interface = Mapping[str, Any]  # the conditions of an interface, by alias
 
 
-def state(parameters: Ensemble, conditions: Interface) -> pd.DataFrame:
-    """Load sharing, contact area, regime, mode and nominal pressure of an interface."""
+def state(parameters: Ensemble, conditions: Interface, verbose: bool = False) -> pd.DataFrame:
+    """Load sharing, contact area, regime and mode; ``verbose``: also the nominal pressures."""
     values, of_members = _states(parameters, conditions)
     rows = [_row(name, values[name], [each[name] for each in of_members]) for name in SHOWN]
-    rows += [_lambda_row(parameters, conditions), *_nominal_rows(parameters, conditions)]
+    rows.append(_lambda_row(parameters, conditions))
+    rows += _nominal_rows(parameters, conditions) if verbose else []
     notes = _notes(parameters, conditions, values["solution_status"])
     notes.append(f"H_c is {VARIABLES['film_thickness'].comment}")
     is_solved = isinstance(values["separation"], float)
@@ -109,7 +119,7 @@ def changes_along(
         numbers = [each[key] for each in of_members if key in each]
         rows.append(_with_range(row, best.get(key, math.nan), numbers, len(of_members)))
     ends = between or axis.searched
-    notes = [f"searched: {axis.name} {ends[0]:g} to {ends[1]:g} {axis.alias_unit}"]
+    notes = [f"searched: {axis.words} {ends[0]:g} to {ends[1]:g} {axis.alias_unit}"]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OutOfRangeWarning)  # the search has warned already
         for end in ends:
@@ -120,8 +130,8 @@ def changes_along(
         f"left out at {row[along]:.4g} {axis.alias_unit}: {STATUS_MEANINGS[row['solution_status']]}"
         for _, row in invalid.iterrows()
     ]
-    notes += _ensemble_notes(parameters, conditions)
-    title = f"Changes along the {axis.name} at {_words(conditions)}"
+    notes += _ensemble_notes(parameters, conditions, {along: [*best.values()]})
+    title = f"Changes along the {axis.words} at {_words(conditions)}"
     return _table(title, rows, notes, bool(best))
 
 
@@ -140,7 +150,7 @@ def turning_load(
         f"stands out by {PROMINENCE:g} on both sides",
         f"particle sizes are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
         *(["A_sa,t* still rises at the last load"] if values["is_cut"] else []),
-        *_ensemble_notes(parameters, conditions),
+        *_ensemble_notes(parameters, conditions, {"load_N": values["load_N"]}),
     ]
     title = f"Turning point at {_words(conditions)}"
     return _table(title, rows, notes, math.isfinite(values["load_N"]))
@@ -166,7 +176,7 @@ def curve(
     """All variables along the condition with the alias ``along``.
 
     The first column is the condition.  Variables are in SI, with their ranges in columns ``_low``
-    and ``_high``.  Regime, mode and status are names.
+    and ``_high``.  Regime, mode and status are names.  Notes say what is outside the paper.
     """
     check_count(count)
     numbers = np.geomspace(*between, count)
@@ -180,34 +190,47 @@ def curve(
         if len(values) > 1:
             columns[f"{name}_low"], columns[f"{name}_high"] = range_over_members(values)
     best = points.to_dataframe().iloc[: len(numbers)]
-    return pd.DataFrame(columns | {name: best[name].to_numpy() for name in FLAGS})
+    table = pd.DataFrame(columns | {name: best[name].to_numpy() for name in FLAGS})
+    given = {**conditions, along: numbers}
+    table.attrs["notes"] = outside_notes(given) + hardness_notes(given["load_N"], parameters)
+    return table
 
 
 def table_text(table: pd.DataFrame) -> str:
-    """The title, the rows and the notes of a table as text."""
-    compares = "other" in table
-    lines = []
+    """The title, the numbers, the states and the notes of a table as text of ``WIDTH`` columns."""
+    values = {"first": "value", "second": "other"} if "other" in table else {"value": "value"}
+    heading = "range of the change" if "other" in table else "range"
+    heading = f"range of {max(table['members'], default=0)} sets"
+    if "other" in table:
+        heading = "range of the change"
+    numbers, states = [["symbol", *values, heading, "quantity [unit]"]], []
     for _, row in table.iterrows():
-        line = {"symbol": row["symbol"], "value": _value_text(row, "value")}
-        if compares:
-            line = {
-                "symbol": row["symbol"],
-                "first": _value_text(row, "value"),
-                "second": _value_text(row, "other"),
-            }
-        line["range of the change" if compares else "range"] = _range_text(row)
-        lines.append(line | {"unit": row["unit"], "quantity": row["quantity"]})
-    text = "none"
-    if lines:
-        shown = pd.DataFrame(lines)
-        shown["quantity"] = shown["quantity"].str.ljust(shown["quantity"].str.len().max())
-        text = shown.to_string(index=False, justify="left")
-    rows = [line.rstrip() for line in text.splitlines()]
+        texts = [_value_text(row, column) for column in values.values()]
+        if row.get("name") in FLAGS:
+            states.append([row["quantity"], *texts, _agree_text(row)])
+        else:
+            unit = "" if row["unit"] == "1" else f" [{row['unit']}]"
+            numbers.append([row["symbol"], *texts, _range_text(row), row["quantity"] + unit])
+    parts = [numbers if len(numbers) > 1 else [["none"]], states]
     notes = [
         textwrap.fill(note, WIDTH, initial_indent="  ", subsequent_indent="    ")
         for note in table.attrs["notes"]
     ]
-    return "\n".join([textwrap.fill(table.attrs["title"], WIDTH), "", *rows, "", *notes])
+    title = textwrap.fill(table.attrs["title"], WIDTH)
+    return "\n\n".join(
+        [title, *("\n".join(aligned(part)) for part in parts if part), "\n".join(notes)]
+    )
+
+
+def aligned(rows: list[list[str]]) -> list[str]:
+    """The lines of ``rows`` of cells, the last cell wrapped at ``WIDTH`` columns."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = []
+    for *cells, last in rows:
+        before = "".join(cell.ljust(width + 2) for cell, width in zip(cells, widths))
+        after = textwrap.wrap(last, WIDTH - len(before)) or [""]
+        lines += [(before + after[0]).rstrip(), *(" " * len(before) + line for line in after[1:])]
+    return lines
 
 
 def _table(title, rows, notes, is_found) -> pd.DataFrame:
@@ -219,7 +242,7 @@ def _table(title, rows, notes, is_found) -> pd.DataFrame:
 def _row(name, value, of_members) -> dict:
     """The row of the variable ``name``: of a number, or of a flag with the name of its state."""
     variable = VARIABLES[name]
-    unit = "nm" if name == "separation" else "" if name in FLAGS else variable.unit
+    unit = "" if name in FLAGS else "1" if variable.unit == "1" else variable.shown_unit
     symbol = "" if name in FLAGS else variable.symbol
     row = {"name": name, "symbol": symbol, "quantity": variable.label, "unit": unit}
     if name in FLAGS:
@@ -244,13 +267,13 @@ def _with_range(row, value, numbers, members) -> dict:
 def _states(parameters, conditions) -> tuple[dict, list[dict]]:
     """The variables of one point for the best set, and for all members if there are several.
 
-    They are numbers, d in nm, or names of states.
+    They are numbers, d in its shown unit, or names of states.
     """
     points = solve(**conditions, parameters=parameters, members=True)
 
     def values(member):
         numbers = {name: float(getattr(points, name)[member]) for name in QUANTITIES}
-        numbers["separation"] *= 1e9
+        numbers["separation"] = float(VARIABLES["separation"].from_si(numbers["separation"]))
         known = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
         states = {name: str(getattr(points, name)[member]) for name in FLAGS}
         if states["lubrication_regime"] == "full_film":
@@ -348,23 +371,32 @@ def _notes(parameters, conditions, status) -> list[str]:
     return notes + _ensemble_notes(parameters, conditions)
 
 
-def _ensemble_notes(parameters, conditions) -> list[str]:
-    """The notes on the nominal area, on the speed if there is oil, on the sizes if there are
-    particles, and on ranges."""
-    notes = [area_note(parameters)]
+def _ensemble_notes(parameters, conditions, found: Interface | None = None) -> list[str]:
+    """The notes on conditions outside Table 2, on the nominal area, on the speed if there is oil,
+    on the sizes if there are particles, and on ranges.
+
+    ``found`` has the values of a condition that was searched along.
+    """
+    given = {**conditions, **(found or {})}
+    notes = [
+        *outside_notes(given),
+        *hardness_notes(given.get("load_N", ()), parameters),
+        area_note(parameters),
+    ]
     if conditions.get("viscosity_cSt") != 0.0:
         notes += speed_notes(parameters)
-    layer = [conditions.get(key) for key in LAYER]
-    if all(layer):  # with particles, and without a search along a condition in LAYER
-        diameter, roughness = (float(axis_of(key).to_si(conditions[key])) for key in LAYER[:2])
-        notes.append(sizes_note(diameter, roughness, parameters))
+    size, roughness, density = map(conditions.get, LAYER)
+    if size is None or roughness is None:  # searched along
+        notes += [label_note(parameters)] if 0.0 not in (size, density) else []
+    elif size != 0.0 and density != 0.0:
+        notes.append(sizes_note(1e-9 * size, 1e-9 * roughness, parameters))
     return [*notes, range_note(parameters)]
 
 
 def _words(conditions) -> str:
     """The conditions in words."""
     return ", ".join(
-        f"{axis_of(key).name} {value:g} {axis_of(key).alias_unit}"
+        f"{axis_of(key).words} {value:g} {axis_of(key).alias_unit}"
         for key, value in conditions.items()
     )
 
@@ -374,24 +406,26 @@ def _value_text(row, column) -> str:
     value = row[column]
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return "none"
-    return value if isinstance(value, str) else f"{value:.{_digits(value, row)}g}"
+    return value if isinstance(value, str) else number_text(value, _digits(value, row))
 
 
 def _digits(value, row) -> int:
+    """``DIGITS``, or fewer where the range in the ``row`` of a number is wide."""
     width = row.get("high", math.nan) - row.get("low", math.nan)
     if not width > 0.0 or value == 0.0:
         return DIGITS
-    return min(
-        DIGITS, max(2, math.floor(math.log10(abs(value))) - math.floor(math.log10(width)) + 2)
-    )
+    certain = math.floor(math.log10(abs(value))) - math.floor(math.log10(width)) + 2
+    return min(DIGITS, max(2, certain))
 
 
 def _range_text(row) -> str:
-    """The text of a range, and of how many members agree."""
-    parts = []
-    if row.get("low") is not None and math.isfinite(row.get("low", math.nan)):
-        ends = (f"{row[end]:.{_digits(row[end], row)}g}" for end in ("low", "high"))
-        parts.append(" to ".join(ends))
-    if row["agree"] < row["members"] or (row["members"] and isinstance(row["value"], str)):
-        parts.append(f"{row['agree']} of {row['members']}")
-    return ", ".join(parts)
+    """The text of a range that has a width, and of how many members agree if not all do."""
+    ends = [row.get(end, math.nan) for end in ("low", "high")]
+    texts = [number_text(end, _digits(end, row)) for end in ends if math.isfinite(end)]
+    parts = [" to ".join(texts)] if len({*texts}) > 1 else []
+    return ", ".join([*parts, *([_agree_text(row)] if row["agree"] < row["members"] else [])])
+
+
+def _agree_text(row) -> str:
+    """How many members agree."""
+    return f"{row['agree']} of {row['members']}" if row["members"] else ""

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions import checked_numbers
-from thirdbody.core.parameters import Parameters
+from thirdbody.core.parameters import BOUNDS, Parameters
 from thirdbody.ensembles import (
     BODIES,
     GIGA,
@@ -27,6 +27,7 @@ from thirdbody.ensembles import (
 )
 from thirdbody.inputs import or_calibrated
 from thirdbody.notes import speed_notes
+from thirdbody.variables import SPEED
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -35,24 +36,24 @@ if TYPE_CHECKING:
 # by argument of ``bearing``: its least and its most usual value, and their unit
 USUAL_BEARING = {
     "ball_radius_mm": (0.1, 1000.0, "mm"),
-    "speed_m_per_s": (1e-6, 200.0, "m s-1"),
+    SPEED.alias: (*SPEED.usual, SPEED.unit),
     "oil_density_kg_per_m3": (500.0, 3000.0, "kg m-3"),
     "pressure_viscosity_per_GPa": (1.0, 100.0, "GPa-1"),
     "apparent_area_mm2": (1e-4, 1e6, "mm2"),
     "ellipticity": (0.1, 10.0, "1"),
 }
-# by derived input: its unit and its formula
+# by derived input: its formula
 FORMULAS = {
-    "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
-    "elastic_modulus_particle": ("Pa", "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body"),
-    "hardness_surface_1": ("Pa", "H_s1, hardness of the ball"),
-    "hardness_surface_2": ("Pa", "H_s2, hardness of the flat"),
-    "ball_radius": ("m", "R_x, radius of the ball"),
-    "material_parameter": ("1", "G = alpha E_ss (below Eq. 8)"),
-    "hardness_parameter": ("1", "V = v_h/E_ss, softer body (below Eq. 8)"),
-    "speed_per_viscosity": ("s m-2", "U/nu = rho u/(E_ss R_x) (below Eq. 8)"),
-    "ellipticity": ("1", "kappa of the contact, 1 for a ball on a flat (Eq. 7)"),
-    "apparent_area": ("m2", "A_n, the nominal area, an input of its own"),
+    "elastic_modulus_surfaces": "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)",
+    "elastic_modulus_particle": "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body",
+    "hardness_surface_1": "H_s1, hardness of the ball",
+    "hardness_surface_2": "H_s2, hardness of the flat",
+    "ball_radius": "R_x, radius of the ball",
+    "material_parameter": "G = alpha E_ss (below Eq. 8)",
+    "hardness_parameter": "V = v_h/E_ss, softer body (below Eq. 8)",
+    "speed_per_viscosity": "U/nu = rho u/(E_ss R_x) (below Eq. 8)",
+    "ellipticity": "kappa of the contact, 1 for a ball on a flat (Eq. 7)",
+    "apparent_area": "A_n, the nominal area, an input of its own",
 }
 
 
@@ -241,6 +242,18 @@ def hertz_contact(load_N: ArrayLike, parameters: Parameters | Ensemble) -> tuple
     return area, load / area
 
 
+def hardness_notes(load_N: ArrayLike, parameters: Parameters | Ensemble) -> list[str]:
+    """A note if the largest load presses the smooth ball harder than the softer surface is."""
+    if not np.size(load_N):
+        return []
+    load = float(np.max(load_N))
+    hardness = min(parameters.hardness_surface_1, parameters.hardness_surface_2)
+    _, pressure = hertz_contact(load, parameters)
+    note = f"load {load:g} N: the mean Hertz pressure is {1e-9 * pressure:.3g} GPa, above the "
+    note += f"hardness of the softer surface, {1e-9 * hardness:g} GPa"
+    return [note] if pressure > hardness else []
+
+
 def derived_inputs(parameters: Parameters | Ensemble | None = None) -> pd.DataFrame:
     """A table of the inputs that ``bearing`` derives, with value, unit and formula.
 
@@ -249,8 +262,11 @@ def derived_inputs(parameters: Parameters | Ensemble | None = None) -> pd.DataFr
     import pandas as pd  # slow to import; other functions here do not need it
 
     inputs = or_calibrated(parameters)
-    table = pd.DataFrame.from_dict(FORMULAS, "index", columns=["unit", "formula"])
-    table.insert(0, "value", [getattr(inputs.best, name) for name in FORMULAS])
-    table = table.rename_axis("input")
+    columns = {
+        "value": [getattr(inputs.best, name) for name in FORMULAS],
+        "unit": [BOUNDS[name].unit for name in FORMULAS],
+        "formula": [*FORMULAS.values()],
+    }
+    table = pd.DataFrame(columns, index=pd.Index(FORMULAS, name="input"))
     table.attrs["notes"] = speed_notes(inputs)
     return table

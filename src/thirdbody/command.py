@@ -5,6 +5,7 @@ Functions import the rest of the library when they answer, so that ``thirdbody -
 
 import json
 import sys
+import textwrap
 import warnings
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
@@ -16,11 +17,12 @@ ANSWERED, NONE_FOUND, BAD_INPUT = 0, 1, 2  # exit codes
 READ, WRITTEN = ("inputs", "other_inputs"), ("csv", "plot", "write")  # options with a file
 
 
-def state(inputs: str | None, as_json: bool, **interface: float | None) -> int:
+def state(inputs: str | None, as_json: bool, verbose: bool, **interface: float | None) -> int:
     """Load sharing, contact area, regime and mode."""
     from thirdbody import answers
 
-    return _show(answers.state(_parameters(inputs), _conditions(interface)), as_json)
+    table = answers.state(_parameters(inputs), _conditions(interface), verbose)
+    return _show(table, as_json)
 
 
 def transitions(
@@ -74,6 +76,8 @@ def curve(
 
         save_figure(plot_curve(table, alias), plot)
     _write(table.to_csv(index=False, float_format="%.10g"), csv or "-")
+    for note in table.attrs["notes"]:
+        _tell("note", note)
     return ANSWERED
 
 
@@ -110,7 +114,13 @@ def bearing(inputs: str | None, write: str | None, as_json: bool, **changes: Any
     if as_json:
         print(table.to_json(orient="index"))
     else:
-        print(table.to_string(float_format="{:.6g}".format), *table.attrs["notes"], sep="\n")
+        from thirdbody.answers import aligned
+
+        rows = [
+            [row.Index, f"{row.value:.4g}", row.unit, row.formula] for row in table.itertuples()
+        ]
+        print(*aligned([["input", "value", "unit", "formula"], *rows]), sep="\n")
+        print("", *table.attrs["notes"], sep="\n  ")
     return ANSWERED
 
 
@@ -192,6 +202,13 @@ def _show(table: Any, as_json: bool) -> int:
     else:
         print(table_text(table))
     return ANSWERED if table.attrs["found"] else NONE_FOUND
+
+
+def _tell(kind: str, message: object) -> None:
+    """Print a message on standard error, as wide as an answer."""
+    from thirdbody.answers import WIDTH
+
+    print(textwrap.fill(f"{kind}: {message}", WIDTH, subsequent_indent="  "), file=sys.stderr)
 
 
 def _write(text: str, path: str) -> None:
@@ -294,7 +311,10 @@ def _parser() -> ArgumentParser:
 
     _, *without_load = interface
     options = [*interface, inputs, table]
-    ask(state, "--load-N 10 --viscosity-cSt 90", *LAYER, options=options)
+    question = ask(state, "--load-N 10 --viscosity-cSt 90", *LAYER, options=options)
+    question.add_argument(
+        "--verbose", action="store_true", help="also A_n and the nominal and Hertz pressures"
+    )
     question = ask(transitions, "--along viscosity --load-N 10", *LAYER, options=options)
     question.add_argument("--along", default="load", **along)
     _add_ends(question)
@@ -302,7 +322,7 @@ def _parser() -> ArgumentParser:
     question = ask(
         turning_point, "--viscosity-cSt 0", *example, options=[*without_load, inputs, table]
     )
-    _add_ends(question, 0.04, 80.0)
+    _add_ends(question, *AXES["load"].paper)
     question = ask(
         curve,
         "--along viscosity --from 10 --to 150 --load-N 10",
@@ -361,7 +381,7 @@ def main(arguments: list[str] | None = None) -> int:
         return BAD_INPUT
     with warnings.catch_warnings():
         warnings.simplefilter("default", UserWarning)
-        warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
+        warnings.showwarning = lambda message, *_: _tell("warning", message)
         try:
             _check_files(options)
             return options.pop("answer")(**options)

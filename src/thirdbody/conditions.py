@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 TYPES = "numbers and numpy arrays, lists of numbers, pandas columns, xarray arrays, pint quantities"
 NEVER_ZERO = "load", "roughness"  # other conditions are 0 without oil or particles, or at rest
 _BY_NAME = CONDITIONS | {axis.alias: axis for axis in CONDITIONS.values()}
+TIGHTEST, LOOSEST = 1e-11, 1e-2  # ``rtol`` that float64 and the tables attain, and that is allowed
 OIL_DENSITY = 850.0  # of mineral oils [kg m-3]
 PACKED = "scale_factor", "add_offset"  # attributes of arrays that are not decoded
 # by the name of a number: its least and its most usual value, and their unit
@@ -462,9 +463,9 @@ def checked_variables(
 
 
 def check_rtol(rtol: float) -> None:
-    """Raise ``ValueError`` unless ``rtol`` is attainable with float64 and the tables."""
-    if not 1e-11 <= rtol <= 1e-2:
-        raise ValueError(f"rtol is {rtol!r}; allowed: 1e-11 to 1e-2")
+    """Raise ``ValueError`` unless ``rtol`` is allowed."""
+    if not TIGHTEST <= rtol <= LOOSEST:
+        raise ValueError(f"rtol is {rtol!r}; allowed: {TIGHTEST:g} to {LOOSEST:g}")
 
 
 def check_count(count: int) -> None:

@@ -22,10 +22,8 @@ from thirdbody.files import format_value
 MEMBER = "member"  # the dimension of results of all members
 ENDS = (0.05, 0.95)  # quantiles at the ends of a range over the members
 # what a range is, in answers, captions, datasets and pages: no confidence interval
-RANGE = (
-    "range of the ensemble: 5 to 95 % of sets of inputs, "
-    "each fitted without some figures of the paper"
-)
+FITTED = "each fitted without some figures of the paper"
+RANGE = f"range of the ensemble: 5 to 95 % of sets of inputs, {FITTED}"
 GIGA = 1e9
 USUAL_MATERIAL = {"modulus_GPa": (0.1, 2000.0, "GPa"), "hardness_GPa": (0.01, 200.0, "GPa")}
 BODIES = "ball", "flat", "particle"

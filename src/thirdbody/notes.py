@@ -1,25 +1,70 @@
-"""Notes below an answer, each a sentence: on the sizes of particles, on A_n, the speed and the
-range."""
+"""Notes below an answer, each a sentence: on conditions that the paper has not, on the sizes of
+particles, on A_n, the speed and the range."""
+
+from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, mean_and_largest
-from thirdbody.ensembles import RANGE, Ensemble
+from thirdbody.ensembles import FITTED, Ensemble
+from thirdbody.variables import CONDITIONS, decimal
+
+
+def outside_notes(conditions: Mapping[str, ArrayLike]) -> list[str]:
+    """A note for each of the ``conditions`` by alias, in its unit, that is outside Table 2.
+
+    0 is never outside: it stands for no oil or no particles.
+    """
+    notes = []
+    for axis in CONDITIONS.values():
+        values = np.asarray(conditions.get(axis.alias, ()), float)
+        if values.any():
+            least = np.min(values, initial=np.inf, where=values != 0.0)
+            ends = decimal(np.array([least, np.max(values)]))  # 80 N as F_t* and back is 80 N again
+            if ends[0] < axis.paper[0] or ends[1] > axis.paper[1]:
+                texts = [f"{float(f'{end:.4g}'):g}" for end in ends]
+                given = " to ".join(dict.fromkeys(texts))
+                first, last = axis.paper
+                unit = axis.alias_unit
+                notes.append(
+                    f"{axis.words} {given} {unit}: the paper has {first:g} to {last:g} {unit}"
+                )
+    return notes
+
+
+def number_text(value: float, digits: int = 3) -> str:
+    """A number with significant ``digits``, also their zeros; without a power of ten if it is
+    neither small nor large."""
+    rounded = f"{value:.{digits - 1}e}"
+    if not 1e-4 <= abs(float(rounded)) < 1e6:
+        return rounded if value else "0"
+    _, exponent = rounded.split("e")
+    return f"{float(rounded):.{max(digits - 1 - int(exponent), 0)}f}"
+
+
+def sizes_words(parameters: Parameters, diameter: float = 1.0, unit: str = "x_a") -> str:
+    """The mean of the sizes of particles and the largest, for a ``diameter`` x_a in a ``unit``."""
+    mean, largest = map(number_text, mean_and_largest(diameter, parameters))
+    return f"the mean of the sizes is {mean} {unit}, the largest, X_max, {largest} {unit}"
+
+
+def label_note(parameters: Parameters) -> str:
+    """A note on what the particle size x_a stands for."""
+    return f"particle size x_a, a label: {sizes_words(parameters)}"
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
-    """A note on the sizes of particles with ``diameter`` x_a [m].
+    """A note on what a ``diameter`` x_a [m] stands for.
 
-    It has their mean, the largest, and the separation d below which they carry load on a
-    ``roughness`` sigma [m].
+    It ends with the separation d below which the particles carry load on a ``roughness`` sigma [m].
     """
-    mean, largest = mean_and_largest(diameter, parameters)
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
+    x_a = 1e9 * diameter
     return (
-        f"the particle size x_a = {1e9 * diameter:.4g} nm is a label: the mean of the sizes is "
-        f"{1e9 * mean:.4g} nm, the largest, X_max, {1e9 * largest:.4g} nm; "
-        f"particles carry load at separations d below {1e9 * layer.reach[0]:.4g} nm"
+        f"particle size x_a = {x_a:.4g} nm, a label: {sizes_words(parameters, x_a, 'nm')}; "
+        f"particles carry load at separations d below {number_text(1e9 * layer.reach[0])} nm"
     )
 
 
@@ -50,4 +95,4 @@ def range_note(ensemble: Ensemble) -> str:
     count = len(ensemble.members)
     if count == 1:
         return "no range: these inputs have no ensemble"
-    return f"{RANGE}; here of {count} sets"
+    return f"range of {count} calibrated sets of inputs: 5 to 95 % of them, {FITTED}"

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.bearings import hardness_notes
 from thirdbody.conditions import (
     ConditionArguments,
     broadcast_by_name,
@@ -27,7 +28,7 @@ from thirdbody.core.regimes import FLAG_MEANINGS, NO_FLAG, STATES, codes_to_name
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
-from thirdbody.notes import area_note
+from thirdbody.notes import area_note, outside_notes
 from thirdbody.progress import progress_bar
 from thirdbody.variables import (
     CONDITIONS,
@@ -104,9 +105,7 @@ def solve(
     Warns
     -----
     OutOfRangeWarning
-        Once, for numbers that are probably in another unit.  The usual ranges are 1e-13 to 0.02 for
-        F_t*, 3e-7 to 0.01 m2/s for nu, 1 nm to 1 mm for x_a and sigma, and 1e6 to 1e16 m-2 for
-        eta_a.
+        Once, for numbers outside their usual ranges, which are probably in another unit.
 
     Notes
     -----
@@ -293,8 +292,9 @@ class Solution(Variables):
         pandas.DataFrame
             Conditions have the names in the call, such as ``load_N``.  Variables have the names in
             ``Solution``, with the SI unit at the end if there is one: ``separation_m``.  Flags are
-            categories by name, nan where a point has no state.  ``attrs["notes"]`` has A_n.  The
-            index is that of the columns of pandas, if conditions are such columns.
+            categories by name, nan where a point has no state.  ``attrs["notes"]`` has A_n, and
+            which conditions the paper has not.  The index is that of the columns of pandas, if
+            conditions are such columns.
 
         Examples
         --------
@@ -318,7 +318,7 @@ class Solution(Variables):
         shape = next(iter(arrays.values())).shape if arrays else ()
         arrays |= codes_to_name(arrays)
         lines = [f"{name:<28}{_in_words(name, array)}" for name, array in arrays.items()]
-        return "\n".join([f"Solution of shape {shape}", *lines, area_note(self.parameters)])
+        return "\n".join([f"Solution of shape {shape}", *lines, *_notes(self)])
 
     def _repr_html_(self) -> str:
         return self.to_dataframe().to_html(index=self.index is not None, max_rows=60)
@@ -335,11 +335,24 @@ def _in_words(name: str, values: NDArray) -> str:
     numbers = values[~np.isnan(values)]
     if numbers.size == 0:
         return "none"
-    unit = ""
-    if name == "separation":
-        numbers, unit = 1e9 * numbers, " nm"
+    variable, unit = VARIABLES[name], ""
+    if variable.unit != "1":
+        numbers, unit = variable.from_si(numbers), f" {variable.shown_unit}"
     ends = f"{numbers.min():.6g}", f"{numbers.max():.6g}"
     return (ends[0] if values.size == 1 else " to ".join(ends)) + unit
+
+
+def _notes(solution: Solution) -> list[str]:
+    """The notes on all points together."""
+    parameters, given = solution.parameters, {}
+    for name, values in solution.conditions.items():
+        given[CONDITIONS[name].alias] = CONDITIONS[name].from_si(np.asarray(values))
+    given["load_N"] *= parameters.newtons_per_load
+    return [
+        *outside_notes(given),
+        *hardness_notes(given["load_N"], parameters),
+        area_note(parameters),
+    ]
 
 
 def labelled_dataset(solution: Solution) -> xr.Dataset:
@@ -404,7 +417,7 @@ def labelled_frame(solution: Solution) -> pd.DataFrame:
     if solution.keys["load"] == "load_N":
         frame = frame.drop(columns=NORMAL_LOAD.name)
     frame = frame.rename(columns=headings)
-    frame.attrs["notes"] = [area_note(solution.parameters)]
+    frame.attrs["notes"] = _notes(solution)
     return indexed(frame, solution.index, range(len(frame)))
 
 

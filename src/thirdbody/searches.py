@@ -38,9 +38,9 @@ from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
 from thirdbody.progress import progress_bar
-from thirdbody.variables import CONDITIONS, QUANTITIES, decimal
+from thirdbody.variables import AXES, CONDITIONS, QUANTITIES, decimal
 
-LOADS = (0.04, 80.0)  # first and last [N] of Table 2
+LOADS = AXES["load"].paper  # first and last [N] of a curve
 SWEEP = 32  # values along the axis
 LOADS_SWEPT = 60  # number of loads between which maxima are sought
 RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window

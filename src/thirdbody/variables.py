@@ -92,8 +92,10 @@ class Axis(Variable):
         depends on the inputs.
     column : str
         Name of the column in tables of the workflow.
+    paper : pair of float
+        Ends in the paper (Table 2) [``alias_unit``].  It has no speed of its own: U contains it.
     searched : pair of float
-        Ends of searches [``alias_unit``]: the ends in the paper (Table 2) and a decade beyond.
+        Ends of searches [``alias_unit``]: the ends in the paper and a decade beyond.
     usual : pair of float
         Range of usual values [SI].  It is far wider than in the paper, but a number in another unit
         lies outside.
@@ -102,8 +104,14 @@ class Axis(Variable):
     alias: str
     alias_unit: str
     column: str
+    paper: tuple[float, float]
     searched: tuple[float, float]
     usual: tuple[float, float]
+
+    @property
+    def words(self) -> str:
+        """The condition in words, as ``particle size``."""
+        return (self.axis_words or self.name).lower()
 
     def values(self, numbers: Iterable[float]) -> NDArray[np.float64]:
         """``numbers`` [``alias_unit``] in SI, shape (n,), sorted and without duplicates."""
@@ -132,6 +140,7 @@ AXES = _by_name(
         alias="load_N",
         alias_unit="N",
         column="load",
+        paper=(0.04, 80.0),
         searched=(0.01, 1000.0),
         usual=(1e-13, 2e-2),
     ),
@@ -147,6 +156,7 @@ AXES = _by_name(
         alias="viscosity_cSt",
         alias_unit="cSt",
         column="viscosity_m2_per_s",
+        paper=(0.0, 150.0),
         searched=(1.0, 1000.0),
         usual=(3e-7, 1e-2),
     ),
@@ -162,6 +172,7 @@ AXES = _by_name(
         alias="particle_diameter_nm",
         alias_unit="nm",
         column="particle_diameter_m",
+        paper=(0.0, 1000.0),
         searched=(10.0, 10_000.0),
         usual=(1e-9, 1e-3),
     ),
@@ -177,6 +188,7 @@ AXES = _by_name(
         alias="roughness_nm",
         alias_unit="nm",
         column="roughness_m",
+        paper=(100.0, 500.0),
         searched=(20.0, 2000.0),
         usual=(1e-9, 1e-3),
     ),
@@ -191,6 +203,7 @@ AXES = _by_name(
         alias="particle_density_per_m2",
         alias_unit="m-2",
         column="particle_density_per_m2",
+        paper=(1e10, 5e12),
         searched=(1e8, 1e14),
         usual=(1e6, 1e16),
     ),
@@ -208,6 +221,7 @@ SPEED = Axis(
     alias="speed_m_per_s",
     alias_unit="m/s",
     column="speed_m_per_s",
+    paper=(0.0, np.inf),
     searched=(0.001, 100.0),
     usual=(1e-6, 200.0),
 )
@@ -368,6 +382,7 @@ def with_table(documented: Documented) -> Documented:
         conditions += [
             f"{axis.name}, {axis.alias} : array_like",
             f"    The {axis.label}: {axis.symbol} [{axis.unit}]{alias}.",
+            f"    Usual: {axis.usual[0]:g} to {axis.usual[1]:g} [{axis.unit}].",
         ]
     for variable in VARIABLES.values():
         symbol = f": {variable.symbol} [{variable.unit}]" if variable.name in QUANTITIES else ""

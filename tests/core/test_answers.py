@@ -1,16 +1,19 @@
 """The answers of the command against solves of one's own."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 from methods import ENGINEERING
 
 import thirdbody as tb
 from thirdbody import answers
 from thirdbody.core.film import film_parameter
-from thirdbody.ensembles import RANGE
-from thirdbody.variables import FLAGS, QUANTITIES
+from thirdbody.core.particles import mean_and_largest
+from thirdbody.ensembles import FITTED
+from thirdbody.variables import AXES, FLAGS, QUANTITIES
 
 LAYER = {name: ENGINEERING[name] for name in ("roughness_nm", "particle_density_per_m2")}
 
@@ -50,11 +53,13 @@ def test_the_range_is_that_of_the_members(defaults):
     row = by_name(table).loc["solid_load_fraction"]
     assert (row["low"], row["high"]) == pytest.approx(tuple(np.quantile(shares, [0.05, 0.95])))
     assert (row["agree"], row["members"]) == (len(members), len(members))
-    assert f"{RANGE}; here of {len(members)} sets" in table.attrs["notes"]
+    count = f"range of {len(members)} calibrated sets of inputs: 5 to 95 % of them, {FITTED}"
+    assert count in table.attrs["notes"]
+    assert f"range of {len(members)} sets" in answers.table_text(table)
 
 
 def test_the_nominal_pressure_and_that_of_hertz_stand_beside_the_state(inputs):
-    rows = answers.state(inputs, ENGINEERING).set_index("symbol")["value"]
+    rows = answers.state(inputs, ENGINEERING, verbose=True).set_index("symbol")["value"]
     assert rows["A_n"] == pytest.approx(1e6 * inputs.apparent_area)
     assert rows["p_n"] == pytest.approx(1e-6 * 10.0 / inputs.apparent_area)
     # a = (3 F R/4 E)^(1/3) = 75.2 um for 10 N on the ball of Table 2
@@ -171,6 +176,95 @@ def test_in_a_full_film_there_is_no_contact_mode(inputs):
 
 def test_numbers_have_as_many_digits_as_their_range_allows(inputs):
     text = answers.table_text(answers.state(inputs, ENGINEERING))
-    (line,) = [line.split() for line in text.splitlines() if "carried by the solids" in line]
+    (line,) = [line.split() for line in text.splitlines() if line.startswith("L_s")]
     # a range of 0.04 leaves two digits behind the point of 0.766
-    assert line[0] == "L_s" and len(line[1]) in (4, 5)
+    assert len(line[1]) in (4, 5)
+
+
+@pytest.mark.parametrize(
+    ("value", "low", "high", "texts"),
+    [
+        (0.82777, 0.78, 0.88, ("0.83", "0.78 to 0.88")),
+        (1013.4, 980.1, 1013.9, ("1010", "980 to 1010")),
+        (2.9034, 2.9034, 2.9035, ("2.90", "")),
+        (1.6e-4, 1.54e-4, 1.61e-4, ("0.000160", "0.000154 to 0.000161")),
+        (2.345e11, 1.0e11, 3.0e11, ("2.3e+11", "1.0e+11 to 3.0e+11")),
+        (0.0, -1.0, 1.0, ("0", "-1.0 to 1.0")),
+    ],
+)
+def test_numbers_have_three_digits_or_as_many_as_are_certain(value, low, high, texts):
+    row = {"symbol": "L_s", "quantity": "share", "unit": "1", "value": value}
+    table = pd.DataFrame([row | {"low": low, "high": high, "agree": 2, "members": 2}])
+    table.attrs = {"title": "", "notes": []}
+    line = answers.table_text(table).splitlines()[3].split("share")[0]
+    assert line.strip().split(maxsplit=2)[1:] == [text for text in texts if text]
+
+
+OUTSIDE = [
+    ({"load_N": 10_000.0}, "load 10000 N: the paper has 0.04 to 80 N"),
+    ({"viscosity_cSt": 150.1}, "viscosity 150.1 cSt: the paper has 0 to 150 cSt"),
+    ({"particle_diameter_nm": 2000.0}, "particle size 2000 nm: the paper has 0 to 1000 nm"),
+    ({"roughness_nm": 99.0}, "roughness 99 nm: the paper has 100 to 500 nm"),
+    (
+        {"particle_density_per_m2": 1e9},
+        "particle density 1e+09 m-2: the paper has 1e+10 to 5e+12 m-2",
+    ),
+]
+HARDER = "load 10000 N: the mean Hertz pressure is 5.63 GPa, above the hardness of the softer"
+
+
+@pytest.mark.parametrize(("changes", "note"), OUTSIDE)
+def test_a_condition_that_the_paper_has_not_is_said(inputs, changes, note):
+    given = ENGINEERING | changes
+    solution = tb.solve(**given, parameters=inputs)
+    for notes in (
+        answers.state(inputs, given).attrs["notes"],
+        answers.compare_interfaces(inputs, ENGINEERING, inputs, given).attrs["notes"],
+        solution.to_dataframe().attrs["notes"],
+        repr(solution).splitlines(),
+    ):
+        assert [each for each in notes if "the paper has" in each] == [note]
+        assert any(each.startswith(HARDER) for each in notes) == ("load_N" in changes)
+
+
+@pytest.mark.parametrize("end", [0, 1])
+def test_the_ends_of_the_paper_are_not_outside_nor_is_0(inputs, end):
+    ends = {axis.alias: axis.paper[end] for axis in AXES.values()}
+    without_particles = {"particle_diameter_nm": 0.0, "particle_density_per_m2": 0.0}
+    for given in (ends, ENGINEERING | without_particles | {"viscosity_cSt": 0.0}):
+        text = repr(tb.solve(**given, parameters=inputs))
+        assert "the paper has" not in text and "Hertz" not in text
+
+
+def test_many_points_have_one_note_for_each_condition(inputs):
+    given = ENGINEERING | {"load_N": np.geomspace(0.01, 8000.0, 50)}
+    notes = tb.solve(**given, parameters=inputs).to_dataframe().attrs["notes"]
+    outside, harder, *others = notes
+    assert outside == "load 0.01 to 8000 N: the paper has 0.04 to 80 N"
+    assert harder.startswith("load 8000 N: the mean Hertz pressure is 5.23 GPa")
+    assert not [note for note in others if "load" in note]
+
+
+def test_what_a_search_finds_outside_the_paper_is_said(inputs):
+    table = answers.changes_along(inputs, without("viscosity_cSt"), "viscosity_cSt", None)
+    first, last = (f"{table['value'].agg(end):.3g}" for end in ("min", "max"))
+    (note,) = [note for note in table.attrs["notes"] if "the paper has" in note]
+    told = re.fullmatch(r"viscosity (\S+) to (\S+) cSt: the paper has 0 to 150 cSt", note)
+    assert [f"{float(text):.3g}" for text in told.groups()] == [first, last]
+    table = answers.curve(inputs, without("load_N"), "load_N", (100.0, 9000.0), 3)
+    assert len(table.attrs["notes"]) == 2
+
+
+@pytest.mark.parametrize("along", ["load_N", *LAYER, "particle_diameter_nm"])
+def test_each_answer_says_what_x_a_stands_for(inputs, along):
+    mean, largest = mean_and_largest(500.0, inputs.best)
+    sizes = f"the mean of the sizes is {mean:.0f} nm, the largest, X_max, {largest:.0f} nm"
+    if along in ("particle_diameter_nm", "roughness_nm"):
+        sizes = f"the mean of the sizes is {mean / 500:.3f} x_a, the largest, X_max, "
+        sizes += f"{largest / 500:.2f} x_a"
+    table = answers.changes_along(inputs, without(along), along, None)
+    (note,) = [note for note in table.attrs["notes"] if note.startswith("particle size x_a")]
+    assert f", a label: {sizes}" in note
+    if along == "load_N":
+        table = answers.changes_along(inputs, without(along, particle_diameter_nm=0.0), along, None)
+        assert not [note for note in table.attrs["notes"] if "x_a" in note]

@@ -97,6 +97,44 @@ def test_help_fits_a_terminal(name, capsys):
     assert max(map(len, lines)) <= 80
 
 
+WIDE = "--load-N 123456 --viscosity-cSt 99999 --roughness-nm 77.7777 --particle-density-per-m2 3e9"
+SHORT = [  # answers with long rows, with notes and warnings of every kind, with and without a range
+    f"{STATE} --verbose",
+    f"state {WIDE} --particle-diameter-nm 3e6 --verbose",
+    f"state {WIDE} --particle-diameter-nm 99.9999 --speed-m-per-s 0.000123456",
+    f"compare {STATE.removeprefix('state ')} --other-particle-diameter-nm 5000 --other-load-N 1e4",
+    f"compare {WIDE} --particle-diameter-nm 1000 --other-particle-diameter-nm 3e6",
+    f"compare {STATE.removeprefix('state ')} --other-inputs mine.yaml",
+    f"transitions --viscosity-cSt 90 {LAYER} --from 0.01 --to 20000",
+    f"transitions --along speed --load-N 10 --viscosity-cSt 90 {LAYER}",
+    f"transitions --along particle_density --load-N 10 --viscosity-cSt 90 {LAYER[:18]}"
+    " --particle-diameter-nm 500",
+    f"turning-point --viscosity-cSt 90 {LAYER} --to 5000 --inputs mine.yaml",
+    f"{CURVE} --csv curve.csv --to 20000",
+    "bearing --ball alumina --flat 100,0.3,0.5 --particle 2100,0.3,90 --ball-radius-mm 3.7",
+]
+
+
+@pytest.mark.parametrize("text", SHORT)
+def test_answers_and_warnings_fit_a_terminal(text, capsys):
+    assert run("bearing --ball-radius-mm 10 --apparent-area-mm2 3 --write mine.yaml") == ANSWERED
+    capsys.readouterr()
+    assert run(text) in (ANSWERED, NONE_FOUND)
+    printed = capsys.readouterr()
+    lines = (printed.out + printed.err).splitlines()
+    # ASCII alone: no letter is two columns wide
+    assert lines and [line for line in lines if len(line) > 80 or not line.isascii()] == []
+
+
+def test_rows_that_differ_little_are_told_if_asked_for(capsys):
+    symbols = {}
+    for option in ("", "--verbose"):
+        assert run(f"{STATE} {option}") == ANSWERED
+        lines = capsys.readouterr().out.splitlines()
+        symbols[option] = {line.split()[0] for line in lines if line and line[0] != " "}
+    assert symbols["--verbose"] - symbols[""] == {"A_n", "p_n", "A_H", "p_H"}
+
+
 def test_no_command_is_cut_in_the_list(capsys):
     assert run("--help") == ANSWERED
     listed = capsys.readouterr().out

@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from benchmarks.points import parameters_on_one_surface
-from chenhorng.configuration.settings import workflow_settings
+from chenhorng.configuration.settings import read_settings
 from chenhorng.home import config_directory
 from thirdbody.command import BAD_INPUT, main
 from thirdbody.core.parameters import BOUNDS, MATERIALS, WORDS, Parameters, mccool_summits
@@ -83,8 +83,6 @@ CONDITIONS += ("--particle-density-per-m2=1e11",)
 
 def test_each_door_refuses_soft_particles_in_one_line(tmp_path, capsys, monkeypatch):
     point = POINT | dict(particle_diameter=3e-7, parameters=tb.load_parameters(**SOFT))
-    settings = read_yaml(config_directory() / "config.yaml")
-    settings |= read_yaml(config_directory() / "scenes.yaml")
     for door in (
         lambda: tb.grid(load=[1e-6, 1e-5], **point),
         lambda: tb.stream(tmp_path / "grid.nc", load=[1e-6, 1e-5], **point),
@@ -99,7 +97,7 @@ def test_each_door_refuses_soft_particles_in_one_line(tmp_path, capsys, monkeypa
     Path(changed).write_text("elastic_modulus_particle: 5.0e+9\n", encoding="utf-8")
     for inputs, place in ((SOFT, "inputs"), (changed, changed)):
         with pytest.raises(ValueError, match=f"^{re.escape(f'{place}: {TOO_SOFT}')}$"):
-            workflow_settings(settings | {"inputs": inputs}, folder)
+            read_settings({"inputs": inputs}, folder)
     assert main(["turning-point", *CONDITIONS, f"--inputs={changed}"]) == BAD_INPUT
     (line,) = capsys.readouterr().err.splitlines()
     assert line.endswith(TOO_SOFT)

@@ -12,7 +12,7 @@ from chenhorng.claims.paper_tables import paper_table
 from chenhorng.home import config_directory
 from chenhorng.tables import TABLES, read_csv, write_csv
 from thirdbody.files import read_yaml
-from thirdbody.variables import CONDITION_AXES
+from thirdbody.variables import AXES, CONDITION_AXES
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"
 
@@ -24,6 +24,14 @@ def tables(parameters):
         name: {row["symbol"]: row for row in paper_table(rows, parameters)}
         for name, rows in read_yaml(PRINTED).items()
     }
+
+
+@pytest.mark.parametrize("axis", AXES.values(), ids=AXES)
+def test_the_ends_that_the_library_takes_from_the_paper_are_printed(axis):
+    (row,) = [
+        row for row in read_yaml(PRINTED)["table2"] if row["symbol"] == axis.symbol.strip("*")
+    ]
+    assert (row["unit"], tuple(row["printed"])) == (axis.alias_unit, axis.paper)
 
 
 @pytest.mark.parametrize(

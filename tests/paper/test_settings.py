@@ -9,6 +9,7 @@ import yaml
 
 from chenhorng.configuration.settings import read_settings, workflow_settings
 from thirdbody.core.parameters import BOUNDS, WORDS, Parameters
+from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
 
@@ -32,8 +33,8 @@ def write(tmp_path):
 
 @pytest.fixture(scope="module")
 def shipped():
-    """The configuration of the workflow as Snakemake merges it."""
-    return read_yaml(CONFIG / "config.yaml") | read_yaml(CONFIG / "scenes.yaml")
+    """The configuration of the workflow, complete."""
+    return read_settings({}, CONFIG)["config"]
 
 
 @pytest.fixture
@@ -118,7 +119,7 @@ def test_each_scene_carries_all_that_it_depends_on(shipped, from_root):
     scenes = workflow_settings(shipped, CONFIG)["scenes"]
     for scene in scenes.values():
         assert scene["load_axis"] == shipped["load_axis"]
-        assert scene["rtol"] == shipped["rtol"]
+        assert scene["rtol"] == DEFAULT_RTOL  # which no file has
     own = changed(shipped, "scenes.fig03.rtol", 1e-3)
     own = changed(own, "scenes.fig03.load_axis", {"load_N": [1.0, 2.0], "count": 7})
     scene = workflow_settings(own, CONFIG)["scenes"]["fig03"]
@@ -131,7 +132,7 @@ PLAIN_WORD = "allowed: a plain word of small letters, digits and _ that no produ
 BELOW_CONFIG = "allowed: the path of a YAML file below config/"
 BAD_SETTINGS = [  # the way to a key, its value, and what the line says
     # a key that is missing, and one that is none
-    ("rtol", KeyError, "configuration: rtol: "),
+    ("bands", KeyError, "configuration: bands: "),
     ("scenes.fig03.curves", KeyError, "scenes.fig03.curves: "),
     ("scenes.fig03", KeyError, "scenes: fig03 missing; allowed: all figures of the paper"),
     (f"{FIRST}.viscosity", [1], f"{FIRST}.viscosity is [1]; "),

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
+from chenhorng.configuration.settings import read_settings
 from thirdbody.core.regimes import SOLUTION_STATUSES
-from thirdbody.files import read_yaml
 from thirdbody.variables import QUANTITIES
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -43,7 +43,7 @@ def stored(path):
 @pytest.fixture(scope="module")
 def config():
     """The default configuration."""
-    return read_yaml(ROOT / "config" / "config.yaml") | read_yaml(ROOT / "config" / "scenes.yaml")
+    return read_settings({}, ROOT / "config")["config"]
 
 
 def test_every_shown_point_is_solved(curves):

@@ -14,7 +14,7 @@ SECOND, CHANGES = ("--configfile", "mine.yaml"), ("--config", "changes=mine.yaml
 # by case: a file, the text added to its end, the arguments, and what the message must contain:
 # the key or the file, the value, and what is allowed
 CASES = {
-    "key twice": (CONFIG, b"rtol: 1.0e-8\n", (), (CONFIG, "duplicate key 'rtol'")),
+    "key twice": (CONFIG, b"bands: true\n", (), (CONFIG, "duplicate key 'bands'")),
     "second file": (
         "mine.yaml",
         b"rtol: 3\n",

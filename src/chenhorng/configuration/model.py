@@ -25,7 +25,8 @@ from pydantic import (
 )
 from pydantic_core.core_schema import no_info_after_validator_function
 
-from thirdbody.variables import VARIABLES
+from thirdbody.conditions import LOOSEST, TIGHTEST
+from thirdbody.variables import CONDITION_AXES, VARIABLES, decimal
 
 FIGURES = tuple(f"fig{number:02d}" for number in range(3, 14))
 FOLDERS = (
@@ -33,6 +34,8 @@ FOLDERS = (
 )
 OTHER_PRODUCTS = r"fig.*|claims|sensitivity|.*_(wide|tpca_loads|transitions)"
 LONGEST = 60  # characters of a value in a message
+# the least usual value of each condition [``alias_unit``]: a smaller one is in another unit
+LEAST = {axis.name: float(decimal(axis.usual[0], 1.0 / axis.scale)) for axis in CONDITION_AXES}
 
 
 @dataclass(frozen=True)
@@ -89,12 +92,12 @@ Load = Annotated[float, Field(ge=1e-7, le=1e4, description="normal load F_t [N]"
 Viscosity = Annotated[
     float,
     Field(ge=0, le=1e5, description="kinematic viscosity nu [cSt], 0 when dry"),
-    zero_or_from(0.3),
+    zero_or_from(LEAST["viscosity"]),
 ]
 Diameter = Annotated[
     float,
     Field(ge=0, le=1e5, description="particle size x_a [nm], 0 without particles"),
-    zero_or_from(1),
+    zero_or_from(LEAST["particle_diameter"]),
 ]
 Ratio = Annotated[
     float,
@@ -102,15 +105,19 @@ Ratio = Annotated[
 ]
 Roughness = Annotated[
     float,
-    Field(ge=1, le=1e4, description="equivalent root mean square roughness sigma [nm]"),
+    Field(
+        ge=LEAST["roughness"],
+        le=1e4,
+        description="equivalent root mean square roughness sigma [nm]",
+    ),
 ]
 Density = Annotated[
     float,
     Field(ge=0, le=1e15, description="particles per unit area eta_a [m-2], 0 without particles"),
-    zero_or_from(1e6),
+    zero_or_from(LEAST["particle_density"]),
 ]
 NamedLoad = Annotated[float, Field(gt=0, le=1, description="F_t* named in the text [1]")]
-Rtol = Annotated[float, Field(ge=1e-11, le=1e-2, description="requested relative error [1]")]
+Rtol = Annotated[float, Field(ge=TIGHTEST, le=LOOSEST, description="requested relative error [1]")]
 Positive = Allowed(lambda value: value > 0, "above 0")
 File = Annotated[str, Allowed(is_file, "the path of a YAML file below config/")]
 Pair = Field(min_length=2, max_length=2)
@@ -262,7 +269,9 @@ class Configuration(Closed):
             "inputs with their values, or the path of a YAML file below config/",
         ),
     ]
-    rtol: Rtol
+    rtol: Annotated[
+        Rtol, Field(description="requested relative error [1], by default that of the library")
+    ]
     bands: Annotated[bool, Field(description="whether figures show the range of the ensemble")]
     windows: Windows
     load_axis: LoadAxis

@@ -13,6 +13,7 @@ from chenhorng.configuration.inputs import choose_inputs, uncalibrated_values
 from chenhorng.configuration.model import check
 from chenhorng.scenes import RELATIVE_DIAMETER, scene_groups
 from thirdbody.core.parameters import Parameters
+from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.curves import (
     MOST_PANELS,
     Condition,
@@ -29,13 +30,15 @@ def read_settings(config: Mapping, folder: str | Path, *files: str | Path) -> di
     """All settings of a run of the workflow, checked before anything is computed.
 
     ``config`` is the configuration that Snakemake has read, also from the ``files`` named on the
-    command line.  A missing key has the value of the paper, from the files in ``folder``.  The key
+    command line.  A missing key has the value of the paper, from the files in ``folder``; ``rtol``,
+    which they may leave out, the default of the library.  The key
     ``changes`` is the path of a file that overrides all others.  Returns the result of
     ``workflow_settings``, with ``run``, the name of the run or None; ``config``, the merged
     configuration; and ``is_paper``, whether this is the configuration of the paper.  Any fault
     raises ``ValueError`` in one line.
     """
-    paper = read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
+    paper = {"rtol": DEFAULT_RTOL}
+    paper |= read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
     for path in files:
         read_yaml(path)
     changed = dict(config)
