@@ -28,7 +28,7 @@ Found = Mapping[str, str] | None  # what a sentence names; None if the data deny
 
 def headline(name: str, data: Dataset) -> tuple[str, str]:
     """What the ``data`` of a figure of the paper show, empty if they deny it, and what the paper
-    says; both are empty for any other figure."""
+    says, in a sentence that stands alone; both are empty for any other figure."""
     words = FIGURES.get(name, {})
     if "paper" not in words:
         return "", ""
