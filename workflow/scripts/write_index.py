@@ -3,14 +3,13 @@
 import base64
 import json
 import struct
-from collections import Counter
 from pathlib import Path
 
 import jinja2
 from markupsafe import Markup
 
-from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
-from chenhorng.figures.captions import inputs_sentence
+from chenhorng.claims.words import COLOURS, FAILS, HOLDS
+from chenhorng.figures.captions import inputs_sentence, labels_sentences
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
 from thirdbody.netcdf import read_plain
@@ -55,7 +54,7 @@ def score_tiles(judged):
     met = [row["verdict"] == HOLDS for row in judged["headline"]]
     tiles = [
         (judged["held"], judged["judged"], "statements of the paper hold, with one set of inputs"),
-        (sum(met), len(met), "headline numbers are met within their tolerances"),
+        (sum(met), len(met), "headline statements hold, with all of their numbers"),
         (
             judged["predicted"],
             judged["predicted_of"],
@@ -82,12 +81,13 @@ with job(snakemake) as output:
         figure_entry(*files, statements, titles)
         for files in zip(snakemake.input.figures, snakemake.input.pictures, strict=True)
     ]
-    counts = Counter(row["verdict"] for row in statements)
+    data = read_plain(snakemake.input.datasets[0])
     content = {
         "figures": figures,
         "front": next((figure for figure in figures if figure["stem"] == FRONT), None),
         "tiles": score_tiles(judged),
-        "verdicts": {word: counts[word] for word in (HOLDS, FAILS, CONTRADICTED, NOT_TESTED)},
+        "verdicts": {HOLDS: judged["held"], FAILS: judged["judged"] - judged["held"]},
+        "colours": {verdict.split()[0]: colour for verdict, colour in COLOURS.items()},
         "tables": {
             name: TABLES.get(name, name)
             for name in (Path(table).stem for table in snakemake.input.tables)
@@ -97,7 +97,7 @@ with job(snakemake) as output:
             base64.b64encode(Path(path).read_bytes()).decode() for path in snakemake.input.precision
         ],
         "score": f"{judged['score']} {judged['counts']}",
-        "inputs": inputs_sentence(read_plain(snakemake.input.datasets[0])),
+        "inputs": f"{inputs_sentence(data)} {labels_sentences(data)}",
         "version": current().text,
     }
     for path, template in zip((output.page, output.captions), templates, strict=True):
