@@ -3,21 +3,20 @@
 import base64
 import json
 import struct
-from collections import Counter
 from pathlib import Path
 
 import jinja2
 from markupsafe import Markup
 
-from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED
+from chenhorng.claims.words import FAILS, HOLDS
 from chenhorng.figures.captions import inputs_sentence
+from chenhorng.findings import RULE, judged_findings
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
 from thirdbody.netcdf import read_plain
 from thirdbody.symbols import html
 from thirdbody.version import current
 
-FRONT = "fig11"  # the figure on the first screen
 # a description of each table
 TABLES = {
     "table1": "Table 1: mechanical properties, as printed and recomputed",
@@ -50,21 +49,6 @@ def figure_entry(path, picture, statements, scenes):
     }
 
 
-def score_tiles(judged):
-    """The numbers on the first screen: a count, the whole, and words on what is counted."""
-    met = [row["verdict"] == HOLDS for row in judged["headline"]]
-    tiles = [
-        (judged["held"], judged["judged"], "statements of the paper hold, with one set of inputs"),
-        (sum(met), len(met), "headline numbers are met within their tolerances"),
-        (
-            judged["predicted"],
-            judged["predicted_of"],
-            "statements hold when their figure was left out of the search for inputs",
-        ),
-    ]
-    return [tile for tile in tiles if tile[1]]
-
-
 with job(snakemake) as output:
     judged = json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8"))
     templates = Path(snakemake.input.page_template), Path(snakemake.input.captions_template)
@@ -77,26 +61,26 @@ with job(snakemake) as output:
     )
     environment.filters["typeset"] = lambda text: Markup(html(text))
     environment.filters["markdown"] = markdown_text
-    statements, titles = judged["statements"], snakemake.params.titles
+    statements = judged["statements"]
     figures = [
-        figure_entry(*files, statements, titles)
+        figure_entry(*files, statements, snakemake.params.scenes)
         for files in zip(snakemake.input.figures, snakemake.input.pictures, strict=True)
     ]
-    counts = Counter(row["verdict"] for row in statements)
+    findings = judged_findings(snakemake.params.findings, statements)
+    for finding, record in zip(findings, snakemake.input.panels, strict=True):
+        finding["alternative"] = json.loads(Path(record).read_text("utf-8"))["alternative"]
     content = {
         "figures": figures,
-        "front": next((figure for figure in figures if figure["stem"] == FRONT), None),
-        "tiles": score_tiles(judged),
-        "verdicts": {word: counts[word] for word in (HOLDS, FAILS, CONTRADICTED, NOT_TESTED)},
+        "findings": findings,
+        "rule": RULE,
+        "judged": judged,
         "tables": {
             name: TABLES.get(name, name)
             for name in (Path(table).stem for table in snakemake.input.tables)
         },
-        "datasets": {Path(path).name: titles[Path(path).stem] for path in snakemake.input.datasets},
         "precision": [
             base64.b64encode(Path(path).read_bytes()).decode() for path in snakemake.input.precision
         ],
-        "score": f"{judged['score']} {judged['counts']}",
         "inputs": inputs_sentence(read_plain(snakemake.input.datasets[0])),
         "version": current().text,
     }
