@@ -57,7 +57,7 @@ def outcome(held: int, judged: int) -> str:
     """The word for a finding with so many of its statements that hold, by ``RULE``."""
     if held == judged > 0:
         return REPRODUCED
-    return IN_PART if held >= LEAST * judged else NOT
+    return IN_PART if held >= LEAST * max(judged, 1) else NOT
 
 
 def _moved(row, move):
