@@ -365,7 +365,7 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
     ensemble = content_of(explorer)["ensemble"]
     point = dict(load_N=10.0, viscosity=90e-6, particle_diameter=500e-9)
     point |= dict(roughness=300e-9, particle_density=1e11)
-    found = ranges_over(ensemble, "particle_contact_area_ratio", point)
+    found = ranges_over("particle_contact_area_ratio", point)
     row = re.search(r"(?m)Asa,t\*.* ([\d.]+) to ([\d.]+)$", explorer.one("#point").text)
     assert tuple(map(float, row.groups())) == pytest.approx(tuple(found), abs=rounding(found))
     assert f"{RANGE[1:]}; here of {len(ensemble)} sets" in explorer.one("#definition").text
@@ -376,20 +376,38 @@ def rounding(ends):
     return 0.51 * 10.0 ** (math.floor(math.log10(ends[1] - ends[0])) - 1)
 
 
-def ranges_over(ensemble, quantity, point, **changed):
+def ranges_over(quantity, point, **changed):
     """Both ends of a range over the members, all with what is changed."""
-    members = [load_parameters(**{**member, **changed}) for member in ensemble]
+    members = load_parameters().changed(**changed).members
     values = [float(getattr(solve(**point, parameters=each), quantity)) for each in members]
     return np.quantile(values, (0.05, 0.95))
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"spread_ratio": 0.4},
+        {"mean_ratio": 0.3, "hardness_surface_1": 5.5e9},
+        {"mean_ratio": 0.05, "spread_ratio": 0.38, "participation": 0.6, "summit_radius": 1e-4},
+        {"summit_offset_ratio": 0.0, "elastic_depth_ratio": 0.1},  # far from all members
+    ],
+)
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_calibrated_inputs_follow_what_the_reader_changes_as_in_the_library(explorer, changed):
+    explorer.open("&".join(f"{name}={value}" for name, value in changed.items()))
+    expected = load_parameters().changed(**changed).members
+    found = explorer.run("return thirdbody.members()")
+    assert len(found) == len(expected)
+    for page, library in zip(found, expected, strict=True):
+        numbers = numbers_of(library)
+        assert {name: page[name] for name in numbers} == pytest.approx(numbers, rel=1e-9)
 
 
 def test_what_the_reader_changes_is_changed_in_every_member(explorer):
     explorer.open("figure=fig04&particle_diameter_nm=500&spread_ratio=0.4")
     point = dict(load_N=10.0, viscosity=90e-6, particle_diameter=500e-9)
     point |= dict(roughness=300e-9, particle_density=1e11)
-    ends = ranges_over(
-        content_of(explorer)["ensemble"], "solid_load_fraction", point, spread_ratio=0.4
-    )
+    ends = ranges_over("solid_load_fraction", point, spread_ratio=0.4)
     row = re.search(r"(?m)Ls .* ([\d.]+) to ([\d.]+) %$", explorer.one("#point").text)
     shown = tuple(float(end) / 100.0 for end in row.groups())
     assert shown == pytest.approx(tuple(ends), abs=rounding(ends))

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 import thirdbody.symbols as symbols
+from thirdbody.conditioning import LEAST_SPREAD
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
@@ -89,6 +90,7 @@ def page_content(
             for name, entry in inputs.items()
         },
         "ensemble": list(ensemble),
+        "least_spread": LEAST_SPREAD,
         "range": RANGE,
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],

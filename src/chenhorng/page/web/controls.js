@@ -3,7 +3,8 @@
 import { axes, content, defaultInputs } from "./content.js";
 import { BODIES, GRADES, MATERIALS, materialInputs, oilViscosity, speedOf } from "./rig.js";
 import { NUMBERS, change, currentInputs, currentPoint, isDefault, state, toDefault } from "./state.js";
-import { areHard, conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
+import { areHard } from "./model.js";
+import { conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
 import { VARIABLES, capital, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, readable, significant, typeset } from "./text.js";

@@ -1,7 +1,7 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
 import { content, defaultInputs } from "./content.js";
-import { CHOICES, change, changedInputs, currentInputs, currentPoint } from "./state.js";
+import { CHOICES, change, changedInputs, currentInputs, currentPoint, memberInputs } from "./state.js";
 import { fromFragment, onChange, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
@@ -166,6 +166,7 @@ fromFragment(location.hash);
 globalThis.thirdbody = {
   inputs: defaultInputs,
   changed: changedInputs,
+  members: memberInputs,
   solve: (inputs, condition, load) => engineOf(inputs).contact(condition).solve(load),
   turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint ?? null,
 };

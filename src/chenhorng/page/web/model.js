@@ -7,7 +7,6 @@
 // particle_diameter, roughness, particle_density.
 
 import { content } from "./content.js";
-import { elasticFactor } from "./state.js";
 
 const NODES = content.quadrature; // nodes and weights on the interval from 0 to 1
 const NEGLIGIBLE = 40; // exp(-40) of the largest weight is nothing in float64
@@ -52,6 +51,16 @@ function tabulated(exact, { step, first, last }) {
     return value + u * (rise + (1 - u) * bend);
   };
 }
+
+// The factor of elastic particles in Eqs. 4 and 5.
+function elasticFactor(inputs) {
+  const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
+  const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
+  return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
+}
+
+// Whether elastic particles carry no more than plastic ones, so that one separation balances a load.
+export const areHard = (inputs) => elasticFactor(inputs) <= 1;
 
 function surfaceOf(inputs, roughness) {
   const scale = roughness / inputs.reference_roughness;

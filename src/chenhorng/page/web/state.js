@@ -1,6 +1,8 @@
 // What the page shows, and its text in the fragment of the address: whatever differs from the default.
 
 import { axes, content, defaultInputs } from "./content.js";
+import { conditioned } from "./conditioning.js";
+import { areHard, remembered } from "./model.js";
 import { GRADES, MATERIALS, materialInputs, oilViscosity, rigInputs } from "./rig.js";
 import { numberIn, significant } from "./text.js";
 
@@ -61,10 +63,13 @@ export function setCondition(name, value) {
 }
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
 
-// All that the reader has changed, which is known: each member of the ensemble has it.
+// All that the reader has changed is known: each member of the ensemble has it. The calibrated inputs follow.
 export const changedInputs = () => chosen({ ...rigInputs(state, state.inputs), ...state.inputs });
-export const currentInputs = () => ({ ...defaultInputs, ...changedInputs() });
-export const memberInputs = () => content.ensemble.map((member) => ({ ...defaultInputs, ...member, ...changedInputs() }));
+const members = content.ensemble.map((member) => ({ ...defaultInputs, ...member }));
+const membersWith = remembered((given) => conditioned(members, given));
+export const memberInputs = () => membersWith(changedInputs());
+// the first member is the best one
+export const currentInputs = () => memberInputs()[0] ?? { ...defaultInputs, ...changedInputs() };
 
 // The conditions that are chosen; the viscosity may be that of an oil.
 export function chosenConditions() {
@@ -174,13 +179,3 @@ export function inputNamed(name, word) {
   const value = numberIn(word);
   return value >= least && value <= most ? value : undefined;
 }
-
-// The factor of elastic particles in Eqs. 4 and 5.
-export function elasticFactor(inputs) {
-  const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
-  const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
-  return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
-}
-
-// Whether elastic particles carry no more than plastic ones, so that one separation balances a load.
-export const areHard = (inputs) => elasticFactor(inputs) <= 1;
