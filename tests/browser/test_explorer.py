@@ -22,7 +22,7 @@ from thirdbody.points import solve
 
 LARGEST = 3e6  # bytes of the page
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
-VIEWS = {"figures": "", "map": "view=map"}
+VIEWS = {"map": "", "figures": "view=figures"}
 NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
 FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 
@@ -173,10 +173,14 @@ def test_particles_too_soft_are_refused(explorer):
     assert "particles that are too soft" in explorer.one("#damaged").text
 
 
-def test_what_no_interface_has_is_said(explorer):
-    explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
-    notes = explorer.one("#notes").text
-    assert "Particle size is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
+def test_what_the_paper_and_what_no_interface_has_is_said(explorer):
+    notes = explorer.open("particle_density_per_m2=1e13&ball_radius=1e-5").one("#notes").text
+    assert "particle density 10¹³ m⁻²: the paper has 10¹⁰ to 5×10¹² m⁻²" in notes
+    assert "of the ball" in notes
+    notes = explorer.open("load_N=1e4&roughness_nm=500").one("#notes").text
+    assert notes.startswith("normal load 10⁴ N: the paper has 0.04 to 80 N; mean Hertz pressure ")
+    assert "above the hardness of the softer surface, 5000 MPa" in notes and "rough" not in notes
+    assert "the paper has" not in explorer.open("load_N=80&viscosity_cSt=0").one("#notes").text
 
 
 def test_another_interpretation_is_another_model(explorer):
@@ -190,6 +194,7 @@ def test_another_interpretation_is_another_model(explorer):
     explorer.one("#reset").click()
     explorer.settle()
     assert explorer.one("[name=figure]").get_attribute("value") == "fig11"
+    explorer.run("document.querySelector('[name=view][value=figures]').click()")
     explorer.choose("[name=figure]", "fig04")
     assert explorer.curve("ν = 90 cSt") == before
 
@@ -256,12 +261,13 @@ def test_arrow_keys_choose_the_view(explorer):
     explorer.run("document.querySelector('[name=view]:checked').focus()")
     ActionChains(explorer.driver).send_keys(Keys.ARROW_RIGHT).perform()
     explorer.settle()
-    assert explorer.run("return document.activeElement.value") == "map"
-    assert "over" in explorer.one("#heading").text and explorer.one("[name=map_x]").is_displayed()
+    assert explorer.run("return document.activeElement.value") == "figures"
+    assert explorer.one("#heading").text.startswith("Figure 11")
+    assert explorer.one("[name=figure]").is_displayed()
 
 
 def test_controls_and_charts_have_names_for_screen_readers(explorer):
-    explorer.open()
+    explorer.open("view=figures")
     tree = explorer.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
     roles = {"slider", "textbox", "combobox", "button", "radio", "application", "link"}
     nodes = [node for node in tree if not node["ignored"] and node["role"]["value"] in roles]
@@ -436,7 +442,7 @@ def test_the_size_at_which_a_mode_ends_is_shown(explorer, defaults):
 def test_the_map_has_turning_points_and_other_axes(explorer):
     from selenium.webdriver import ActionChains
 
-    explorer.open("view=map")
+    explorer.open()
     assert len(explorer.one("#charts path.turning").get_attribute("d")) > 50
     ActionChains(explorer.driver).move_to_element(explorer.one("#charts svg")).perform()
     assert "Asa,t* = " in tooltip(explorer)
@@ -445,9 +451,32 @@ def test_the_map_has_turning_points_and_other_axes(explorer):
     assert explorer.console() == []
 
 
+def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer, defaults):
+    """And the key has nothing else than what the map has."""
+    explorer.open()
+    names, left, top, width, height = explorer.run(
+        """const rect = document.querySelector('#charts rect');
+        const names = [...document.querySelectorAll('#charts text.name')].map((name) =>
+            [[...name.children].map((line) => line.textContent), name.getAttribute('x'), name.getAttribute('y')]);
+        return [names, ...['x', 'y', 'width', 'height'].map((key) => Number(rect.getAttribute(key)))]"""
+    )
+    assert len(names) == 5
+    for (mode, regime), x, y in names:
+        newtons = NEWTONS[0] * (NEWTONS[1] / NEWTONS[0]) ** ((float(x) - left) / width)
+        size = SIZES[1] + (SIZES[0] - SIZES[1]) * (float(y) - top) / height
+        given = FIGURE_11._replace(viscosity=90e-6, particle_diameter=size)._asdict()
+        found = solve(load_N=newtons, **given, parameters=defaults).to_dataframe()
+        assert found["contact_mode"].item() == mode.replace("-", "_")
+        assert found["lubrication_regime"].item() == regime
+    key = [each.text for each in explorer.all("#key .entry")]
+    assert key == ["turning points of the contact area", "your conditions"]
+    explorer.open("viscosity_cSt=150&map_x=roughness")
+    assert "full film" in explorer.one("#charts svg").text + explorer.one("#key").text
+
+
 def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
     """Every corner of the border between boundary and mixed lubrication has L_s = 0.9."""
-    explorer.open("view=map")
+    explorer.open()
     path, left, top, width, height = explorer.run(
         """const [border, rect] = ['path.regime', 'rect'].map((each) => document.querySelector(`#charts ${each}`));
         return [border.getAttribute('d'), ...['x', 'y', 'width', 'height'].map((key) => Number(rect.getAttribute(key)))]"""
@@ -485,7 +514,7 @@ def test_beyond_the_film_formula_no_lubrication_is_told(explorer):
     explorer.open("figure=fig11&load_N=1e9")
     rows = [each.text for each in explorer.all("#point .frame:first-child th")]
     assert "Status" in rows and "Lubrication" not in rows
-    assert "Normal load is 10⁹ N" in explorer.one("#notes").text
+    assert "normal load 10⁹ N: the paper has" in explorer.one("#notes").text
 
 
 def test_lines_bend_without_corners(explorer):
@@ -638,7 +667,7 @@ def test_nothing_waits_on_paper(explorer):
     """Printed as soon as the conditions have changed, without a pause."""
     explorer.open("figure=fig11")
     left = explorer.run(
-        """location.hash = 'load_N=20';
+        """location.hash = 'figure=fig11&load_N=20';
         dispatchEvent(new Event('hashchange'));
         const cells = () => [...document.querySelectorAll('#point td')].map((cell) => cell.textContent);
         return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {

@@ -68,7 +68,6 @@ def page_content(
                 "name": axis.name,
                 "key": axis.alias,
                 "scale": axis.scale,
-                "usual": axis.usual,
                 "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
             }
             for axis in AXES.values()

@@ -20,6 +20,7 @@ const SHAPES = {
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 40 };
+const LETTER = 6; // width of a letter of a name
 const ZONE_NAMES = 36; // width of the names of zones beside a panel
 const NEWTON_AXIS = 24; // its height above a panel
 // by how many curves, and by how many points, a key moves
@@ -95,7 +96,7 @@ export function keyOfMarks(specs) {
 
 // A spec of a chart; what is not given is empty.
 export function specOf({ lines = [], ...given }) {
-  const empty = [...Object.keys(KEY), "areas", "borders", "crosses"].map((name) => [name, []]);
+  const empty = [...Object.keys(KEY), "areas", "borders", "crosses", "names"].map((name) => [name, []]);
   const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
   return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts };
 }
@@ -200,7 +201,8 @@ export function chartIn(parent, { onRead, onLeave }) {
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
     drawAxes(axes, spec, scales);
     marks.html(marksOf(spec, scales));
-    crosses.html(spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y))).join("")); // whole at the edges
+    const names = spec.names.map((name) => nameOf(name, scales));
+    crosses.html([...names, ...spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y)))].join("")); // whole at the edges
     zones.html(zonesOf(spec, scales));
     cursor.html("");
   }
@@ -241,6 +243,15 @@ export function chartIn(parent, { onRead, onLeave }) {
     if (rows[row].points.length) read(event);
   });
   return update;
+}
+
+// The name of a region, in lines, around a place.
+function nameOf({ x, y, lines }, { x: toX, y: toY }) {
+  const [left, right] = toX.range();
+  const half = 0.5 * LETTER * d3.max(lines, ({ length }) => length);
+  const at = `x="${held(toX(x), left + half, right - half)}"`;
+  const spans = lines.map((line, i) => `<tspan ${at} dy="${i ? 1.2 : 0.95 - 0.6 * lines.length}em">${line}</tspan>`);
+  return `<text class="name" ${at} y="${toY(y)}">${spans.join("")}</text>`;
 }
 
 const isShownIn = (spec) => (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);

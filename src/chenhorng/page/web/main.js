@@ -5,7 +5,7 @@ import { CHOICES, change, changedInputs, currentInputs, currentPoint, memberInpu
 import { fromFragment, onChange, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
-import { MAP_KEY, mapTitle, mapView } from "./map.js";
+import { mapTitle, mapView } from "./map.js";
 import { chartIn, sampleOf } from "./chart.js";
 import { showPoint, unusual } from "./point.js";
 import { SHOWN, showStatements } from "./statements.js";
@@ -70,12 +70,13 @@ const VIEWS = {
   figures: figureView,
   map() {
     if (!charts.length) $("charts").replaceChildren("Solving all points of the map …");
-    mapView($("charts"), (spec) => {
+    mapView($("charts"), (spec, key) => {
       drawCharts([spec]);
+      showKey(key);
       showChoices();
     });
     const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
-    return { heading: mapTitle(), notes, key: MAP_KEY };
+    return { heading: mapTitle(), notes, key: [] };
   },
 };
 
@@ -98,7 +99,7 @@ function draw() {
   showKey(key);
   $("heading").innerHTML = typeset(heading);
   $("definition").textContent = definition();
-  $("notes").innerHTML = typeset([...unusual(), ...notes].join("; "));
+  $("notes").innerHTML = [...unusual().map((text) => `<strong>${typeset(text)}</strong>`), ...notes.map(typeset)].join("; ");
   $("caption").innerHTML = typeset(`${caption} ${newtonsText()}`);
   $("damaged").textContent = state.damage;
 }

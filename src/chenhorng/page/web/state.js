@@ -13,7 +13,7 @@ const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
 export const CHOICES = {
-  view: ["figures", "map"],
+  view: ["map", "figures"],
   figure: figures,
   map_x: names,
   map_y: names,
@@ -97,7 +97,8 @@ export const toUnit = (name, value) => value / axisNamed(name).scale;
 
 export function toFragment() {
   const given = new URLSearchParams();
-  for (const name of Object.keys(CHOICES)) if (!isDefault(name)) given.set(name, state[name]);
+  for (const name of Object.keys(CHOICES)) if (name !== "view" && !isDefault(name)) given.set(name, state[name]);
+  if (state.view !== viewOf(given)) given.set("view", state.view);
   for (const name of Object.keys(NUMBERS)) if (!isDefault(name)) given.set(name, significant(state[name], 12));
   for (const [name, value] of Object.entries(state.conditions)) {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
@@ -106,6 +107,9 @@ export function toFragment() {
   const text = given.toString().replaceAll("+", "%20"); // a plus would be read as one
   return text && `sum=${sumOf(given)}&${text}`;
 }
+
+// The view of a link that names none: the figure, if it names one.
+const viewOf = (given) => (given.has("figure") ? "figures" : DEFAULTS.view);
 
 // A sum of what a link says and of the default from which it differs: a link that was cut, or made with other
 // inputs, has another one.
@@ -143,6 +147,7 @@ function stateIn(text) {
     else if (Object.hasOwn(content.inputs, name)) wanted.inputs[name] = value;
     else wanted[name] = value;
   }
+  if (!given.has("view")) wanted.view = viewOf(given);
   wanted.conditions = chosen(wanted.conditions);
   wanted.inputs = chosen(wanted.inputs);
   if (!materialInputs(wanted)) throw new RangeError(`particle=${wanted.particle}, which is softer than a surface`);
