@@ -48,14 +48,8 @@ TABLES = [
     "limits",
     "held_out",
 ]
-# panels that show what the paper finds
-PANELS = {
-    "panel_modes": "fig03A",
-    "panel_size": "fig03C",
-    "panel_viscosity": "fig04C",
-    "panel_turning_point": "fig09A",
-    "panel_turning_point_viscosity": "fig11A",
-}
+# the panel that shows a finding of the paper: its figure and letter
+PANELS = {finding["panel"]: finding["of"] for finding in settings["findings"]}
 FIGURE_FORMATS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_FORMATS = ["csv", "html", "tex"]
 

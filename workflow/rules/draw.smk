@@ -219,17 +219,12 @@ rule build_explorer:
 PRECISION = [name for name in ["docs/work_precision.png"] if (HOME / name).is_file()]
 
 
-# the small pictures of the findings, in their order
-PANELS = [finding["panel"] for finding in settings["findings"]]
-
-
 rule write_index:
     input:
         figures=expand("<results>/figures/{figure}.json", figure=FIGURES),
         pictures=expand("<results>/figures/{figure}.png", figure=FIGURES),
         tables=expand("<results>/tables/{table}.html", table=TABLES),
-        panels=expand("<results>/figures/{panel}.json", panel=PANELS),
-        panel_pictures=expand("<results>/figures/{panel}.svg", panel=PANELS),
+        panels=expand("<results>/figures/{panel}.svg", panel=PANELS),
         verdicts="<results>/claims/claims.json",
         explorer="<results>/explorer/index.html",
         datasets=expand("<results>/datasets/{figure}.nc", figure=SCENES),

@@ -66,12 +66,9 @@ with job(snakemake) as output:
         figure_entry(*files, statements, snakemake.params.scenes)
         for files in zip(snakemake.input.figures, snakemake.input.pictures, strict=True)
     ]
-    findings = judged_findings(snakemake.params.findings, statements)
-    for finding, record in zip(findings, snakemake.input.panels, strict=True):
-        finding["alternative"] = json.loads(Path(record).read_text("utf-8"))["alternative"]
     content = {
         "figures": figures,
-        "findings": findings,
+        "findings": judged_findings(snakemake.params.findings, statements),
         "rule": RULE,
         "judged": judged,
         "tables": {
