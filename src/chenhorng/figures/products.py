@@ -13,7 +13,7 @@ import numpy as np
 
 from chenhorng.figures.captions import Caption
 from chenhorng.figures.numbers import UPRIGHT, Number
-from chenhorng.figures.printed import ALONG_X, EVERY_LOAD, LOCUS, PRINTED
+from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED
 from chenhorng.tables import DRAWN_POINTS, write_csv
 from thirdbody.plotting.drawing import FORMATS, Drawing, write_figure
 from thirdbody.plotting.marks import TURNING_POINTS
@@ -69,6 +69,7 @@ def _panel_record(panel):
         "printed": [_mark(series) for series in panel.of_kind(PRINTED)],
         "limits": [_mark(series) for series in panel.of_kind(ALONG_X)],
         "levels": [_mark(series) for series in panel.of_kind(EVERY_LOAD)],
+        "computed": [_at(series) for series in panel.of_kind(COMPUTED)],
         "turning_points": TURNING_POINTS in kinds,
         "locus": LOCUS in kinds,
     }
@@ -77,9 +78,12 @@ def _panel_record(panel):
 def _mark(series):
     """The printed number of a series: its first point, with both ends of its tolerance; y is None
     for a number along x alone."""
-    points = [(series.x[0], series.y[0]), *zip(*series.tolerance)]
-    at, *ends = ([_rounded(each) for each in point] for point in points)
-    return {"id": series.name, "at": at, "ends": ends}
+    ends = [[_rounded(each) for each in point] for point in zip(*series.tolerance)]
+    return _at(series) | {"ends": ends}
+
+
+def _at(series):
+    return {"id": series.name, "at": [_rounded(each[0]) for each in (series.x, series.y)]}
 
 
 def _rounded(number):

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 import thirdbody.symbols as symbols
+from chenhorng.figures.curve_figures import RELATIVE_AREA, TURNING_POINTS
 from thirdbody.conditioning import LEAST_SPREAD
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
@@ -82,6 +83,8 @@ def page_content(
             for name in ("SYMBOL", "IN_TEXT", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS")
         },
         "statuses": dict(STATUS_MEANINGS),
+        # behind the title of a panel
+        "remarks": {panel.y: panel.remark for panel in (RELATIVE_AREA, TURNING_POINTS)},
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
         "inputs": {

@@ -89,6 +89,14 @@ function labelOf({ name }, condition) {
   return `${level}, ${medium}`;
 }
 
+// The short name at the end of a curve, as in the figures of the workflow.
+function nameOf({ name }, condition, comparesMedia) {
+  if (isTwoBody(condition)) return "two-body";
+  if (name === "viscosity" && condition.viscosity === 0) return "dry";
+  const level = name === "diameter_ratio" ? ratioOf(condition) : condition[name] * (VARIABLES[name].factor ?? 1);
+  return `${comparesMedia && condition.viscosity === 0 ? "dry " : ""}${readable(level, 3)}`;
+}
+
 // Whether the chosen statement refers to a curve, by its conditions in the paper.
 function emphasis(statement, { places, mine }, paper) {
   if (!statement) return {};
@@ -113,6 +121,7 @@ export function figureView() {
     ...styleOf(parameter, curve.condition, curve.mine, hasOil),
     ...emphasis(statement, curve, figure.curves),
     label: labelOf(parameter, curve.condition),
+    name: nameOf(parameter, curve.condition, comparesMedia),
   }));
   const notes = sharedWords(drawn);
   // lubricated curves are seen between the dashes of dry ones
@@ -142,9 +151,10 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
     letter,
-    title: [titleOf(x, y), ...own].join(", "),
+    title: titleOf(x, y, ...own),
     ...{ x, y, least, printed, stars },
     locus: locus ? stars : [],
+    computed: changed ? [] : panel.computed.map(({ at: [atX, atY] }) => ({ x: atX, y: atY })),
     lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: ranges.filter(({ points }) => points),
@@ -176,10 +186,11 @@ function rangedCurves(curves) {
   return [...withRange(coloured), ...curves.filter(({ mine }) => mine)];
 }
 
-// The title of a panel of y over x.
-function titleOf(x, y) {
+// The title of a panel of y over x, with what it has alone, and whether the paper has it.
+function titleOf(x, y, ...own) {
   const { words, symbol } = VARIABLES[x];
-  return VARIABLES[y].words + (words.includes("load") ? "" : ` over ${symbol}`);
+  const over = words.includes("load") || x === "diameter_ratio" ? "" : ` over ${symbol}`;
+  return [VARIABLES[y].words + over, ...own, content.remarks[y]].filter(Boolean).join(", ");
 }
 
 // The spec of a chart of curves, whose axes also show some places [x, y].
@@ -230,7 +241,7 @@ function windowSpec(figure, panel, engine, surface) {
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
   return specOf({
     letter: panel.letter,
-    title: `${VARIABLES[panel.y].words}, ${label}`,
+    title: titleOf(panel.x, panel.y, label),
     x: axisFor(panel.x, "linear", [...sizes, ...panel.limits.flatMap(({ ends }) => ends.map(([end]) => end))]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color: "none", points }],
