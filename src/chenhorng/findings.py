@@ -7,7 +7,7 @@ from typing import Any
 
 from chenhorng.claims.words import FAILS, counted_once
 
-REPRODUCED, IN_PART, NOT = "reproduced", "in part", "not reproduced"
+REPRODUCED, IN_PART, NOT = "reproduced", "reproduced in part", "not reproduced"
 MARKS = {REPRODUCED: "✓", IN_PART: "½", NOT: "✗"}
 LEAST = 0.5  # of the statements hold, if the finding is reproduced in part
 RULE = (

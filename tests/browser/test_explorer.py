@@ -7,6 +7,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
 from dataclasses import replace
+from html import unescape
 from urllib.parse import parse_qs
 
 import numpy as np
@@ -19,6 +20,7 @@ from thirdbody.ensembles import RANGE
 from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
 from thirdbody.points import solve
+from thirdbody.symbols import html
 
 LARGEST = 3e6  # bytes of the page
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
@@ -350,6 +352,23 @@ def test_verdicts_are_those_of_the_workflow(explorer, page):
         others = [each["verdicts"][statement["id"]] for each in taken_back]
         changed = [other != statement["verdict"] for other in others if other in ("holds", "fails")]
         assert bool(re.search(r"(Holds|Fails) if: ", text)) == any(changed)
+
+
+def test_symbols_are_written_as_the_library_writes_them(explorer):
+    explorer.open("show=all")
+    shown = explorer.run(
+        """return Object.fromEntries([...document.querySelectorAll('[data-statement]')].map((each) =>
+            [each.dataset.statement, each.children[1].innerHTML]))"""
+    )
+    texts = {row["id"]: row["statement"] for row in content_of(explorer)["statements"]}
+    checked = {name: text for name, text in texts.items() if not re.search(r"\de[+-]?\d", text)}
+    assert sum("_" in text for text in checked.values()) > 10
+    for name, text in checked.items():
+        assert shown[name].startswith(unescape(html(text)) + " <span"), text
+    label = explorer.one("label[for=input-apparent_area]").get_attribute("innerHTML")
+    assert label.partition("]")[0].endswith(f"{html('A_n')} [mm²")
+    label = explorer.one("label[for=rig-speed_m_per_s]").get_attribute("innerHTML")
+    assert label == f"Entrainment speed {html('u', is_symbol=True)} [m/s]"
 
 
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):

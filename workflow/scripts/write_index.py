@@ -8,7 +8,7 @@ from pathlib import Path
 import jinja2
 from markupsafe import Markup
 
-from chenhorng.claims.words import FAILS, HOLDS
+from chenhorng.claims.words import COLOURS, FAILS, HOLDS
 from chenhorng.figures.captions import inputs_sentence
 from chenhorng.findings import RULE, judged_findings
 from chenhorng.job_log import job
@@ -70,6 +70,7 @@ with job(snakemake) as output:
         "figures": figures,
         "findings": judged_findings(snakemake.params.findings, statements),
         "rule": RULE,
+        "colours": {verdict.split()[0]: colour for verdict, colour in COLOURS.items()},
         "judged": judged,
         "tables": {
             name: TABLES.get(name, name)

@@ -9,6 +9,8 @@ from thirdbody.variables import QUANTITIES
 # verdicts
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
+# the colour of each verdict in bars, figures and pages, on white and on dark paper
+COLOURS = {HOLDS: "#0072B2", FAILS: "#D55E00", CONTRADICTED: "#E69F00", NOT_TESTED: "#999999"}
 # quantities as the subject of a sentence: the symbol, or other words if they are clearer
 NAMES = {name: quantity.symbol for name, quantity in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",

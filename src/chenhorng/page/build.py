@@ -35,6 +35,7 @@ MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"_\{(\w+(?:,t)?)\}": r"_\1",
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
+PATTERNS = "SYMBOL", "IN_TEXT", "IN_SYMBOL", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS"
 STATED = (  # the fields of a statement in claims.json that the page shows
     *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
@@ -78,10 +79,8 @@ def page_content(
             variable.name: _variable(variable)
             for variable in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
         },
-        "symbols": {
-            name.lower(): getattr(symbols, name)
-            for name in ("SYMBOL", "IN_TEXT", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS")
-        },
+        "symbols": {name.lower(): getattr(symbols, name) for name in PATTERNS}
+        | {"html": {"symbol": symbols.HTML.symbol, "below": symbols.HTML.below("{}")}},
         "statuses": dict(STATUS_MEANINGS),
         # behind the title of a panel
         "remarks": {panel.y: panel.remark for panel in (RELATIVE_AREA, TURNING_POINTS)},

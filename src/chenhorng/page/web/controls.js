@@ -7,7 +7,7 @@ import { areHard } from "./model.js";
 import { conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
 import { VARIABLES, capital, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
-import { numberIn, readable, significant, typeset } from "./text.js";
+import { numberIn, readable, significant, typeset, typesetSymbol } from "./text.js";
 
 const STEPS = 1000; // of a slider
 const BACK = '<button type="button" class="back" title="back to the default">↺</button>';
@@ -69,7 +69,7 @@ function controlOf({ id, label, hint, changed, choose }, markup) {
 // A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
 // steps, and `note` gives the range, as a text or by a function. `read` gives what a value is in SI, undefined if it is not allowed.
 function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
-  const label = `${typeset(words)} <i>${typeset(symbol)}</i>${unit && ` [${unit}]`}`;
+  const label = `${typeset(words)} ${typesetSymbol(symbol)}${unit && ` [${unit}]`}`;
   const control = controlOf(
     { label, ...given },
     `<input type="range" min="0" max="${STEPS}">
