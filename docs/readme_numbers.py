@@ -16,6 +16,7 @@ page keeps its numbers.
 import io
 import json
 import re
+import subprocess
 import sys
 from contextlib import redirect_stdout
 from functools import partial
@@ -41,7 +42,9 @@ from thirdbody.symbols import unicode
 ROOT = Path(__file__).resolve().parents[1]
 BITS = 1e-9  # relative difference of a number on another processor
 README = ROOT / "README.md"
-PAGES = README, ROOT / "paper.md", ROOT / "docs" / "results.md", ROOT / "docs" / "history.md"
+DOCS = [ROOT / "docs" / f"{name}.md" for name in ("results", "history", "workflow")]
+PAGES = README, ROOT / "paper.md", *DOCS
+COLLECTING = "all", "write_sums"  # rules that read everything
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 MEASURED_PICTURE = ROOT / "docs" / "work_precision.png", ACCURACY / "work_precision.png"
@@ -155,6 +158,16 @@ def library_block() -> str:
     with redirect_stdout(printed):
         exec(example, {})
     return f"```text\n{printed.getvalue()}```"
+
+
+def rules_block() -> str:
+    """The graph of the rules, without the collecting ones, in the language of mermaid."""
+    command = [sys.executable, "-m", "snakemake", "--rulegraph", "mermaid-js"]
+    graph = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    names = dict(re.findall(r"(id\d+)\[(\w+)\]", graph))
+    edges = [tuple(map(names.get, edge)) for edge in re.findall(r"(id\d+) --> (id\d+)", graph)]
+    lines = [f"    {one} --> {other}" for one, other in sorted(edges) if other not in COLLECTING]
+    return "\n".join(["```mermaid", "flowchart LR", *lines, "```"])
 
 
 def took_block(move: float = 0.0) -> str:
@@ -313,7 +326,7 @@ RANKED = [
 ]
 OF_TABLES = {"findings": findings_block, "outcomes": outcomes_block}
 OF_TABLES |= {"claims": claims_block, "took": took_block}  # functions of ``move``
-COMPUTED = {"library": library_block, "ranking": ranking_block}
+COMPUTED = {"library": library_block, "ranking": ranking_block, "rules": rules_block}
 MEASURED = {"accuracy": accuracy_block, "times": times_block, "oracle": oracle_block}
 LARGEST_FACTOR = 3.0  # between times on different machines or in different runs
 SHADE = 8.5 / 255.0  # largest difference of a pixel
