@@ -1,9 +1,9 @@
-// One panel: axes, curves and marks, and what is under the pointer or the arrow keys.
+// This draws one panel: axes, curves and marks. It reads what is under the pointer or the arrow keys.
 
 import { VARIABLES, numberText } from "./names.js";
 import { escaped, plain, powerOfTen, readable, typeset, typesetInDrawing } from "./text.js";
 
-// as in the figures of the workflow: markers, every second one hollow, and colours from dark to light
+// Markers and colours are those of the figures of the workflow: every second marker is hollow, colours go from dark to light.
 const MARKERS = [
   [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
   [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
@@ -35,7 +35,7 @@ const MOVES = {
   ...{ Home: [0, -Infinity], End: [0, Infinity] },
 };
 
-// Colour, which differs in lightness too, and marker of a curve at one of several levels of a condition.
+// A curve at one of several levels of a condition has a colour and a marker. Colours differ in lightness too.
 export function levelStyle(level, levels) {
   if (level === 0) return { color: "var(--ink)" };
   const rank = levels.indexOf(level);
@@ -43,7 +43,7 @@ export function levelStyle(level, levels) {
   return { color: shadeAt(part), marker: rank };
 }
 
-// Shades as colours of the style, since the light and the dark have their own.
+// Shades are colours of the style, since the light and the dark page have their own.
 const SHADE = d3.range(STEPS + 1);
 const shadeAt = (part) => `var(--shade-${Math.round(part * STEPS)})`;
 const shadesOf = (ends) =>
@@ -111,8 +111,8 @@ export function specOf({ lines = [], ...given }) {
 const widthIn = (element) => Math.max(element.clientWidth, 220);
 const held = (value, low, high) => Math.min(Math.max(value, low), high);
 
-// An axis around values of a variable, logarithmic or not, as asked for or as usual: that of a fraction is if
-// it has a `least` one, where it begins.
+// An axis around values of a variable. The scale is the one asked for, or the usual one. The axis of a fraction is
+// logarithmic if it has a `least` value, where it begins.
 export function axisFor(name, scale, values, least = 0) {
   const log = scale === "auto" ? VARIABLES[name].log || least > 0 : scale === "log";
   const domain = log && least && VARIABLES[name].fraction ? [least, 1.3] : domainOf(VARIABLES[name], log, values);
@@ -255,7 +255,7 @@ export function chartIn(parent, { onRead, onLeave }) {
   return update;
 }
 
-// The ends of curves from the highest on, in groups that coincide, each with its name; none where a key says more.
+// Ends of curves that coincide form a group with one name. The highest comes first. Where there are too many, the key says more.
 function endsOf(rows, toY) {
   const named = rows.filter(({ name, points }) => name && points.length).map(({ points, ...row }, rank) => ({ ...row, rank, y: toY(points.at(-1).y) }));
   const groups = [];
@@ -272,7 +272,7 @@ function endsOf(rows, toY) {
   });
 }
 
-// Their names right of a panel, as near to the ends as lines of text allow: the mean of pushing all up and all down.
+// Names stand right of a panel, as near to the ends as lines of text allow: at the mean of pushing all up and all down.
 function namesOfEnds(ends, right, lowest) {
   const apart = ends.map(({ y }, i) => y - LINE * i);
   return ends.map(({ y, text, color }, i) => {
@@ -338,7 +338,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, spec.computed.map(shape("computed")), stars.map(shape("star"))].flat().join("");
 }
 
-// Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
+// Markers distinguish curves without colour. Each curve has a few, at places of its own.
 function markersOf(lines) {
   const marked = lines.filter((line) => line.marker !== undefined);
   return marked.flatMap(({ points, color, faded, marker }, rank) => {
@@ -349,7 +349,7 @@ function markersOf(lines) {
   });
 }
 
-// The middle one of the modes or regimes shaded, and the names of all beside the panel, as SVG.
+// SVG of the modes or regimes: the middle one is shaded, and all have their names beside the panel.
 function zonesOf(spec, { x: toX, y: toY }, beside) {
   const { limits, zones = [] } = VARIABLES[spec.y.name];
   if (!limits) return "";

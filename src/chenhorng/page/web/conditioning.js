@@ -1,4 +1,4 @@
-// Members of the ensemble where some inputs are given: src/thirdbody/conditioning.py says why.
+// This gives members of the ensemble some inputs. src/thirdbody/conditioning.py says why the others follow.
 
 import { content } from "./content.js";
 
@@ -32,7 +32,7 @@ const scaled = (name, value) => (isPositive(name) ? Math.log(value) : value);
 const dot = (one, other) => d3.sum(one, (value, i) => value * other[i]);
 const centred = (column) => column.map((value) => value - d3.mean(column));
 
-// A target within what the members may tell of: from their least to their most, and as far again.
+// Members tell of targets from their least to their most, and as far again. Others move to the end of that.
 const reached = (target, [low, high]) => Math.min(Math.max(target, 2 * low - high), 2 * high - low);
 
 function changedBy(name, value, change) {
@@ -40,7 +40,7 @@ function changedBy(name, value, change) {
   return Math.min(Math.max(isPositive(name) ? value * Math.exp(change) : value + change, least), most);
 }
 
-// The inverse of a matrix of products of columns, without the combinations in which members hardly differ.
+// The inverse of a matrix of products of columns. Combinations in which members hardly differ are left out.
 function inverseOf(products) {
   const { values, vectors } = eigen(products);
   const least = LEAST_SPREAD ** 2 * d3.max(values);

@@ -34,8 +34,8 @@ function parameterOf(figure) {
   return best.name === "particle_diameter" && ratios.levels.length < best.levels.length ? ratios : best;
 }
 
-// A figure's curves at the chosen conditions. A condition that all curves have in common is replaced; the one
-// that distinguishes them gets additional curves.
+// A figure's curves at the chosen conditions. A chosen condition replaces one that all curves have in common. For the
+// one that distinguishes them it adds curves.
 function figureCurves(figure, parameter) {
   let curves = figure.curves.map((condition, place) => ({ condition, places: [place], mine: false }));
   const conditions = chosenConditions();
@@ -143,7 +143,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
   const changed = !isCalibrated() || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
-  // at an end of a load percentage the paper names a regime: its bar alone tells all
+  // at an end of a load percentage the paper names a regime, and the bar alone tells all
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
   const printed = marksOf(panel.printed, statement, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
   const ranged = x === "load" && content.quantities.includes(y) ? rangedCurves(curves) : [];
@@ -164,15 +164,15 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
-  // on a logarithmic axis not those far below the curves, in a full film
+  // a logarithmic axis leaves out ends far below the curves, in a full film
   const lowest = VARIABLES[y].log ? d3.min(spec.lines.flatMap(({ points }) => points.map((point) => point.y))) : -Infinity;
   const outlines = outlinesIn(`${state.figure} ${letter}`, ranges).filter((point) => point[1] >= lowest);
   const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
   return curvesSpec(spec, engine, [...ends, ...outlines]);
 }
 
-// The points that an axis shows of the ranges of a panel: until these are computed those of before, so that the
-// axis stays.
+// The points of the ranges of a panel that its axis shows. Until these are computed, the points of before stay, so
+// that the axis does not move.
 const lastOutlines = new Map();
 function outlinesIn(panel, ranges) {
   const isKnown = ranges.every(({ points }) => points);
@@ -251,8 +251,8 @@ function windowSpec(figure, panel, engine, surface) {
   });
 }
 
-// One entry for each level of the parameter; where dashes distinguish dry and lubricated contact, one
-// for each of these.
+// Each level of the parameter has an entry. Where dashes distinguish dry and lubricated contact, each of these has
+// one too.
 function keyEntries(drawn, parameter, comparesMedia) {
   const byDashes = comparesMedia && parameter.name !== "viscosity";
   const shown = drawn.filter(({ condition }) => !byDashes || condition.viscosity > 0 || isTwoBody(condition));

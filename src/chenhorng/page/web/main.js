@@ -1,4 +1,4 @@
-// The page: tabs, what is drawn, and what changes with the state.
+// The page has tabs. This draws what a tab shows, and draws it again when the state changes.
 
 import { content, defaultInputs } from "./content.js";
 import { CHOICES, change, changedInputs, currentInputs, currentPoint, memberInputs } from "./state.js";
@@ -65,7 +65,7 @@ function showKey(entries) {
   $("key").innerHTML = html.join("");
 }
 
-// Each gives the heading, notes and key of a view, and the specs of its charts, or draws it.
+// Each view gives its heading, notes and key. It gives the specs of its charts, or draws them itself.
 const VIEWS = {
   figures: figureView,
   map() {
@@ -80,7 +80,7 @@ const VIEWS = {
   },
 };
 
-// What newtons are: the paper leaves it open.
+// The paper leaves open what newtons are.
 const newtonsText = () =>
   "In newtons F_t = F_t* A_n E_ss. The paper does not print A_n, the nominal area of the contact; " +
   `it is ${readable(currentInputs().apparent_area * 1e6, 3)} mm² here, one of the inputs.`;

@@ -14,7 +14,7 @@ const CELLS = d3.cross(PLACES, PLACES, (j, i) => [i, j]);
 const AROUND = d3.cross(d3.range(-2, 3), d3.range(-1, 2)); // a name is wider than high
 const LEAST_ROOM = 2; // of a name, in such steps around it
 const FILLS = ["var(--ground)", "var(--surfaces)", "var(--hybrid)", "var(--particles)"]; // by mode
-// Layers and the states that they enclose; there is no border beside states for which this is NaN.
+// Each layer encloses some states. Beside states for which this is NaN there is no border.
 const AREAS = [
   { fill: FILLS[1], encloses: () => true },
   { fill: FILLS[2], encloses: ({ mode }) => mode >= 2 },
@@ -28,7 +28,7 @@ const BORDERS = [{ kind: "regime", encloses: ({ regime }) => (regime < 0 ? NaN :
 export const mapTitle = () =>
   `Contact mode and lubrication regime over ${wordOf(state.map_x).toLowerCase()} and ${wordOf(state.map_y).toLowerCase()}`;
 
-// Calls `done` with the spec of the map and the entries of its key when it is computed, unless another is asked for in between.
+// Compute the map, then call `done` with its spec and the entries of its key, unless another map is wanted by then.
 export const mapView = (element, done) => inSlices(element, mapSteps(done), () => state.view === "map");
 
 function* mapSteps(done) {
@@ -99,7 +99,7 @@ function nameOf({ mode, regime }) {
 
 const fillOf = (cell) => AREAS.findLast(({ encloses }) => encloses(cell)).fill;
 
-// The cell of a region, as numbers of cells, with the most room for a name; undefined if there is too little.
+// The cell of a region, numbers of cells, that has the most room for a name; undefined if there is too little room.
 function roomIn(region) {
   let [kept, room] = [new Set(region), 0];
   for (;;) {
@@ -124,7 +124,7 @@ function ringsAround(values, level) {
   );
 }
 
-// The corner of a ring moved to where, between two cells, the ring's states begin.
+// A corner of a ring lies between two cells. This moves it to where the states of the ring begin.
 function refined([i, j, onBorder], isEnclosed) {
   if (!onBorder) return [i, j, false];
   const cells = [Math.floor, Math.ceil].map((round) => [round(i), round(j)]);

@@ -35,8 +35,8 @@ export function remembered(find, most = 600) {
   };
 }
 
-// Smooth functions by cubic pieces between nodes from `first` to `last`, each computed when first needed.
-// `exact(x)` gives value and slope of each function; the result gives the value of the one at place `which`.
+// Smooth functions as cubic pieces between nodes from `first` to `last`. A node is computed when it is first needed.
+// `exact(x)` gives value and slope of each function. The result gives the value of the function at place `which`.
 function tabulated(exact, { step, first, last }) {
   const nodes = Array(Math.ceil((last - first) / step) + 2);
   const node = (index) => (nodes[index] ??= exact(first + index * step));
@@ -179,9 +179,9 @@ function filmOf(inputs, viscosity, roughness) {
   };
 }
 
-// Which load stands in W of Eq. 8: that of the film, or the total load as printed. `total` is F_t* at a
-// separation where solids carry one load and the film in W another (Eq. 1), `fractions` are L_s and L_f
-// (Eq. 9), and `inW` is the load in W.
+// W of Eq. 8 has the load of the film, or the total load as printed. `total` is F_t* at a separation where
+// solids carry one load and the film in W another (Eq. 1). `fractions` are L_s and L_f (Eq. 9). `inW` is the
+// load in W.
 const FILM_LOADS = {
   fluid: {
     total: (solid, film) => solid + film,

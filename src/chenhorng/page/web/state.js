@@ -1,4 +1,4 @@
-// What the page shows, and its text in the fragment of the address: whatever differs from the default.
+// The state is what the page shows. The fragment of the address says where it differs from the default.
 
 import { axes, content, defaultInputs } from "./content.js";
 import { conditioned } from "./conditioning.js";
@@ -81,7 +81,7 @@ export const currentPoint = () => ({ ...startOf(state.figure), ...chosenConditio
 // Whether the inputs are calibrated ones.
 export const isCalibrated = () => Object.keys(changedInputs()).length === 0;
 
-// The conditions of a figure, of several the nearest to the usual one.
+// The conditions of a figure. If it has several values, the nearest to the usual one counts.
 function startOf(figure) {
   const { curves } = content.figures.find(({ name }) => name === figure);
   const start = ([name, usual]) => {
@@ -111,8 +111,8 @@ export function toFragment() {
 // The view of a link that names none: the figure, if it names one.
 const viewOf = (given) => (given.has("figure") ? "figures" : DEFAULTS.view);
 
-// A sum of what a link says and of the default from which it differs: a link that was cut, or made with other
-// inputs, has another one.
+// A link has a sum of what it says and of the default from which it differs. If the link was cut, or made with other
+// inputs, the sum is another.
 function sumOf(given) {
   const signs = [...JSON.stringify(defaultInputs), ...given.toString()];
   return signs.reduce((sum, sign) => (Math.imul(31, sum) + sign.codePointAt(0)) >>> 0, 7).toString(36);

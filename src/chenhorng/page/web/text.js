@@ -13,7 +13,7 @@ export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.cha
 // A form such as <sub>{}</sub> with texts in the places of its braces.
 const filled = (form, ...texts) => texts.reduce((text, each) => text.replace("{}", () => each), form);
 
-// Texts with symbols such as A_sa,t* and powers such as 3e-6 as markup: a letter, its index, and a power.
+// Texts have symbols such as A_sa,t* and powers such as 3e-6. Markup has a letter, its index, and a power.
 export const lettered = (text) =>
   text.replace(all(word), (name) => greek[name]).replace(all(below), (index) => `_${index.normalize("NFKC")}`);
 const typesetter = (form, single = in_text) => (text) =>
@@ -28,7 +28,7 @@ export const typesetInDrawing = typesetter({
 });
 export const plain = (text) => text.replace(all(symbol), "$1$2");
 
-// The number that a person types, with a decimal point or comma; NaN where it is none, or where a comma
+// The number that a person types, with a decimal point or comma. What is no number gives NaN, and so does a comma that
 // may stand before thousands: 1,000.
 export function numberIn(text) {
   const raised = text.replace(/(?<=10)[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/, (power) => `^${power.normalize("NFKC")}`); // 10¹¹
