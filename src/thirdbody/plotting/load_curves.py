@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from thirdbody.curves import (
     OF_PARTICLES,
@@ -21,8 +22,8 @@ from thirdbody.netcdf import Dataset, curves_of
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import hide_repeats, keep_apart, name_ends
-from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
-from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
+from thirdbody.plotting.drawing import ONE_COLUMN, TWO_COLUMNS, empty_panels
+from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height, key_title
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, Curve, Panel, Series
 from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes
@@ -109,12 +110,14 @@ class CurveFigure:
         add_series: Callable[[Content, list[Curve], list[Series]], None] | None = None,
         draw_marks: Callable[[Axes, Panel], None] | None = None,
         mark_looks: Mapping[str, Look] = marks.LOOKS,
+        width: float | None = None,
     ) -> Figure:
         """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
         ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``;
         ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``.  With
-        ``axes``, the panels are drawn there.  ``add_series`` adds to the series of a panel;
+        ``axes``, the panels are drawn there; the ``width`` of a figure [inches] is by default one
+        column for one panel, and two for several.  ``add_series`` adds to the series of a panel;
         ``draw_marks`` draws those that are neither lines nor outlines; ``mark_looks`` are entries
         of the key, for marks that are drawn.
         """
@@ -144,7 +147,7 @@ class CurveFigure:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
         return draw_panels(
-            panels, key, title, common, newtons_per_load, axes, draw_marks, mark_looks
+            panels, key, title, common, newtons_per_load, axes, draw_marks, mark_looks, width
         )
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
@@ -215,36 +218,66 @@ def draw_panels(
     axes: Sequence[Axes] = (),
     draw_marks: Callable[[Axes, Panel], None] | None = None,
     mark_looks: Mapping[str, Look] = marks.LOOKS,
+    width: float | None = None,
 ) -> Figure:
     """Draw panels of curves, and a key with the groups of ``key`` and those ``mark_looks`` that
     occur.  With ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  Panels are drawn
-    on ``axes``, with the key in the last, or on a new figure.  ``draw_marks`` draws in a panel
-    after its curves."""
+    on ``axes``, with the key in the last, or on a new figure of this ``width`` [inches].
+    ``draw_marks`` draws in a panel after its curves."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
     labels = {label for panel in panels for series in panel.series for label in series.labels}
     drawn = [look for look in mark_looks.values() if look.get("label") in labels]
     groups = [group for group in (*key, drawn) if group]
-    if len(axes):
-        for each, panel in zip(axes, panels, strict=True):
-            _draw_panel(each, panel, newtons_per_load, draw_marks)
-        if groups:
-            lines = [handle(each) for group in groups for each in group]
-            axes[-1].legend(handles=lines, title=mathtext(title) or None)
-        return axes[0].figure.figure
-    rows = math.ceil(len(panels) / 2)
-    beside = len(panels) % 2 == 1 and is_beside(groups)
-    below = key_height(groups) if groups and not beside else 0.0
-    figure = empty_panels(panels, (TWO_COLUMNS, rows * CELL_HEIGHT + below))
-    for each, panel in zip(figure.axes, figure.panels, strict=True):
-        _draw_panel(each, panel, newtons_per_load, draw_marks)
-    if groups:
-        add_key(figure, groups, title, common, beside)
+    own = not len(axes)
+    if own:
+        axes = _new_axes(panels, groups, title, common, width)
+    figure = axes[0].figure.figure
+    drawings = [
+        (each, panel, _draw_series(each, panel, newtons_per_load, draw_marks))
+        for each, panel in zip(axes, panels, strict=True)
+    ]
+    if own:
+        _share_titles(axes, panels)
+    elif groups:
+        lines = [handle(each) for group in groups for each in group]
+        axes[-1].legend(handles=lines, title=mathtext(title) or None)
+    if engine := figure.get_layout_engine():
+        engine.execute(figure)  # names take their room from that of their panel
+    for drawing in drawings:
+        _keep_readable(*drawing)
     return figure
 
 
-def _draw_panel(axes, panel, newtons_per_load, draw_marks):
-    """Draw the series of a panel, then the scales of its axes, then names."""
+def _new_axes(panels, groups, title, common, width) -> Sequence[Axes]:
+    """The axes of a new figure, with its key."""
+    width = width or (ONE_COLUMN if len(panels) == 1 else TWO_COLUMNS)
+    columns = 2 if width > 1.5 * ONE_COLUMN else 1
+    beside = len(panels) % columns == 1 and is_beside(groups)
+    text = key_title(title, common, width / columns if beside else width)
+    below = key_height(groups, text, width) if groups and not beside else 0.0
+    size = width, math.ceil(len(panels) / columns) * CELL_HEIGHT + below
+    figure = empty_panels(panels, size, columns)
+    if groups:
+        add_key(figure, groups, text, beside)
+    return figure.axes
+
+
+def _share_titles(axes, panels):
+    """Hide titles of axes that the panel below or the one at the left repeats."""
+    places = [each.get_subplotspec() for each in axes]
+    for each, panel, place in zip(axes, panels, places, strict=True):
+        for other, beside in zip(panels, places, strict=True):
+            is_below = beside.rowspan.start == place.rowspan.stop
+            if is_below and beside.colspan == place.colspan and other.x == panel.x:
+                each.xaxis.label.set_visible(False)
+            is_left = beside.colspan.stop == place.colspan.start
+            if is_left and beside.rowspan == place.rowspan and other.y == panel.y:
+                each.yaxis.label.set_visible(False)
+
+
+def _draw_series(axes, panel, newtons_per_load, draw_marks) -> dict[Series, Line2D]:
+    """Draw the series of a panel, then the scales of its axes; the lines of its series."""
     lines = {}
     unseen = UNSEEN * panel.least or -np.inf
     for series in _some_ranges(panel):
@@ -256,9 +289,12 @@ def _draw_panel(axes, panel, newtons_per_load, draw_marks):
             (lines[series],) = axes.plot(series.x, y, **series.look)
     if draw_marks is not None:
         draw_marks(axes, panel)
-    zones = set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
-    peaks = marks.TURNING_POINTS, marks.SLIGHT
-    keep_apart(axes, [line for series, line in lines.items() if series.kind in peaks])
+    set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
+    return lines
+
+
+def _keep_readable(axes, panel, lines):
+    """Write names of curves, and hide what coincides."""
     if panel.x in ("load", "normal_load"):
         named = [one for one in panel.of_kind(CURVE) if curve_name(one)]
         strong, hairlines = (
@@ -266,13 +302,13 @@ def _draw_panel(axes, panel, newtons_per_load, draw_marks):
             for thin in (False, True)
         )
         dry = [lines[one] for one in named if one.curve and one.curve.is_dry]
-        width = name_ends(axes, strong, dry, hairlines)
+        name_ends(axes, strong, dry, hairlines)
         dashed = [
             one for one in panel.of_kind(CURVE) if one.look.get("linestyle") == DRY["linestyle"]
         ]
         hide_repeats(axes, [lines[one] for one in dashed])
-        if zones is not None and width:
-            zones.spines.right.set_position(("outward", width))
+    peaks = marks.TURNING_POINTS, marks.SLIGHT
+    keep_apart(axes, [line for series, line in lines.items() if series.kind in peaks])
 
 
 def curve_name(series: Series) -> str:

@@ -45,6 +45,7 @@ def plot(
     variables: str | Sequence[str] = LUBRICATED,
     turning_points: Sequence[Mapping] | str | PathLike = (),
     ax: Axes | Sequence[Axes] | None = None,
+    width_mm: float | None = None,
 ) -> Figure:
     """Draw A_sa,t*, A_t*, L_s and H_c of any dataset of solved points over one of its axes.
 
@@ -69,6 +70,9 @@ def plot(
         ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
     ax : matplotlib.axes.Axes, or sequence of them, optional
         Draw there, one for each panel; by default on a new figure.
+    width_mm : float, optional
+        Width of the figure: from 126 mm on its panels stand in two columns, else in one.  By
+        default those of journals: 84 mm for one panel, 174 mm for several.
 
     Returns
     -------
@@ -112,9 +116,10 @@ def plot(
     along = axis_of(over).name
     if complete.sizes[along] < 2:
         raise ValueError(f"data has one {along}; allowed: two or more, which curves are drawn over")
+    width = width_mm and width_mm / 25.4
     with matplotlib.style.context(STYLE, after_reset=True):
         if along != "load":
-            return _plot_over(complete, along, names, axes)
+            return _plot_over(complete, along, names, axes, width)
         if complete.sizes.get(SPEED.name, 1) > 1:
             raise ValueError(f"data vary with the speed; allowed: over='{SPEED.alias}'")
         complete = complete.squeeze(SPEED.name, drop=True) if SPEED.name in complete else complete
@@ -122,7 +127,7 @@ def plot(
         x = NORMAL_LOAD.name if over == "load_N" else "load"
         chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
         figure = replace(figure, contents=chosen)
-        return figure.plot(complete, turning_points, axes=axes)
+        return figure.plot(complete, turning_points, axes=axes, width=width)
 
 
 def _longest(data: xr.Dataset) -> str:
@@ -135,7 +140,11 @@ def _longest(data: xr.Dataset) -> str:
 
 
 def _plot_over(
-    data: xr.Dataset, over: str, variables: Collection[str], axes: Sequence[Axes]
+    data: xr.Dataset,
+    over: str,
+    variables: Collection[str],
+    axes: Sequence[Axes],
+    width: float | None,
 ) -> Figure:
     """Panels of ``variables`` over one axis, with a curve for each combination of the other
     axes."""
@@ -151,7 +160,7 @@ def _plot_over(
     if varying:
         looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
-    return draw_panels(panels, [looks if varying else []], common=common, axes=axes)
+    return draw_panels(panels, [looks if varying else []], common=common, axes=axes, width=width)
 
 
 def plot_curve(table: pd.DataFrame, along: str) -> Figure:
