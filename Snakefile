@@ -48,6 +48,14 @@ TABLES = [
     "limits",
     "held_out",
 ]
+# panels that show what the paper finds
+PANELS = {
+    "panel_modes": "fig03A",
+    "panel_size": "fig03C",
+    "panel_viscosity": "fig04C",
+    "panel_turning_point": "fig09A",
+    "panel_turning_point_viscosity": "fig11A",
+}
 FIGURE_FORMATS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_FORMATS = ["csv", "html", "tex"]
 
@@ -70,6 +78,7 @@ rule all:
         "<results>/extracted/table1/all.csv",
         "<results>/extracted/table2/all.csv",
         expand("<results>/figures/{figure}.{format}", figure=FIGURES, format=FIGURE_FORMATS),
+        expand("<results>/figures/{panel}.{format}", panel=PANELS, format=["svg", "pdf", "png"]),
         "<results>/extracted/apparent_area/all.csv",
         "<results>/extracted/limits/all.csv",
         expand("<results>/figures/{figure}_wide.csv", figure=SCENES),

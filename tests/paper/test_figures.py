@@ -19,7 +19,7 @@ from chenhorng.figures.captions import HEADLINES, caption, inputs_sentence
 from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
 from chenhorng.figures.numbers import Number
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED, WINDOW
-from chenhorng.figures.products import SUFFIXES, figure_record, save, write_wide
+from chenhorng.figures.products import SUFFIXES, figure_record, save, save_pictures, write_wide
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import STRETCH, sections, state_of
 from chenhorng.sampling import area_slope
@@ -254,9 +254,9 @@ def test_a_name_is_of_dry_or_of_lubricated_curves(name, datasets):
     figure = plotted(name, datasets)
     for axes, panel in zip(figure.axes, figure.panels, strict=True):
         names = {text.get_text(): text.get_color() for text in axes.texts}
-        assert {text.startswith("dry ") for text in names} == {True, False}
+        assert {text.startswith("dry") for text in names} == {True, False}
         for text, colour in names.items():
-            assert text.startswith("dry ") == (colour == "black"), (panel.letter, text)
+            assert text.startswith("dry") == (colour == "black"), (panel.letter, text)
 
 
 def test_of_dashed_curves_that_coincide_one_is_drawn(datasets):
@@ -304,6 +304,22 @@ def test_panels_that_the_paper_lacks_say_so(datasets):
 def test_the_title_of_each_panel_says_what_differs(name, datasets):
     titles = [axes.get_title(loc="left")[12:] for axes in plotted(name, datasets).axes]
     assert len(set(titles)) == len(titles) and all(titles)
+
+
+def test_a_panel_alone_is_as_wide_as_a_column_and_shows_the_same(datasets, printed, tmp_path):
+    given = {"printed": printed["fig11"]}
+    whole, alone = (
+        plotted("fig11", datasets, **given),
+        plotted("fig11", datasets, **given, panel="B"),
+    )
+    assert alone.bbox.width / alone.dpi == pytest.approx(84.0 / 25.4)
+    (panel,) = alone.panels
+    assert (panel.letter, panel.y) == ("B", SOLID)
+    for one, other in zip(panel.series, whole.panels[1].series, strict=True):
+        np.testing.assert_array_equal((one.x, one.y), (other.x, other.y))
+    save_pictures(alone, tmp_path / "a", caption("fig11", alone.panels))
+    assert {path.suffix for path in tmp_path.iterdir()} == {".svg", ".pdf", ".png"}
+    assert b"<title>Panel B: " in (tmp_path / "a.svg").read_bytes()
 
 
 def look(line):

@@ -5,30 +5,21 @@ import json
 import matplotlib.style
 
 from chenhorng.figures.captions import caption, inputs_sentence
-from chenhorng.figures.curve_figures import plot
+from chenhorng.figures.curve_figures import plot, read_inputs
 from chenhorng.figures.products import save, write_wide
 from chenhorng.job_log import job
-from chenhorng.tables import TABLES, read_csv
-from thirdbody.netcdf import read_plain
-from thirdbody.plotting.marks import read_turning_points
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene
-    windows = snakemake.input.windows
-    ensemble_range = snakemake.input.ensemble_range
-    data = read_plain(snakemake.input.dataset)
-    points = read_turning_points(snakemake.input.turning_points)
-    rows = read_csv(snakemake.input.printed, TABLES["printed"])
-    numbers = [row for row in rows if row["figure"] == figure]
-    ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
-    ranges = read_plain(ensemble_range) if ensemble_range else None
+    given = read_inputs(figure, snakemake.input)
+    data, ranges = given["data"], given["ensemble_range"]
     area = json.loads(data.attrs["model_parameters"])["A_n"]
     notes = [inputs_sentence(data)]
     notes += [f"Newtons are for A_n = {1e6 * area:.3g} mm², which the paper does not print."]
     if ranges:
         notes.append(f"The ensemble has {len(json.loads(ranges.attrs['ensemble']))} members.")
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
-        drawing = plot(figure, data, points, ranges, numbers, ends)
+        drawing = plot(figure, **given)
         save(
             drawing,
             output.png.with_suffix(""),

@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from string import ascii_uppercase
+from typing import Any
 
 from matplotlib.figure import Figure
 
@@ -9,9 +11,11 @@ from chenhorng.figures import printed as printed_marks
 from chenhorng.figures.captions import HEADLINES, REMARKS
 from chenhorng.figures.numbers import draw_numbers, hide_coinciding
 from chenhorng.figures.printed import LOCUS
-from thirdbody.netcdf import PlainDataset
+from chenhorng.tables import TABLES, read_csv
+from thirdbody.netcdf import PlainDataset, read_plain
+from thirdbody.plotting.drawing import Drawing
 from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
-from thirdbody.plotting.marks import BAND, turning_point_series
+from thirdbody.plotting.marks import BAND, read_turning_points, turning_point_series
 from thirdbody.plotting.panels import Curve, Series
 from thirdbody.plotting.scales import axis_label
 
@@ -67,6 +71,18 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
 WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
+def read_inputs(name: str, files: Any) -> dict[str, Any]:
+    """What ``plot`` draws in the figure ``name``, from the input ``files`` of its rule."""
+    rows = read_csv(files.printed, TABLES["printed"])
+    return {
+        "data": read_plain(files.dataset),
+        "turning_points": read_turning_points(files.turning_points),
+        "ensemble_range": read_plain(files.ensemble_range) if files.ensemble_range else None,
+        "printed": [row for row in rows if row["figure"] == name],
+        "windows": read_csv(files.windows, TABLES["tpca_windows"]) if files.windows else (),
+    }
+
+
 def plot(
     name: str,
     data: PlainDataset,
@@ -74,8 +90,10 @@ def plot(
     ensemble_range: PlainDataset | None = None,
     printed: Sequence[Mapping] = (),
     windows: Sequence[Mapping] = (),
+    panel: str = "",
 ) -> Figure:
-    """Draw the figure ``name`` of the paper, or that of any other scene.
+    """Draw the figure ``name`` of the paper, or that of any other scene; or the ``panel`` with this
+    letter alone, as wide as a column.
 
     ``printed`` and ``windows`` are rows of the tables ``printed``, those of this figure, and
     ``tpca_windows``; the other arguments and errors are those of ``CurveFigure.plot``.
@@ -92,7 +110,11 @@ def plot(
             series.sort(key=lambda each: each.kind == BAND)
         series += printed_marks.printed_series(x, y, curves, printed)
 
-    figure = (CURVE_FIGURES.get(name) or curve_figure(data)).plot(
+    chosen = CURVE_FIGURES.get(name) or curve_figure(data)
+    if panel:
+        content = chosen.contents[ascii_uppercase.index(panel)]
+        chosen = replace(chosen, contents=(content,))
+    figure = chosen.plot(
         data,
         turning_points,
         ensemble_range,
@@ -107,6 +129,8 @@ def plot(
         axes.sharex(over_sizes[0])
     if len(over_sizes) > 1:
         over_sizes[0].autoscale(axis="x")
-    if name in HEADLINES:
+    if panel and isinstance(figure, Drawing):
+        figure.panels = [replace(each, letter=panel) for each in figure.panels]
+    elif name in HEADLINES:
         figure.suptitle(HEADLINES[name], x=0.01, ha="left", fontsize="medium", fontweight="bold")
     return figure

@@ -27,22 +27,27 @@ DIGITS = 5  # of the coordinates of printed numbers in a record
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
-    """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as
-    .csv, the caption as .md, and the record of the figure as .json."""
-    if engine := drawing.get_layout_engine():
-        engine.execute(drawing)
-        drawing.set_layout_engine(None)  # once for all formats
+    """Write the pictures of ``stem``, the data drawn as .csv, the caption as .md, and the record of
+    the figure as .json."""
+    save_pictures(drawing, stem, caption)
     rows = [
         row for panel in drawing.panels for each in panel.series for row in _points(panel, each)
     ]
-    for kind, options in FORMATS.items():
-        title = {"Title": caption.alternative} if kind == "svg" else {}
-        options = options | {"metadata": options["metadata"] | title}
-        write_figure(drawing, f"{stem}.{kind}", kind, options)
     write_csv(f"{stem}.csv", rows, DRAWN_POINTS)
     Path(f"{stem}.md").write_text(caption.markdown(), encoding="utf-8")
     record = json.dumps(figure_record(drawing.panels, caption), ensure_ascii=False, indent=1)
     Path(f"{stem}.json").write_text(record + "\n", encoding="utf-8")
+
+
+def save_pictures(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
+    """Write ``stem``.svg, with the alternative text as its title, .pdf and .png."""
+    if engine := drawing.get_layout_engine():
+        engine.execute(drawing)
+        drawing.set_layout_engine(None)  # once for all formats
+    for kind, options in FORMATS.items():
+        title = {"Title": caption.alternative} if kind == "svg" else {}
+        options = options | {"metadata": options["metadata"] | title}
+        write_figure(drawing, f"{stem}.{kind}", kind, options)
 
 
 def figure_record(panels: Iterable[Panel], caption: Caption) -> dict[str, Any]:
