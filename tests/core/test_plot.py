@@ -6,6 +6,8 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from collisions import collisions
+from matplotlib.text import Text
 
 import thirdbody as tb
 from thirdbody.plotting.drawing import FORMATS, save_figure
@@ -278,6 +280,52 @@ def test_a_key_of_many_curves_is_within_the_figure(parameters, over):
     assert len(key.get_texts()) > 20
     inner, outer = key.get_window_extent(), figure.bbox
     assert inner.x0 >= outer.x0 and inner.x1 <= outer.x1 and inner.y0 >= outer.y0
+
+
+def collided(**given):
+    """Texts that are over something, in a figure of dry and lubricated contact."""
+    points = tb.grid(
+        load_N=np.geomspace(0.04, 80, 100),
+        viscosity_cSt=[0, 90],
+        roughness_nm=300,
+        particle_diameter_nm=[300, 500, 700, 1000],
+        particle_density_per_m2=1e11,
+    )
+    return collisions(tb.plot(points, **given))
+
+
+@pytest.mark.parametrize("width_mm", [84, 174])
+@pytest.mark.parametrize("variable", PANELS)
+def test_a_figure_of_one_panel_has_room_for_names(variable, width_mm):
+    assert not collided(variables=variable, width_mm=width_mm)
+
+
+def test_the_width_is_that_of_the_figure_and_of_its_columns(grid):
+    data = grid()
+    for width_mm, variables, expected, columns in (
+        (None, PANELS, 174, 2),
+        (None, PANELS[0], 84, 1),
+        (84, PANELS, 84, 1),
+        (140, PANELS, 140, 2),
+    ):
+        figure = tb.plot(data, variables=variables, width_mm=width_mm)
+        assert figure.bbox.width / figure.dpi == pytest.approx(expected / 25.4)
+        assert len({round(axes.get_position().x0, 2) for axes in figure.axes}) == columns
+        texts = figure.findobj(type(figure.axes[0].title))
+        assert min(text.get_fontsize() for text in texts) >= 7.0
+
+
+def test_names_leave_the_room_of_the_curves_and_ticks_to_them(grid):
+    axes = tb.plot(grid(), variables="solid_load_fraction").axes[0]
+    axes.figure.draw_without_rendering()
+    assert axes.texts
+    end = axes.transData.transform((LOADS[-1], 0.0))[0]
+    frame = axes.get_window_extent()
+    for text in axes.texts:
+        box = Text.get_window_extent(text)
+        assert end < box.x0 and box.x1 < frame.x1
+    ticks = [*axes.get_xticks(), *axes.get_xticks(minor=True)]
+    assert min(ticks) > 0.9 * LOADS[0] and max(ticks) < 1.1 * LOADS[-1]
 
 
 def test_a_stribeck_curve_is_drawn_over_the_speed():

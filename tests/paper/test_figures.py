@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
+from collisions import collisions
 from matplotlib.colors import to_rgb
 from matplotlib.text import Text
 
@@ -149,6 +150,22 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
             assert left < curve.x.min() and curve.x.max() < right
             assert bottom < curve.y.min() or panel.least
             assert curve.y.max() < top
+
+
+@pytest.mark.parametrize("width_mm", [84.0, 174.0])
+@pytest.mark.parametrize("name", PANELS)
+def test_no_text_is_over_an_axis_a_tick_a_rule_or_another_text(name, width_mm, defaults, printed):
+    scene = yaml.safe_load((ROOT / "config" / "scenes.yaml").read_text())["scenes"][name]
+    data = dataset_of(scene | {"load_axis": LOAD_AXIS}, defaults.best)
+    windows = [
+        {"roughness_m": roughness, "end": end, "diameter_over_roughness": at}
+        for roughness in data["roughness"].values
+        for end, at in (("low", 0.79), ("high", 1.35))
+    ]
+    given = {"printed": printed[name], "windows": windows, "width": width_mm / 25.4}
+    figure = plot(name, data, turning_points_in(data), **given)
+    assert figure.bbox.width / figure.dpi == pytest.approx(width_mm / 25.4)
+    assert not collisions(figure)
 
 
 @pytest.mark.parametrize("name", PANELS)
@@ -487,6 +504,26 @@ def test_what_is_printed_along_x_alone_stands_across_the_panel(
     ]
     for low, high in brackets:
         assert any(np.allclose((span.x0, span.x1), (low, high)) for span in spans)
+
+
+@pytest.mark.parametrize(("name", "place", "words"), [
+    ("fig09", 3, {"printed", "printed for all surfaces", "computed"}),
+    ("fig11", 2, {"70", "120"}),
+])  # fmt: skip
+def test_a_bracket_joins_both_ends_of_a_range(name, place, words, datasets, printed):
+    windows = [{"roughness_m": 3e-7, "end": end, "diameter_over_roughness": at}
+               for end, at in (("low", 0.79), ("high", 1.35))]  # fmt: skip
+    drawing = plotted(name, datasets, printed=printed[name], windows=windows)
+    axes = drawing.axes[place]
+    assert {text.get_text() for text in axes.texts} == words
+    brackets = {tuple(line.get_xdata()[1:3]) for line in axes.lines if len(line.get_xdata()) == 4}
+    uprights = {line.get_xdata()[0] for line in axes.lines if len({*line.get_xdata()}) == 1}
+    expected = {
+        "fig09": {(0.79, 1.35), (0.8, 1.3), (0.8333, 1.3333)},
+        "fig11": {(1.15e-4, 2.23e-4), (1.63e-4, 2.34e-4)},
+    }
+    assert brackets == expected[name]
+    assert {end for bracket in brackets for end in bracket} <= uprights
 
 
 def test_bends_are_marked_where_the_slope_falls(datasets, printed):

@@ -57,7 +57,8 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
         raise ValueError(f"the figure has {len(panels)} panels; allowed: at most {MOST_PANELS}")
     figure = Drawing(figsize=size, layout="constrained")
     figure.panels = [
-        replace(panel, letter=ascii_uppercase[place]) for place, panel in enumerate(panels)
+        replace(panel, letter=panel.letter or letter)
+        for panel, letter in zip(panels, ascii_uppercase, strict=False)
     ]
     rows = math.ceil(len(panels) / columns)
     for place, panel in enumerate(figure.panels, 1):

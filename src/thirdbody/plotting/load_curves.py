@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
+from string import ascii_uppercase
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -111,13 +112,15 @@ class CurveFigure:
         draw_marks: Callable[[Axes, Panel], None] | None = None,
         mark_looks: Mapping[str, Look] = marks.LOOKS,
         width: float | None = None,
+        only: str = "",
     ) -> Figure:
         """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
         ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``;
         ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``.  With
         ``axes``, the panels are drawn there; the ``width`` of a figure [inches] is by default one
-        column for one panel, and two for several.  ``add_series`` adds to the series of a panel;
+        column for one panel, and two for several; ``only`` is the letter of a panel to draw alone.
+        ``add_series`` adds to the series of a panel;
         ``draw_marks`` draws those that are neither lines nor outlines; ``mark_looks`` are entries
         of the key, for marks that are drawn.
         """
@@ -142,6 +145,8 @@ class CurveFigure:
             own = ", ".join(text for text in shared if text not in common)
             if series:
                 panels.append(self._panel(content, series, own))
+        if only:
+            panels = [replace(panels[ascii_uppercase.index(only)], letter=only)]
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
