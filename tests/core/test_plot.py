@@ -282,6 +282,75 @@ def test_a_key_of_many_curves_is_within_the_figure(parameters, over):
     assert inner.x0 >= outer.x0 and inner.x1 <= outer.x1 and inner.y0 >= outer.y0
 
 
+@pytest.fixture(scope="module")
+def plane(defaults):
+    """A grid over load and viscosity."""
+    loads, oils = np.geomspace(0.04, 80.0, 60), np.linspace(10.0, 160.0, 40)
+    rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    return tb.grid(load_N=loads, viscosity_cSt=oils, **rest, parameters=defaults)
+
+
+WORDS = {
+    "surface-surface": "surface_surface",
+    "s-s": "surface_surface",
+    "p-s": "particle_surface",
+    "particle-surface": "particle_surface",
+    "hybrid": "hybrid",
+    "boundary": "boundary",
+    "B.L.": "boundary",
+    "mixed": "mixed",
+    "M.L.": "mixed",
+    "full film": "full_film",
+    "F.L.": "full_film",
+}
+
+
+@pytest.mark.parametrize("over", [("load_N", "viscosity_cSt"), ("viscosity", "load")])
+@pytest.mark.parametrize("width_mm", [84, 174])
+def test_names_on_a_map_are_those_of_the_solution_there(plane, defaults, over, width_mm):
+    figure = tb.plot(plane, over=over, width_mm=width_mm)
+    assert not collisions(figure)
+    (axes,) = figure.axes
+    seen = set()
+    for text in axes.texts:
+        at = axes.transData.inverted().transform(
+            axes.transAxes.transform(text.get_unitless_position())
+        )
+        given = dict(zip(over, at, strict=True))
+        rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+        if "viscosity_cSt" in given:
+            given["viscosity_cSt"] *= 1e6  # axes are in SI
+        found = tb.solve(**given, **rest, parameters=defaults)
+        words = [WORDS[word] for word in text.get_text().split("\n")]
+        regime = found.lubrication_regime
+        assert words == ([found.contact_mode] if regime != "full_film" else []) + [regime]
+        seen.add(tuple(words))
+    assert {("hybrid", "mixed"), ("hybrid", "boundary")} <= seen
+    assert ("full_film",) in seen or over[0] == "viscosity"  # where it is narrow
+
+
+def test_the_line_on_a_map_is_that_of_the_turning_points(plane, defaults):
+    (axes,) = tb.plot(plane, over=["load_N", "viscosity_cSt"]).axes
+    (line,) = axes.lines
+    loads, viscosities = line.get_data()
+    rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    found = tb.turning_point(viscosity=viscosities, **rest, parameters=defaults)
+    np.testing.assert_allclose(loads, found["load_N"], rtol=0.02)
+    assert len(axes.figure.legends) == 1
+    assert not tb.plot(plane.isel(load=np.s_[:5]), over=["load_N", "viscosity_cSt"]).legends
+
+
+def test_what_has_no_map_is_refused(plane, grid):
+    for data, over in (
+        (plane[["total_contact_area"]], ["load", "viscosity"]),
+        (grid(roughness=[1e-7, 3e-7]), ["load", "viscosity"]),
+        (plane, ["load", "load_N"]),
+        (plane.isel(load=[0]), ["load", "viscosity"]),
+    ):
+        with pytest.raises(ValueError, match="allowed"):
+            tb.plot(data, over=over)
+
+
 def collided(**given):
     """Texts that are over something, in a figure of dry and lubricated contact."""
     points = tb.grid(

@@ -27,7 +27,7 @@ from thirdbody.plotting.drawing import ONE_COLUMN, TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height, key_title
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, Curve, Panel, Series
-from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes
+from thirdbody.plotting.scales import SCALES, panel_title, parameter_title, shared_notes
 from thirdbody.plotting.styles import DRY, DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
 from thirdbody.symbols import mathtext
 
@@ -329,9 +329,11 @@ def _is_hairline(series) -> bool:
 
 
 def _some_ranges(panel):
-    """The ranges of a few coloured curves, from the first to the last; grey is a zone."""
+    """The ranges of a few curves, from the first to the last; beside zones, which are grey, none
+    that is grey."""
     strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
     ranges = [one for one in panel.of_kind(marks.BAND) if one.curve in strong]
-    coloured = [one for one in ranges if len({*one.look["facecolor"]}) > 1]
-    places = np.linspace(0, max(len(coloured) - 1, 0), MOST_RANGES).round().astype(int)
-    return [coloured[place] for place in np.unique(places) if coloured]
+    if SCALES[panel.y].zones:
+        ranges = [one for one in ranges if len({*one.look["facecolor"]}) > 1]
+    places = np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int)
+    return [ranges[place] for place in np.unique(places) if ranges]

@@ -23,6 +23,7 @@ from thirdbody.ensembles import MEMBER, range_over_members
 from thirdbody.netcdf import GIVEN_AS, OF_THE_FILE, read_plain
 from thirdbody.plotting.drawing import STYLE
 from thirdbody.plotting.load_curves import curve_figure, draw_panels
+from thirdbody.plotting.maps import plot_map
 from thirdbody.plotting.marks import range_series, read_turning_points
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
@@ -41,7 +42,7 @@ from thirdbody.variables import (
 def plot(
     data: Any,
     *,
-    over: str | None = None,
+    over: str | Sequence[str] | None = None,
     variables: str | Sequence[str] = LUBRICATED,
     turning_points: Sequence[Mapping] | str | PathLike = (),
     ax: Axes | Sequence[Axes] | None = None,
@@ -57,12 +58,13 @@ def plot(
         table: its load in newtons does not give F_t*.  Points in a list must be all combinations of
         their conditions.  Data of all members (``members=True``) are drawn as the curves of the
         best, with the range of the ensemble around some of them.
-    over : str, optional
+    over : str or pair of str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by
         default the load, in newtons if it was given so, or, where there is one load, the axis with
         most values. Over the load, one of the conditions that vary has colours, and each
         combination of the others has panels of its own.  Over another axis, each combination of the
-        others is a curve.
+        others is a curve.  Over two axes, as ("load_N", "viscosity_cSt"), contact modes and
+        lubrication regimes are drawn as a map, with their names in its regions.
     variables : str or sequence of str, optional
         Draw only these of the four quantities.
     turning_points : sequence of mapping, or path, optional
@@ -102,6 +104,10 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity $ν$ (cSt)'
 
+    Where which contact mode and lubrication regime is:
+
+    >>> figure = tb.plot(points, over=["load", "viscosity"])
+
     With the range of the ensemble:
 
     >>> loads = np.geomspace(1e-6, 1e-4, 5)
@@ -112,22 +118,49 @@ def plot(
     if isinstance(turning_points, str | PathLike):
         turning_points = read_turning_points(turning_points)
     complete = _with_all_dimensions(data)
-    over = over or _longest(complete)
-    along = axis_of(over).name
-    if complete.sizes[along] < 2:
-        raise ValueError(f"data has one {along}; allowed: two or more, which curves are drawn over")
+    if over is None or isinstance(over, str):
+        over = [over or _longest(complete)]
+    along = [axis_of(each).name for each in over]
+    for name in along:
+        if complete.sizes[name] < 2:
+            raise ValueError(f"data has one {name}; allowed: two or more, which are drawn over")
     width = width_mm and width_mm / 25.4
     with matplotlib.style.context(STYLE, after_reset=True):
-        if along != "load":
-            return _plot_over(complete, along, names, axes, width)
+        if len(along) > 1:
+            return _plot_map(complete, over, along, axes, width)
+        if along != ["load"]:
+            return _plot_over(complete, along[0], names, axes, width)
         if complete.sizes.get(SPEED.name, 1) > 1:
             raise ValueError(f"data vary with the speed; allowed: over='{SPEED.alias}'")
         complete = complete.squeeze(SPEED.name, drop=True) if SPEED.name in complete else complete
         figure = curve_figure(complete)
-        x = NORMAL_LOAD.name if over == "load_N" else "load"
-        chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
-        figure = replace(figure, contents=chosen)
+        x = _drawn_over(over[0], along[0])
+        contents = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
+        figure = replace(figure, contents=contents)
         return figure.plot(complete, turning_points, axes=axes, width=width)
+
+
+def _drawn_over(given: str, name: str) -> str:
+    """The variable along an axis that was ``given`` by any of its names."""
+    return NORMAL_LOAD.name if given == "load_N" else name
+
+
+def _plot_map(
+    data: xr.Dataset,
+    given: Sequence[str],
+    along: Sequence[str],
+    axes: Sequence[Axes],
+    width: float | None,
+) -> Figure:
+    """A map over two axes of data that vary in no other one."""
+    others = [name for name in _dimensions(data) if name not in along]
+    varying = [name for name in others if data.sizes[name] > 1]
+    if varying or len({*along}) != 2:
+        message = f"a map is over two conditions; data also vary with {', '.join(varying)}"
+        raise ValueError(f"{message}; allowed: one value of all others")
+    common = [_note(data, name, data[name].values[0]) for name in others]
+    x, y = map(_drawn_over, given, along)
+    return plot_map(data.isel(dict.fromkeys(others, 0)), x, y, common, axes, width)
 
 
 def _longest(data: xr.Dataset) -> str:
