@@ -397,6 +397,21 @@ def test_names_leave_the_room_of_the_curves_and_ticks_to_them(grid):
     assert min(ticks) > 0.9 * LOADS[0] and max(ticks) < 1.1 * LOADS[-1]
 
 
+def test_points_outside_the_film_formula_are_dotted_over_any_axis():
+    oils = [0.0, *np.geomspace(1e-3, 100.0, 12)]
+    rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    with pytest.warns(tb.OutOfRangeWarning):
+        points = tb.solve(load_N=80, viscosity_cSt=oils, **rest)
+    outside = points.to_dataset()["solution_status"].values.ravel() == 1
+    assert 1 < outside.sum() < len(oils) and points.solid_load_fraction[1] < 0.99
+    figure = tb.plot(points, over="viscosity_cSt", variables="solid_load_fraction")
+    curve, dotted = figure.axes[0].lines
+    np.testing.assert_array_equal(np.isnan(curve.get_ydata()), outside)
+    np.testing.assert_array_equal(dotted.get_ydata(), points.solid_load_fraction[outside])
+    assert dotted.get_linestyle() == ":"
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["outside film formula"]
+
+
 def test_a_stribeck_curve_is_drawn_over_the_speed():
     layer = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
     speeds = np.geomspace(0.1, 20.0, 12)

@@ -404,7 +404,7 @@ def test_a_wide_table_has_a_column_for_each_curve(datasets, tmp_path):
 @pytest.mark.parametrize(
     ("status", "places", "meaning"),
     [
-        ("outside_film_formula", [-4, -1], "outside film formula"),
+        ("outside_film_formula", np.s_[-4:], "outside film formula"),
         ("load_exceeded", [-5], "load exceeded"),
     ],
 )
@@ -423,6 +423,9 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         assert marked.name == curve.label
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values[name][places])
+    first = drawing.axes[0].lines[len(curves_in(data)) - 1]
+    left_out = np.isnan(first.get_ydata())
+    assert left_out[-4:].all() and not left_out[:-4].any()
     assert meaning in key_of(drawing)
     assert meaning in caption("fig11", drawing.panels).shows
     assert meaning not in key_of(plotted("fig11", datasets))

@@ -204,7 +204,7 @@ def _curve_series(content, curves) -> Iterator[Series]:
     for curve in curves:
         values = curve.values[x], curve.values[y]
         yield Series(CURVE, curve.label, *values, curve.condition, curve.look)
-    yield from marks.status_series(x, y, curves)
+        yield from marks.status_series(curve.label, *values, curve.values, curve.condition)
     if y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves)
         if x == "load":
@@ -283,7 +283,7 @@ def _share_titles(axes, panels):
 
 def _draw_series(axes, panel, newtons_per_load, draw_marks) -> dict[Series, Line2D]:
     """Draw the series of a panel, then the scales of its axes; the lines of its series."""
-    lines = {}
+    lines, doubtful = {}, marks.doubtful(panel.series)
     unseen = UNSEEN * panel.least or -np.inf
     for series in _some_ranges(panel):
         outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
@@ -291,6 +291,8 @@ def _draw_series(axes, panel, newtons_per_load, draw_marks) -> dict[Series, Line
     for series in panel.series:
         if series.drawn_as == LINE:
             y = np.maximum(series.y, unseen)
+            if series.kind == CURVE:
+                y[np.isin(series.x, doubtful.get(series.name, []))] = np.nan
             (lines[series],) = axes.plot(series.x, y, **series.look)
     if draw_marks is not None:
         draw_marks(axes, panel)
@@ -329,11 +331,15 @@ def _is_hairline(series) -> bool:
 
 
 def _some_ranges(panel):
-    """The ranges of a few curves, from the first to the last; beside zones, which are grey, none
-    that is grey."""
+    """The ranges of a few coloured curves, from the first to the last, and those of two-body
+    contact, above which others would rise, but not beside zones: these are grey too."""
     strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
-    ranges = [one for one in panel.of_kind(marks.BAND) if one.curve in strong]
-    if SCALES[panel.y].zones:
-        ranges = [one for one in ranges if len({*one.look["facecolor"]}) > 1]
+    has_zones = bool(SCALES[panel.y].zones)
+    ranges = [
+        one
+        for one in panel.of_kind(marks.BAND)
+        if one.curve in strong
+        and (len({*one.look["facecolor"]}) > 1 or (one.curve.is_two_body and not has_zones))
+    ]
     places = np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int)
     return [ranges[place] for place in np.unique(places) if ranges]

@@ -24,7 +24,7 @@ from thirdbody.netcdf import GIVEN_AS, OF_THE_FILE, read_plain
 from thirdbody.plotting.drawing import STYLE
 from thirdbody.plotting.load_curves import curve_figure, draw_panels
 from thirdbody.plotting.maps import plot_map
-from thirdbody.plotting.marks import range_series, read_turning_points
+from thirdbody.plotting.marks import range_series, read_turning_points, status_series
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
 from thirdbody.plotting.styles import BLUE, Look, level_styles
@@ -189,7 +189,7 @@ def _plot_over(
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
-    looks = level_styles(len(curves))
+    looks = level_styles(len(curves), data.sizes[over])
     if varying:
         looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
@@ -225,11 +225,14 @@ def plot_curve(table: pd.DataFrame, along: str) -> Figure:
 def _panel(
     over: str, x: NDArray, name: str, curves: Mapping[str, Mapping], looks: Sequence[Look]
 ) -> Panel:
-    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables, and
-    its range if it has one."""
+    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables, its
+    points that have not converged, and its range if it has one."""
     series = []
     for (label, values), look in zip(curves.items(), looks, strict=True):
-        series.append(Series(CURVE, label, x, np.asarray(values[name], float), look=look))
+        y = np.asarray(values[name], float)
+        series.append(Series(CURVE, label, x, y, look=look))
+        if STATUS in values:
+            series += status_series(label, x, y, values)
         if f"{name}_low" in values:
             low, high = (np.asarray(values[f"{name}_{end}"], float) for end in ("low", "high"))
             series.append(range_series(label, x, low, high, look["color"]))
