@@ -22,6 +22,7 @@ AREA, FILM = Content("total_contact_area"), Content("film_thickness")
 RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=REMARKS["relative"])
 OVER_SIZES = "diameter_ratio"  # x of panels of turning points
 TURNING_POINTS = Content("turning_point_ratio", x=OVER_SIZES, remark=REMARKS["ours"])
+AREA_BESIDE_RATIO = "AADDD", "BBCC"  # its curves lie close together, those of the ratio apart
 # The conditions of the curves have the same name in config/scenes.yaml.  Other scenes need no
 # entry here.
 CURVE_FIGURES: dict[str, CurveFigure] = {
@@ -36,11 +37,13 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         "particle_diameter",
         (AREA, SOLID, RATIO, RELATIVE_AREA),
         strong=(300e-9, 500e-9, 700e-9, 1000e-9),
+        rows=AREA_BESIDE_RATIO,
     ),
     "fig07": CurveFigure(
         "particle_density",
         (AREA, SOLID, RATIO, RELATIVE_AREA),
         strong=(1e10, 1e11, 5e11, 5e12),
+        rows=AREA_BESIDE_RATIO,
     ),
     "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE_AREA), two_body=False),
     # dry: where the turning point occurs
@@ -49,6 +52,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         (RATIO, AREA, RELATIVE_AREA, TURNING_POINTS),
         two_body=False,
         strong=(250e-9, 300e-9, 350e-9, 400e-9, 500e-9),
+        rows=("AADD", "BBCCC"),
     ),
     "fig10": CurveFigure(
         "diameter_ratio",

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import product, zip_longest
 from string import ascii_uppercase
 
 import numpy as np
@@ -93,7 +93,8 @@ class CurveFigure:
 
     Each panel is drawn for every value of the conditions ``each``, with two-body contact.  Without
     ``two_body``, two-body contact is only the reference of areas.  If levels of the parameter [SI]
-    are ``strong``, the others are hairlines.
+    are ``strong``, the others are hairlines.  ``rows`` of two columns are those of
+    ``empty_panels``.
     """
 
     parameter: str
@@ -101,6 +102,7 @@ class CurveFigure:
     each: tuple[str, ...] = ()
     two_body: bool = True
     strong: tuple[float, ...] = ()
+    rows: tuple[str, ...] = ()
 
     def plot(
         self,
@@ -152,7 +154,16 @@ class CurveFigure:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
         return draw_panels(
-            panels, key, title, common, newtons_per_load, axes, draw_marks, mark_looks, width
+            panels,
+            key,
+            title,
+            common,
+            newtons_per_load,
+            axes,
+            draw_marks,
+            mark_looks,
+            width,
+            () if only else self.rows,
         )
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
@@ -224,11 +235,13 @@ def draw_panels(
     draw_marks: Callable[[Axes, Panel], None] | None = None,
     mark_looks: Mapping[str, Look] = marks.LOOKS,
     width: float | None = None,
+    rows: Sequence[str] = (),
 ) -> Figure:
     """Draw panels of curves, and a key with the groups of ``key`` and those ``mark_looks`` that
     occur.  With ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  Panels are drawn
-    on ``axes``, with the key in the last, or on a new figure of this ``width`` [inches].
-    ``draw_marks`` draws in a panel after its curves."""
+    on ``axes``, with the key in the last, or on a new figure of this ``width`` [inches], in
+    ``rows`` as in ``empty_panels`` if there are two columns.  ``draw_marks`` draws in a panel
+    after its curves."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
     labels = {label for panel in panels for series in panel.series for label in series.labels}
@@ -236,15 +249,13 @@ def draw_panels(
     groups = [group for group in (*key, drawn) if group]
     own = not len(axes)
     if own:
-        axes = _new_axes(panels, groups, title, common, width)
+        axes = _new_axes(panels, groups, title, common, width, rows)
     figure = axes[0].figure.figure
     drawings = [
         (each, panel, _draw_series(each, panel, newtons_per_load, draw_marks))
         for each, panel in zip(axes, panels, strict=True)
     ]
-    if own:
-        _share_titles(axes, panels)
-    elif groups:
+    if groups and not own:
         lines = [handle(each) for group in groups for each in group]
         axes[-1].legend(handles=lines, title=mathtext(title) or None)
     if engine := figure.get_layout_engine():
@@ -254,31 +265,35 @@ def draw_panels(
     return figure
 
 
-def _new_axes(panels, groups, title, common, width) -> Sequence[Axes]:
+def _new_axes(panels, groups, title, common, width, rows) -> Sequence[Axes]:
     """The axes of a new figure, with its key."""
     width = width or (ONE_COLUMN if len(panels) == 1 else TWO_COLUMNS)
     columns = 2 if width > 1.5 * ONE_COLUMN else 1
+    letters = ascii_uppercase[: len(panels)]
+    if columns == 1 or {*"".join(rows)} != {*letters}:
+        rows = ()
     beside = len(panels) % columns == 1 and is_beside(groups)
     text = key_title(title, common, width / columns if beside else width)
     below = key_height(groups, text, width) if groups and not beside else 0.0
     size = width, math.ceil(len(panels) / columns) * CELL_HEIGHT + below
-    figure = empty_panels(panels, size, columns)
+    figure = empty_panels(panels, size, columns, rows)
     if groups:
         add_key(figure, groups, text, beside)
+    plain = [letters[place : place + columns] for place in range(0, len(letters), columns)]
+    table = [sorted({*row}) for row in rows or plain]
+    _share_titles(dict(zip(letters, zip(figure.axes, panels, strict=True))), table)
     return figure.axes
 
 
-def _share_titles(axes, panels):
+def _share_titles(drawn, rows):
     """Hide titles of axes that the panel below or the one at the left repeats."""
-    places = [each.get_subplotspec() for each in axes]
-    for each, panel, place in zip(axes, panels, places, strict=True):
-        for other, beside in zip(panels, places, strict=True):
-            is_below = beside.rowspan.start == place.rowspan.stop
-            if is_below and beside.colspan == place.colspan and other.x == panel.x:
-                each.xaxis.label.set_visible(False)
-            is_left = beside.colspan.stop == place.colspan.start
-            if is_left and beside.rowspan == place.rowspan and other.y == panel.y:
-                each.yaxis.label.set_visible(False)
+    for row, below in zip_longest(rows, rows[1:], fillvalue=""):
+        for place, letter in enumerate(row):
+            axes, panel = drawn[letter]
+            if place < len(below) and drawn[below[place]][1].x == panel.x:
+                axes.xaxis.label.set_visible(False)
+            if place > 0 and drawn[row[place - 1]][1].y == panel.y:
+                axes.yaxis.label.set_visible(False)
 
 
 def _draw_series(axes, panel, newtons_per_load, draw_marks) -> dict[Series, Line2D]:
