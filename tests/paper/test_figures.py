@@ -339,6 +339,50 @@ def test_a_panel_alone_is_as_wide_as_a_column_and_shows_the_same(datasets, print
     assert b"<title>Panel B: " in (tmp_path / "a.svg").read_bytes()
 
 
+@pytest.mark.parametrize("name", ["fig06", "fig07", "fig09"])
+def test_the_panel_of_areas_is_narrow_beside_that_of_their_ratios(name, datasets):
+    figure = plotted(name, datasets)
+    figure.draw_without_rendering()
+    boxes = {
+        panel.y: axes.get_position() for panel, axes in zip(figure.panels, figure.axes, strict=True)
+    }
+    area, ratio = boxes[AREA], boxes[OVER]
+    assert area.width < 0.75 * ratio.width and area.x1 < ratio.x0
+    assert area.y0 == pytest.approx(ratio.y0, abs=0.01)
+
+
+def test_titles_of_axes_that_repeat_are_shown_once(datasets):
+    def titles(name):
+        figure = plotted(name, datasets)
+        return [
+            (axes.xaxis.label.get_visible(), axes.yaxis.label.get_visible()) for axes in figure.axes
+        ]
+
+    assert titles("fig04") == [(False, True), (False, True), (True, True), (True, True)]
+    assert titles("fig11") == [(True, True), (True, True), (True, True)]  # C is over the film
+    assert titles("fig13") == [(False, True), (True, False), (True, True)]
+
+
+def test_the_range_of_two_body_contact_is_drawn_with_others_of_areas(datasets):
+    data = datasets["fig03"]
+    ends = {
+        f"{y}_{end}": part * data[y]
+        for y in (RATIO, AREA)
+        for end, part in (("low", 0.9), ("high", 1.2))
+    }
+    figure = plotted("fig03", datasets, ensemble_range=xr.Dataset(ends))
+    highest = max(one.y.max() for one in figure.panels[1].of_kind(BAND) if one.curve.is_two_body)
+    for place, expected in ((0, False), (1, True)):
+        outlines = figure.axes[place].collections
+        assert outlines
+        greys = [one for one in outlines if len({*one.get_facecolor()[0][:3]}) == 1]
+        assert (
+            bool([one for one in greys if one.get_label() == "range of the ensemble"]) == expected
+        )
+    tops = [path.vertices[:, 1].max() for one in greys for path in one.get_paths()]
+    assert highest in tops
+
+
 def look(line):
     grey = round(float(np.dot(to_rgb(line.get_color()), GREY)), 3)
     is_hollow = line.get_markerfacecolor() == "white"
