@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from string import ascii_uppercase
 from typing import Any
 
 from matplotlib.figure import Figure
@@ -13,7 +12,6 @@ from chenhorng.figures.numbers import draw_numbers, hide_coinciding
 from chenhorng.figures.printed import LOCUS
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.netcdf import PlainDataset, read_plain
-from thirdbody.plotting.drawing import Drawing
 from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.marks import BAND, read_turning_points, turning_point_series
 from thirdbody.plotting.panels import Curve, Series
@@ -24,6 +22,7 @@ AREA, FILM = Content("total_contact_area"), Content("film_thickness")
 RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=REMARKS["relative"])
 OVER_SIZES = "diameter_ratio"  # x of panels of turning points
 TURNING_POINTS = Content("turning_point_ratio", x=OVER_SIZES, remark=REMARKS["ours"])
+AREA_BESIDE_RATIO = "AADDD", "BBCC"  # its curves lie close together, those of the ratio apart
 # The conditions of the curves have the same name in config/scenes.yaml.  Other scenes need no
 # entry here.
 CURVE_FIGURES: dict[str, CurveFigure] = {
@@ -38,11 +37,13 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         "particle_diameter",
         (AREA, SOLID, RATIO, RELATIVE_AREA),
         strong=(300e-9, 500e-9, 700e-9, 1000e-9),
+        rows=AREA_BESIDE_RATIO,
     ),
     "fig07": CurveFigure(
         "particle_density",
         (AREA, SOLID, RATIO, RELATIVE_AREA),
         strong=(1e10, 1e11, 5e11, 5e12),
+        rows=AREA_BESIDE_RATIO,
     ),
     "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE_AREA), two_body=False),
     # dry: where the turning point occurs
@@ -51,6 +52,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         (RATIO, AREA, RELATIVE_AREA, TURNING_POINTS),
         two_body=False,
         strong=(250e-9, 300e-9, 350e-9, 400e-9, 500e-9),
+        rows=("AADD", "BBCCC"),
     ),
     "fig10": CurveFigure(
         "diameter_ratio",
@@ -90,10 +92,10 @@ def plot(
     ensemble_range: PlainDataset | None = None,
     printed: Sequence[Mapping] = (),
     windows: Sequence[Mapping] = (),
+    width: float | None = None,
     panel: str = "",
 ) -> Figure:
-    """Draw the figure ``name`` of the paper, or that of any other scene; or the ``panel`` with this
-    letter alone, as wide as a column.
+    """Draw the figure ``name`` of the paper, or that of any other scene, or one ``panel``.
 
     ``printed`` and ``windows`` are rows of the tables ``printed``, those of this figure, and
     ``tpca_windows``; the other arguments and errors are those of ``CurveFigure.plot``.
@@ -110,17 +112,15 @@ def plot(
             series.sort(key=lambda each: each.kind == BAND)
         series += printed_marks.printed_series(x, y, curves, printed)
 
-    chosen = CURVE_FIGURES.get(name) or curve_figure(data)
-    if panel:
-        content = chosen.contents[ascii_uppercase.index(panel)]
-        chosen = replace(chosen, contents=(content,))
-    figure = chosen.plot(
+    figure = (CURVE_FIGURES.get(name) or curve_figure(data)).plot(
         data,
         turning_points,
         ensemble_range,
         add_series=add_numbers,
         draw_marks=draw_numbers,
         mark_looks=printed_marks.ALL_LOOKS,
+        width=width,
+        only=panel,
     )
     for axes in figure.axes:
         hide_coinciding(axes)
@@ -129,8 +129,7 @@ def plot(
         axes.sharex(over_sizes[0])
     if len(over_sizes) > 1:
         over_sizes[0].autoscale(axis="x")
-    if panel and isinstance(figure, Drawing):
-        figure.panels = [replace(each, letter=panel) for each in figure.panels]
-    elif name in HEADLINES:
-        figure.suptitle(HEADLINES[name], x=0.01, ha="left", fontsize="medium", fontweight="bold")
+    if name in HEADLINES and not panel:
+        look = {"fontsize": "medium", "fontweight": "bold", "wrap": True}
+        figure.suptitle(HEADLINES[name], x=0.01, ha="left", **look)
     return figure

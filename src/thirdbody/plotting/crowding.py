@@ -45,7 +45,8 @@ def name_ends(
             groups.append(group)
     groups.sort(key=lambda group: np.mean([height for *_, height in group]))
     ends = [float(np.mean([height for *_, height in group])) for group in groups]
-    compares_media = 0 < len({*dry} & {*texts}) < len(texts)
+    all_dry = {*dry} & {*texts}
+    compares_media = 0 < len(all_dry) < len(texts)
     texts = {**texts, **hairlines}
     names = []
     for group, end, height in zip(groups, ends, _spread(ends, line), strict=True):
@@ -55,8 +56,7 @@ def name_ends(
             colours = {SEVERAL}
         text = _joined(texts[line] for line, *_ in group)
         if is_dry and compares_media and not text.startswith(("dry", "two-body")):
-            is_all = {*dry} & {*texts} == {line for line, *_ in group}
-            text = "dry" if is_all else f"dry {text}"
+            text = "dry" if all_dry == {line for line, *_ in group} else f"dry {text}"
         name = axes.annotate(
             text,
             (group[0][1], end),

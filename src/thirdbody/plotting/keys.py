@@ -25,7 +25,7 @@ def key_columns(groups: Groups, width: float) -> list[list[Mapping[str, Any]]]:
     letter = rcParams["legend.fontsize"]
     line = letter * (rcParams["legend.handlelength"] + rcParams["legend.handletextpad"])
     between = letter * rcParams["legend.columnspacing"]
-    wide = {each["label"]: _width(each["label"], letter) for group in groups for each in group}
+    wide = {each["label"]: text_width(each["label"], letter) for group in groups for each in group}
     for rows in range(1, len(wide) + 1):
         columns = [column for group in groups for column in _split(group, rows)]
         widths = [max(wide[each["label"]] for each in column) + line for column in columns]
@@ -34,7 +34,7 @@ def key_columns(groups: Groups, width: float) -> list[list[Mapping[str, Any]]]:
     return [[each for group in groups for each in group]]
 
 
-def _width(text, letter) -> float:
+def text_width(text, letter) -> float:
     """The width of a text with letters of this size [points]."""
     return float(TextPath((0.0, 0.0), mathtext(text), size=letter).get_extents().width)
 
@@ -52,7 +52,7 @@ def key_title(title: str, common: Sequence[str], width: float) -> str:
     lines = [title] if title else []
     for place, each in enumerate(common):
         longer = f"{lines[-1]}, {each}" if place else ""
-        if longer and _width(longer, rcParams["legend.title_fontsize"]) <= 72.0 * width - EDGE:
+        if longer and text_width(longer, rcParams["legend.title_fontsize"]) <= 72.0 * width - EDGE:
             lines[-1] = longer
         else:
             lines.append(each)
