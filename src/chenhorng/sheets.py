@@ -12,7 +12,7 @@ from statistics import fmean, median
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from chenhorng.claims.words import NOT_TESTED, counted_once
+from chenhorng.claims.words import NOT_TESTED, counted_once, number
 from chenhorng.tables import TABLES
 from thirdbody.core.film import has_film
 from thirdbody.curves import row_key
@@ -215,11 +215,17 @@ def _windows(rows, printed, _newtons_per_load) -> Sheet:
         line, sizes = {"σ [nm]": _in_unit("roughness", roughness)}, []
         for row in ends:
             end, ratio, error = (row[n] for n in ("end", "diameter_over_roughness", "error"))
-            paper = _with_tolerances(printed, quantity=f"window_{end}", roughness_m=roughness)
+            own: dict[str, object] = {"quantity": f"window_{end}", "roughness_m": roughness}
+            paper = _with_tolerances(printed, **own)
             line |= {f"{end} end of xₐ/σ": rounded(ratio, error), f"{end} end (paper)": paper}
+            inside = [n["low"] <= ratio <= n["high"] for n in printed if own.items() <= n.items()]
+            line[f"{end} end misses"] = _miss(all(inside))
             sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
         lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
-    note = "Turning points occur between two ends of xₐ/σ. Ends of the paper have their tolerances."
+    note = (
+        "Turning points occur between two ends of xₐ/σ. Ends of the paper have their tolerances; ✗ "
+        "marks an end outside of one."
+    )
     return Sheet(title="Windows of the turning point in dry contact", note=note, rows=lines)
 
 
@@ -266,16 +272,23 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
             {
                 **_number_cells(row),
                 "deviation": f"{100.0 * row['deviation']:+.1f} %".replace("-0.0", "0.0"),
+                "inside": _miss(row["inside"] == "yes"),
             },
         )
         for row in rows
     ]
     note = (
-        f"All numbers that the headline statements print. The median of the deviations is "
+        f"All numbers that the headline statements print; ✗ marks those outside of their "
+        f"tolerances. The median of the deviations is "
         f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of "
         "H_c are those from 0.04 to 80 N."
     )
     return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
+
+
+def _miss(is_inside: bool) -> str:
+    """The mark of a number outside of its tolerance."""
+    return "" if is_inside else "✗"
 
 
 def _number_cells(row) -> dict[str, str]:
@@ -284,8 +297,8 @@ def _number_cells(row) -> dict[str, str]:
     return {
         "place": row["place"].removesuffix(", section 3.3"),
         "statement": row["statement"],
-        "printed": short(f"{row['printed']:.4g}"),
-        "computed": "none" if computed is None else short(f"{computed:.4g}"),
+        "printed": number(row["printed"], 4),
+        "computed": "none" if computed is None else number(computed),
     }
 
 
@@ -521,9 +534,9 @@ def _elasticity(row) -> str:
 def _with_tolerances(printed, unit=1.0, **fields) -> str:
     """The ``printed`` numbers that have these ``fields``, with their tolerances, in ``unit``."""
     texts: dict[str, None] = {}
-    for number in printed:
-        if fields.items() <= number.items():
-            value, low, high = (number[name] / unit for name in ("value", "low", "high"))
+    for each in printed:
+        if fields.items() <= each.items():
+            value, low, high = (each[name] / unit for name in ("value", "low", "high"))
             is_even = math.isclose(high - value, value - low, rel_tol=1e-6)
             tolerance = f"± {high - value:.2g}" if is_even else f"({low:.3g} to {high:.3g})"
             texts[f"{value:.3g} {tolerance}"] = None

@@ -75,7 +75,7 @@ def find(
         Name of the axis, which also sets the unit of the results: ``load`` [1] or ``load_N``, ...
     between : pair of float
         Ends of the search in the unit of ``along``, or quantities.  By default 0.01 to 1000 N, 1 to
-        1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
+        1000 cSt, 10 to 10000 nm (particle size), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of samples along the axis, 2 or more.
     parameters, members, rtol, progress, **conditions

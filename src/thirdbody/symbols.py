@@ -28,6 +28,7 @@ POWER = r"\b(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b"
 RAISED = r"\^(-?\d+)"
 OF_TEN = rf"\b(?:(\d+(?:\.\d+)?)×)?10{RAISED}"  # a power as ``unicode`` writes it
 PER = r"(?<=\b[ms])-(?=\d\b)"  # m-2
+MINUS = r"(?<![\w^).])-(?=\.?\d)"  # before a number: no hyphen, and no sign of a power
 TO_BELOW = str.maketrans("aeoxhklmnpstijruv0123456789", "ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ₀₁₂₃₄₅₆₇₈₉")
 TO_ABOVE = str.maketrans("-0123456789", SUPERSCRIPTS)
 LATEX_LETTERS = {letter: rf"\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi"}
@@ -35,7 +36,7 @@ LATEX_SIGNS = {
     **{sign: rf"\{sign}" for sign in "&%#{}_$"},
     **{"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"},
     **{"<": "$<$", ">": "$>$", "±": r"$\pm$", "×": r"$\times$", "−": "$-$"},
-    **{"↑": r"$\uparrow$", "↓": r"$\downarrow$"},
+    **{"↑": r"$\uparrow$", "↓": r"$\downarrow$", "✗": r"$\times$"},
 }
 
 
@@ -120,7 +121,7 @@ def _written(text: str, is_symbol: bool, form: Form) -> str:
     text = re.sub(WORD, lambda match: GREEK[match[0]], text)
     text = re.sub(BELOW, lambda match: f"_{normalize('NFKC', match[0])}", text)
     text = re.sub(f"[{SUPERSCRIPTS}]+", lambda match: f"^{normalize('NFKC', match[0])}", text)
-    text = re.sub(PER, "^-", text.replace("^−", "^-"))
+    text = re.sub(MINUS, "−", re.sub(PER, "^-", text.replace("^−", "^-")))
     text = re.sub(OF_TEN, lambda match: f"{match[1] or 1}e{match[2]}", text)
     symbol = rf"(?:{SYMBOL}|{IN_SYMBOL if is_symbol else IN_TEXT})(\*?)"
     return re.sub(rf"{symbol}|{POWER}|{RAISED}|(.)", write, text, flags=re.DOTALL)

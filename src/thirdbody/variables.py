@@ -343,7 +343,7 @@ DERIVED = _by_name(
     Variable(
         name="diameter_ratio",
         symbol="x_a/sigma",
-        title="Ratio of particle size to roughness",
+        title="Particle size over roughness",
     ),
     Variable(
         name="turning_point_ratio",

@@ -368,16 +368,6 @@ def test_a_profile_is_narrow_in_what_is_determined_and_wide_in_what_others_make_
     assert low > 0.9 and high > 0.9 and best < 0.05
 
 
-def test_predicted_statements_are_counted_in_the_fold_that_leaves_them_out():
-    folds = [fold.left_out for fold in make_folds(CLAIMS, SETTINGS["folds"])]
-    predicted = {claim.id: Verdict("", 9.0, 0.0) for claim in CLAIMS}
-    predicted |= {claim.id: Verdict("", 0.0, 0.0) for claim in folds[1]}
-    found = Candidate(content={}, verdicts={}, predicted=predicted, folds=folds)
-    first, (held, tested), *others = found.fold_counts
-    assert held == tested == len({each.counted_as for each in folds[1] if not each.aside})
-    assert all(none == 0 < some for none, some in (first, *others))
-
-
 def test_a_statement_that_was_in_no_search_is_not_predicted(parameters):
     """One of a reader's own, on a curve of the paper."""
     own = replace(CLAIMS[0], id="one-of-my-own")
@@ -526,7 +516,6 @@ def test_interpretations_within_one_standard_error_of_the_least_loss_are_equal(t
 def test_the_table_of_interpretations_has_counts_and_deviations(told):
     table = ranked(told, CONTENTS)
     assert table["predicted"].tolist() == ["3/3", "2/3", "3/3", "0/3", "not cross-validated"]
-    assert table.loc["near", "folds"] == "0/1, 1/1, 1/1"
     assert table.loc["near", ["fitted", "headline"]].tolist() == ["2/3", "1/1"]
     assert table["mean_deviation"].tolist() == pytest.approx([0.2, 0.1, 0.0, 0.0, 0.0])
     assert (table["mean_deviation"] == table["median_deviation"]).all()
@@ -596,6 +585,7 @@ def test_each_printed_number_has_its_deviation_and_minus_one_if_the_model_has_no
     assert_allclose(table["computed"], computed)
     expected = [0.1, -0.2, -1.0, 0.25, -0.2, 0.0, -1.0, -1.0, -1.0]
     assert table["deviation"].tolist() == pytest.approx(expected, abs=1e-12)
+    assert table["inside"].tolist() == ["no", "yes", *["no"] * 3, "yes", *["no"] * 3]
     assert table["place"].tolist()[-1] == "Figure 9A"
     assert [*table] == [column.name for column in TABLES["deviations"]]
 

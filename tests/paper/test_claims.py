@@ -110,8 +110,40 @@ def test_a_number_that_stands_for_words_is_not_said_to_be_printed():
     curve = make_curve(solid=0.9)
     printed, meant = least(0.8), least(0.8, stands_for="gradually")
     assert judged(printed, curve).finding.endswith("0.8 is printed.")
-    assert judged(meant, curve).finding.endswith('0.8 stands for "gradually".')
+    assert judged(meant, curve).finding.endswith('0.8 is taken for "gradually".')
     assert printed.printed_numbers and not meant.printed_numbers
+
+
+def test_numbers_of_several_curves_stand_behind_the_names_of_their_curves():
+    curves = make_curve(), make_curve(solid=0.95), make_curve(solid=0.9500001), make_curve()
+    found = judged(least(1.0, 0.1, given=viscosities(4)), by_viscosity(*curves)).finding
+    assert found == "The least L_s is: dry 1, 10 cSt to 20 cSt 0.95, 30 cSt 1; 1 is printed."
+    same = judged(least(1.0, 0.1, given=viscosities(4)), by_viscosity(*4 * [make_curve()])).finding
+    assert same == "The least L_s is 1; 1 is printed."
+    sizes = {"particle_diameter_nm": [100, 300], "roughness_nm": [100, 300]}
+    pair = least(1.0, given=sizes)
+    assert pair.curve_names == ["σ = 100 nm", "σ = 300 nm"]
+    crossed = least(1.0, given=viscosities(2) | {"roughness_nm": [300, 300]})
+    assert crossed.curve_names == ["dry", "10 cSt"]
+
+
+@pytest.mark.parametrize(
+    ("published", "tolerance", "kind", "computed", "offset"),
+    [
+        (0.2, 0.02, "absolute", 0.21, 0.5),
+        (-0.149, 0.02, "absolute", -0.169, -1.0),
+        (1e-5, 2.0, "factor", 2e-5, 1.0),
+        (1e-5, 2.0, "factor", 0.5e-5, -1.0),
+        (2.0, 0.1, "relative", 1.8, -1.0),
+        (2.0, 0.1, "relative", 2.42, 2.0),
+    ],
+)
+def test_an_offset_is_the_signed_distance_in_tolerances(
+    published, tolerance, kind, computed, offset
+):
+    claim = replace(least(published, tolerance), tolerance_kind=kind)
+    assert claim.offsets(np.array([computed])) == pytest.approx([offset])
+    assert claim.against_published(computed, "").distance == pytest.approx(abs(offset))
 
 
 def test_value_of_several_curves_is_that_of_the_worst():
@@ -158,8 +190,8 @@ def test_load_where_a_quantity_falls_to_a_level():
 def test_load_outside_the_range_is_continued_and_shown_as_such():
     claim = make_claim("value", "load", 1e-4, given={"solid_load_fraction": 0.9})
     never, always = judged(claim, falling_to(0.91)), judged(claim, falling_to(0.1, begin=0.8))
-    assert never.computed == "> 0.0001" and LOADS[-1] < never.value < 3e-4
-    assert always.computed == "< 1e-07" and always.value == LOADS[0]
+    assert never.computed == "> 1e-4" and LOADS[-1] < never.value < 3e-4
+    assert always.computed == "< 1e-7" and always.value == LOADS[0]
     assert judged(claim, make_curve()).value == pytest.approx(1e-3, rel=0.15)
 
 
@@ -177,7 +209,7 @@ def test_reversal_load():
     crossing = make_curve(area=1e-3 * LOADS * (LOADS / 1e-5) ** 0.2)
     assert judged(claim, by_viscosity(STRAIGHT, crossing)).value == pytest.approx(1e-5)
     against = judged(claim, by_viscosity(crossing, STRAIGHT))
-    assert not against.holds and against.computed == "> 0.0001"
+    assert not against.holds and against.computed == "> 1e-4"
 
 
 def test_bend_load_is_where_the_slope_leaves_that_of_the_reference():
@@ -186,7 +218,7 @@ def test_bend_load_is_where_the_slope_leaves_that_of_the_reference():
         assert judged(claim, by_viscosity(STRAIGHT, bending(at))).holds is holds
     # a bend that the reference has too is none
     both = judged(claim, by_viscosity(bending(1e-5), bending(1e-5)))
-    assert both.computed == "> 0.0001" and not both.holds
+    assert both.computed == "> 1e-4" and not both.holds
 
 
 def test_bend_load_over_that_at_which_mixed_lubrication_begins():
@@ -225,7 +257,7 @@ def test_a_span_has_the_published_ends():
         judged(claim, make_curve(film=thickest * ratio ** (-DECADES / 3)))
         for thickest, ratio in ((2e-4, 2.0), (4e-4, 4.0), (1.9e-4, 1.9))
     )
-    assert exact.holds and exact.computed == "0.0001 to 0.0002"
+    assert exact.holds and exact.computed == "1e-4 to 2e-4"
     assert not long.holds and long.value == pytest.approx(4e-4)
     assert not short.holds and short.value == pytest.approx(1.9e-4)
 
@@ -242,7 +274,7 @@ def loads_of_mixing(*loads):
 
 def test_the_order_of_loads_beyond_the_last_is_tested_where_it_is_known():
     verdict = loads_of_mixing(1e-6, 1e-5, 2e-4)
-    assert verdict.tested and verdict.holds and verdict.computed.endswith("> 0.0001")
+    assert verdict.tested and verdict.holds and verdict.computed.endswith("> 1e-4")
     wrong = loads_of_mixing(1e-6, 2e-4, 1e-5)
     assert wrong.tested and not wrong.holds
     for loads in ((1e-6, 2e-4, 3e-4), (1e-6, 3e-4, 2e-4)):
@@ -514,7 +546,7 @@ def test_what_is_said_of_a_turning_point_fails_where_it_does_not_stand_out():
     assert [verdict.holds for verdict in verdicts] == [True, True, False, False, False]
     scores = [verdict.score for verdict in verdicts]
     assert scores == sorted(scores) and scores[2] < 1.2 and scores[4] == MISSING_SCORE
-    assert verdicts[2].computed == "1e-05; stands out by 0.019"
+    assert verdicts[2].computed == "1e-5; stands out by 0.019"
 
 
 def test_conditions_are_si_and_run_together():

@@ -16,8 +16,9 @@ from matplotlib.text import Text
 import thirdbody as tb
 from chenhorng.claims.between_curves import BEND
 from chenhorng.claims.claims import load_claims, printed_rows
-from chenhorng.figures.captions import HEADLINES, caption, inputs_sentence
+from chenhorng.figures.captions import caption, inputs_sentence, labels_sentences
 from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
+from chenhorng.figures.findings import headline
 from chenhorng.figures.numbers import Number
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED, WINDOW
 from chenhorng.figures.products import SUFFIXES, figure_record, save, save_pictures, write_wide
@@ -25,6 +26,7 @@ from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import STRETCH, sections, state_of
 from chenhorng.sampling import area_slope
 from chenhorng.scenes import scene_dataset
+from thirdbody.core.particles import mean_and_largest
 from thirdbody.curves import Condition, condition_key
 from thirdbody.ensembles import RANGE
 from thirdbody.plotting.load_curves import curve_figure, curves_in
@@ -771,9 +773,11 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
 
     drawing = plotted(name, datasets, printed=printed[name])
     title = datasets[name].attrs["title"]
-    text = caption(name, drawing.panels, title).markdown()
-    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** {HEADLINES[name]}")
-    assert text.count(HEADLINES[name]) == 1
+    said = headline(name, datasets[name])
+    text = caption(name, drawing.panels, title, headline=said).markdown()
+    message = " ".join(filter(None, said))
+    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** {message}")
+    assert text.count(said[1]) == 1
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)
         assert f"({panel.letter}) " in text
@@ -813,3 +817,11 @@ def test_a_caption_says_of_which_inputs_the_curves_are(defaults):
         "The curves are of inputs that differ from the default: Hₛ1 = 3×10⁹ Pa"
     )
     assert said[1].endswith("particle_plane = surface.")
+    area, sizes = labels_sentences(scene_dataset(scene, soft)).split(". The particle size ")
+    assert area.endswith(
+        f"for A_n = {1e6 * soft.apparent_area:.3g} mm², which the paper does not print"
+    )
+    mean, largest = mean_and_largest(1.0, soft)
+    assert (
+        f"the mean of the sizes is {mean:.3g} x_a, the largest, X_max, {largest:.3g} x_a" in sizes
+    )

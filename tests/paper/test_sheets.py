@@ -70,6 +70,9 @@ def test_a_windows_ends_stand_in_one_row_beside_the_papers():
     numbers = [printed(surface, "window_low", 0.83, 0.73, 0.93)]
     sheet = sheet_of("tpca_windows", rows, numbers, NEWTONS)
     assert cells(sheet) == [["300", "0.881", "0.83 ± 0.1", "1.30", "264 to 391"]]
+    numbers.append(printed(surface, "window_high", 1.2, 1.1, 1.3))
+    (row,) = sheet_of("tpca_windows", rows, numbers, NEWTONS).rows
+    assert row["high end misses"] == "✗" and "low end misses" not in row
 
 
 def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
@@ -96,18 +99,20 @@ def test_sensitivities_are_inputs_by_results():
 
 
 def test_deviations_have_their_median_and_mean_and_say_what_is_missing():
-    common = {"id": "a", "statement": "A statement.", "printed": 3.27e-6}
+    common = {"id": "a", "statement": "A statement.", "printed": 3.27e-6, "inside": "no"}
     places = "Figure 11A, section 3.3", "Figure 9", "Figure 4C, section 3.3"
     numbers = (3.679e-6, 0.125), (None, -1.0), (3.2046e-6, -0.02)
     rows = [
-        common | {"place": place, "computed": computed, "deviation": deviation}
+        common
+        | {"place": place, "computed": computed, "deviation": deviation}
+        | ({"inside": "yes"} if deviation == -0.02 else {})
         for place, (computed, deviation) in zip(places, numbers, strict=True)
     ]
     sheet = sheet_of("deviations", rows, (), NEWTONS)
     assert cells(sheet) == [
-        ["Figure 11A", "A statement.", "3.27e-6", "3.679e-6", "+12.5 %"],
-        ["Figure 9", "A statement.", "3.27e-6", "none", "-100.0 %"],
-        ["Figure 4C", "A statement.", "3.27e-6", "3.205e-6", "-2.0 %"],
+        ["Figure 11A", "A statement.", "3.27e-6", "3.68e-6", "+12.5 %", "✗"],
+        ["Figure 9", "A statement.", "3.27e-6", "none", "-100.0 %", "✗"],
+        ["Figure 4C", "A statement.", "3.27e-6", "3.2e-6", "-2.0 %", ""],
     ]
     assert "median of the deviations is 12.5 %, the mean 38.2 %" in sheet.note
 

@@ -3,6 +3,7 @@ verdicts.
 """
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -28,6 +29,7 @@ from chenhorng.home import config_directory
 from chenhorng.tables import TABLES
 from thirdbody.core.particles import first_yield_depth
 from thirdbody.files import read_yaml
+from thirdbody.symbols import short
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
 CALIBRATED = read_yaml(config_directory() / "config.yaml")["calibrated"]
@@ -162,6 +164,36 @@ def test_what_no_inputs_can_meet_stands_beside_the_number_that_is_missed():
     assert row.startswith('<tr class="fails" id="taken">')
 
 
+def test_a_printed_number_has_a_graph_with_its_tolerance_and_what_is_found():
+    """TAKEN prints 1.0, with a tolerance of 0.1."""
+    near = HELD._replace(numbers=(1.05, 0.9, 1.13))
+    far = HELD._replace(numbers=(1.5, 0.5))
+    begin, middle, length, _ = 30.0, 50.0, 40.0, 46.0
+    for verdict, places, arrows in (
+        (near, [middle + 0.5 * 20.0, middle - 20.0, middle + 1.3 * 20.0], 0),
+        (far, [], 2),
+    ):
+        page = claims_html(report((verdict, HELD, HELD, HELD)))
+        (row,) = (line for line in page.splitlines() if 'id="taken"' in line)
+        found = [float(each) for each in re.findall(r'cx="(.*?)"', row)]
+        assert found == pytest.approx(places, abs=0.01)
+        assert f'<rect x="{begin}" y="1" width="{length}"' in row and f'd="M{middle} 0V12"' in row
+        assert row.count('class="missed" d="M') == arrows
+        kinds = re.findall(r'class="(met|missed)" cx', row)
+        assert kinds == (["met", "met", "missed"] if places else [])
+    words = replace(TAKEN, stands_for="about one")
+    results = replace(report((near, HELD, HELD, HELD)), claims=(words, *CLAIMS[1:]))
+    (row,) = (line for line in claims_html(results).splitlines() if 'id="taken"' in line)
+    assert "<svg" not in row
+
+
+def test_the_page_has_true_minus_signs_and_is_a_table_on_paper():
+    minus = HELD._replace(finding="It changes by -0.152.")
+    page = claims_html(report((minus, HELD, HELD, HELD)))
+    assert "It changes by −0.152." in page
+    assert re.findall(r"@media (?!screen|print)", page) == []
+
+
 def test_programs_read_what_the_page_says():
     nan = float("nan")
     main = (HELD, MISSED, HELD, Verdict("?", nan, nan, (nan,), tested=False))
@@ -209,8 +241,8 @@ def test_everything_is_judged_by_the_real_model(parameters, some):
     default = {"inputs": inputs, "ensemble": []}
     found = verdicts.Report.of(judge, content, [content], settings, **default)
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
-    number = f"{found.verdicts[DRY].value:.4g}"
-    assert number in found.verdicts[DRY].finding and "3.27e-06" in found.verdicts[DRY].finding
+    number = short(f"{found.verdicts[DRY].value:.3g}")
+    assert number in found.verdicts[DRY].finding and "3.27e-6" in found.verdicts[DRY].finding
     predicted = found.predicted
     assert predicted[OUTSIDE].holds and not predicted[DRY].holds
     table = found.table

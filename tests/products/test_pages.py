@@ -1,11 +1,13 @@
 """Numbers in README and docs are those of the run; the page of the verdicts begins with them."""
 
 import json
+import re
 import runpy
 from pathlib import Path
 
 import pytest
 
+from chenhorng.claims.words import COLOURS
 from thirdbody.files import read_yaml
 
 pytestmark = pytest.mark.results
@@ -42,3 +44,23 @@ def test_the_claims_page_begins_with_the_verdict_and_the_headline_numbers():
     for row in content["headline"]:
         assert row["statement"] in head
         assert row["model"] in head
+
+
+def test_the_first_screen_and_the_page_of_verdicts_have_one_count_and_one_palette():
+    content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
+    index, page = (
+        (RESULTS / name).read_text(encoding="utf-8")
+        for name in ("index.html", "claims/claims.html")
+    )
+    first = index[: index.index('id="figures"')]
+    held, of = content["held"], content["judged"]
+    assert f">{held} hold</a>" in first and f">{of - held} fail</a>" in first
+    assert re.findall(r'style="flex: (\d+)"', first) == [str(held), str(of - held)]
+    every = len(content["statements"])
+    assert f"{every}" not in first[first.index("<h1") : first.index("<details")]
+    for verdict, colour in COLOURS.items():
+        assert f"--{verdict.split()[0]}: {colour};" in page
+        assert f".share .{verdict.split()[0]} {{ background: {colour}; }}" in index
+    assert all(
+        "print" in query or "screen" in query for query in re.findall(r"@media.*", index + page)
+    )

@@ -22,7 +22,8 @@ with job(snakemake) as output:
         solved = solve_points(point, inputs, DEFAULT_RTOL, VARIABLES)
         states.append(state_of(condition, panel["load_N"], solved))
     layers = sorted({(each.particle_diameter, each.roughness) for each in conditions})
-    notes = [f"{sizes_note(*layer, inputs)}." for layer in layers if layer[0] > 0.0]
+    texts = [sizes_note(*layer, inputs) for layer in layers if layer[0] > 0.0]
+    notes = [f"{text[0].upper()}{text[1:]}." for text in texts]
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         drawing = SCHEMATICS[figure](sections(figure, states, inputs))
         save(drawing, output.png.with_suffix(""), caption(figure, notes=notes))

@@ -9,7 +9,7 @@ import jinja2
 from markupsafe import Markup
 
 from chenhorng.claims.words import COLOURS, FAILS, HOLDS
-from chenhorng.figures.captions import inputs_sentence
+from chenhorng.figures.captions import inputs_sentence, labels_sentences
 from chenhorng.findings import RULE, judged_findings
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
@@ -66,6 +66,7 @@ with job(snakemake) as output:
         figure_entry(*files, statements, snakemake.params.scenes)
         for files in zip(snakemake.input.figures, snakemake.input.pictures, strict=True)
     ]
+    data = read_plain(snakemake.input.datasets[0])
     content = {
         "figures": figures,
         "findings": judged_findings(snakemake.params.findings, statements),
@@ -79,7 +80,7 @@ with job(snakemake) as output:
         "precision": [
             base64.b64encode(Path(path).read_bytes()).decode() for path in snakemake.input.precision
         ],
-        "inputs": inputs_sentence(read_plain(snakemake.input.datasets[0])),
+        "inputs": f"{inputs_sentence(data)} {labels_sentences(data)}",
         "version": current().text,
     }
     for path, template in zip((output.page, output.captions), templates, strict=True):

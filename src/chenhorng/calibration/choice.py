@@ -29,13 +29,11 @@ class Candidate:
 
     ``content`` is that of its calibrated file, and ``verdicts`` are for its inputs.  ``predicted``
     has the verdict on each statement for the inputs of the fold that leaves the statement out.
-    ``folds`` are the statements that each fold leaves out.
     """
 
     content: Mapping[str, Any]
     verdicts: Verdicts
     predicted: Verdicts
-    folds: Sequence[Sequence[Claim]] = ()
 
     @classmethod
     def of(cls, judge: Judge, content: Mapping[str, Any], verdicts: Verdicts | None = None) -> Self:
@@ -43,24 +41,17 @@ class Candidate:
         its inputs, if they are known.
         """
         entries = content.get("folds", ())
-        folds: list[Sequence[Claim]] = []
         predicted: Verdicts = {}
         for entry in entries:  # a statement that was in no search is not predicted
             left_out = tuple(claim for claim in judge.claims if claim.id in entry["left_out"])
-            folds.append(left_out)
             predicted |= judge(entry["inputs"], claims=left_out)
         fitted = verdicts or judge(content["inputs"])
-        return cls(content=content, verdicts=fitted, predicted=predicted, folds=folds)
+        return cls(content=content, verdicts=fitted, predicted=predicted)
 
     @property
     def name(self) -> str:
         """The name of the interpretation in ``config/calibration.yaml``."""
         return self.content["interpretation"]
-
-    @property
-    def fold_counts(self) -> list[tuple[int, int]]:
-        """For each fold, how many of the statements left out hold, and how many are tested."""
-        return [count_once(left_out, self.predicted) for left_out in self.folds]
 
 
 def left_out_losses(objective: Objective, predicted: Verdicts) -> pd.Series:
@@ -83,8 +74,8 @@ def excess_over(losses: pd.Series, least: pd.Series) -> tuple[float, float]:
 def printed_numbers(
     claims: Iterable[Claim], verdicts: Verdicts, ids: Sequence[str]
 ) -> pd.DataFrame:
-    """Each printed number of the statements ``ids``, the computed number, and its relative
-    deviation, which is -1 if the model has no such number."""
+    """Each printed number of the statements ``ids``, the computed number, its relative deviation,
+    which is -1 if the model has no such number, and whether it lies inside the tolerance."""
     rows: list[dict[str, Any]] = []
     for claim in claims:
         if claim.id not in ids or claim.published is None or isinstance(claim.published, str):
@@ -98,6 +89,8 @@ def printed_numbers(
             deviation = number / printed - 1.0 if np.isfinite(number) else -1.0
             rows.append({"id": claim.id, "place": claim.place, "statement": claim.statement})
             rows[-1] |= {"printed": printed, "computed": number, "deviation": deviation}
+            low, high = sorted(claim.interval(printed))
+            rows[-1]["inside"] = "yes" if low <= number <= high else "no"
     return pd.DataFrame(rows)
 
 
@@ -142,7 +135,6 @@ def rank_interpretations(
                 "predicted": f"{predicted}/{predicted_of}"
                 if predicted_of
                 else "not cross-validated",
-                "folds": ", ".join(f"{held}/{tested}" for held, tested in candidate.fold_counts),
                 "fitted": "{}/{}".format(*count_once(judge.claims, verdicts)),
                 "headline": f"{len(reached)}/{len(settings['headline'])}",
                 "summit_parameter": largest_summit_parameter(judge.base | inputs, settings),

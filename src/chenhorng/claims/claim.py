@@ -26,6 +26,7 @@ from chenhorng.sampling import (
     sample,
 )
 from thirdbody.curves import Condition
+from thirdbody.plotting.scales import note
 from thirdbody.variables import CONDITION_AXES
 
 if TYPE_CHECKING:
@@ -290,6 +291,19 @@ class Claim:
         return f"{text}; held against {against}" if against else text
 
     @property
+    def curve_names(self) -> list[str]:
+        """What tells each curve from the others, 90 cSt or sigma = 100 nm; empty for one curve."""
+        if len(self.curves) == 1:
+            return [""]
+        columns = dict(zip(Condition._fields, zip(*self.curves, strict=True), strict=True))
+        counts = {name: np.unique(column).size for name, column in columns.items()}
+        # one condition if it alone tells the curves apart
+        enough = [name for name, count in counts.items() if count == len(self.curves)]
+        names = enough[-1:] or [name for name, count in counts.items() if count > 1]
+        rows = zip(*([note(name, value) for value in columns[name]] for name in names), strict=True)
+        return [", ".join(row).removeprefix("ν = ") for row in rows]
+
+    @property
     def published_text(self) -> str:
         """The published value as text; empty if no numbers and no states are published."""
         return "" if self.published is None else ", ".join(map(str, np.atleast_1d(self.published)))
@@ -369,18 +383,24 @@ class Claim:
         """The ``values``, or their logarithms if the tolerance is relative."""
         return logarithm(values) if self.relative else values
 
+    def offsets(self, computed: ArrayLike) -> NDArray:
+        """How far ``computed`` numbers lie above the published ones, in tolerances [1]."""
+        published = np.asarray(self.published)
+        if not self.relative:
+            return np.ravel(computed - published) / self.tolerance
+        # The offset is a ratio of logarithms, 1 at both ends of the tolerance.  It keeps growing as
+        # a quantity falls far below the published one, so a calibration has a slope.
+        ratio = np.maximum(np.ravel(computed / published), TINY)
+        low, high = self.interval(1.0)
+        return np.log(ratio) / np.abs(np.log(np.where(ratio < 1.0, low, high)))
+
     def against_published(self, computed: ArrayLike, text: str, finding: str = "") -> Verdict:
         """The verdict on ``computed`` numbers against the published ones."""
         published = np.asarray(self.published)
         deviation = np.ravel(computed - published)
-        distance = np.abs(deviation) / self.tolerance
         if self.relative:
-            # The distance is a ratio of logarithms, 1 at both ends of the tolerance.  It keeps
-            # growing as a quantity falls far below the published one, so a calibration has a slope.
-            ratio = np.maximum(np.ravel(computed / published), TINY)
-            deviation = ratio - 1.0
-            low, high = self.interval(1.0)
-            distance = np.log(ratio) / np.log(np.where(ratio < 1.0, low, high))
+            deviation = np.maximum(np.ravel(computed / published), TINY) - 1.0
+        distance = np.abs(self.offsets(computed))
         worst = int(np.argmax(distance))
         numbers = tuple(np.ravel(computed).tolist())
         return Verdict(

@@ -17,7 +17,7 @@ from chenhorng.claims.between_curves import (
 from chenhorng.claims.claim import TURNING_POINT_QUANTITIES, WINDOW_QUANTITIES, Claim, Verdict
 from chenhorng.claims.courses import COURSES, passed_states, peak_height, sequence_miss
 from chenhorng.claims.fields import CurveQuantity, Ends, Reference, State, checked
-from chenhorng.claims.words import NAMES, beginning, listed, passed, sentence, size
+from chenhorng.claims.words import NAMES, beginning, named, number, passed, sentence, size, source
 from chenhorng.configuration.model import one_of
 from chenhorng.sampling import CURVE_QUANTITIES
 
@@ -75,19 +75,20 @@ class NumberClaim(Claim):
     def texts_of(self, evidence: "Evidence", values: NDArray) -> list[str]:
         """Numbers as texts.  A load beyond the computed loads is written ``> last`` or
         ``< first``."""
-        texts = [f"{value:.4g}" for value in values]
+        texts = [number(value) for value in values]
         if self.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
             first, last = evidence.curves[self.curves[0]]["load"][[0, -1]]
-            texts = [f"> {last:.4g}" if v >= last else text for v, text in zip(values, texts)]
-            texts = [f"< {first:.4g}" if v <= first else text for v, text in zip(values, texts)]
+            texts = [f"> {number(last)}" if v >= last else t for v, t in zip(values, texts)]
+            texts = [f"< {number(first)}" if v <= first else t for v, t in zip(values, texts)]
         return texts
 
     def finding(self, texts: Sequence[str], published: str = "") -> str:
         """The numbers in a sentence, with the ``published`` number."""
         is_change = bool(self.references) and self.quantity not in BETWEEN_CURVES
         start = beginning(self.quantity, self.extreme, self.limits, is_change)
-        source = f'stands for "{self.stands_for}"' if self.stands_for else "is printed"
-        return sentence(f"{start} {listed(texts)}", published and f"{published} {source}")
+        found = named(self.curve_names, texts)
+        start += ":" if found not in texts else ""
+        return sentence(f"{start} {found}", published and source(published, self.stands_for))
 
     def is_tested(self, evidence: "Evidence") -> bool:
         """Whether the computed loads decide the claim.  Only a claim on loads can be undecided: a
@@ -132,7 +133,7 @@ class Value(NumberClaim):
     @property
     def published_words(self) -> str:
         """The published value as the paper prints it."""
-        return f"{self.published:g}"
+        return number(self.published, 6)
 
     def is_decided(self, loads: NDArray, last: float) -> bool:
         # a published number is missed if the last load already misses it
@@ -156,7 +157,7 @@ class Reach(Value):
 
     @property
     def published_words(self) -> str:
-        return f"{self.published:g} or {'less' if self.extreme == 'minimum' else 'more'}"
+        return f"{number(self.published)} or {'less' if self.extreme == 'minimum' else 'more'}"
 
     def compared(self, values: NDArray) -> NDArray:
         beyond = np.maximum if self.extreme == "minimum" else np.minimum
@@ -177,11 +178,10 @@ class Span(Claim):
         (course,) = self.courses(evidence)
         ends = np.array([course.min(), course.max()])
         (first, last), (low, high) = ends, self.published
-        finding = sentence(
-            f"{NAMES[self.quantity]} goes from {first:.4g} to {last:.4g}",
-            f"{low:.4g} to {high:.4g} is printed",
-        )
-        return self.against_published(ends, f"{first:.4g} to {last:.4g}", finding)
+        text = f"{number(first)} to {number(last)}"
+        printed = source(f"{number(low)} to {number(high)}", self.stands_for)
+        finding = sentence(f"{NAMES[self.quantity]} goes from {text}", printed)
+        return self.against_published(ends, text, finding)
 
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
@@ -199,14 +199,16 @@ class Window(Claim):
         windows = np.array([evidence.windows[condition.roughness] for condition in self.curves])
         texts = [f"{low:.3f} to {high:.3f}" for low, high in windows]
         low, high = self.published
-        finding = sentence(
-            f"Turning points occur at x_a/sigma of {listed(texts)}",
-            f"{low:.4g} to {high:.4g} is printed",
-        )
+        found = named(self.curve_names, texts)
+        start = "Turning points occur at x_a/sigma" + (" of" if found in texts else ":")
+        printed = source(f"{number(low, 4)} to {number(high, 4)}", self.stands_for)
+        finding = sentence(f"{start} {found}", printed)
         return self.against_published(windows, ", ".join(texts), finding)
 
     @property
     def printed_numbers(self) -> Sequence[tuple[str, str, float]]:
+        if self.stands_for:
+            return ()
         return list(zip(("", ""), WINDOW_QUANTITIES, self.published, strict=True))
 
 
@@ -234,13 +236,12 @@ class Ordering(Claim):
         against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
         text = f"in order, apart by up to {apart:.3g}"
         distance = size(max(apart, 0.0), self.relative)
-        name = NAMES[self.quantity]
-        finding = f"neighbouring curves of {name} are up to {distance} apart in this order"
+        finding = f"{NAMES[self.quantity]}: in this order, apart by up to {distance}"
         if against > ROUNDING:
             text = (
                 f"with the order by up to {max(apart, 0.0):.3g}, against it by up to {against:.3g}"
             )
-            finding += f", and elsewhere up to {size(against, self.relative)} in the opposite one"
+            finding += f", elsewhere against it by up to {size(against, self.relative)}"
         return self.missed(text, np.max([against, 2.0 * self.step - apart]), sentence(finding))
 
 
@@ -274,7 +275,7 @@ class CourseClaim(Claim):
         worst = int(np.argmax(misses))
         course = courses[worst]
         points = course[0], course[-1], course.min(), course.max()
-        first, last, least, most = (f"{value:.4g}" for value in points)
+        first, last, least, most = map(number, points)
         text = f"from {first} to {last}"
         if not {least, most} <= {first, last}:
             text += f", between {least} and {most}"
@@ -358,9 +359,8 @@ class StateSequence(Claim):
         misses = [sequence_miss(curve, *how) for curve in curves]
         chosen = int(np.argmin(misses) if self.any_curve else np.argmax(misses))
         states = passed_states(curves[chosen], self.published)
-        finding = sentence(
-            f"the states are {passed(states)}", f"the paper: {passed(self.published)}"
-        )
+        printed = passed(self.published, self.open_end)
+        finding = sentence(f"the states are {passed(states)}", f"the paper: {printed}")
         return self.missed(" > ".join(states).strip(), misses[chosen], finding)
 
     @property

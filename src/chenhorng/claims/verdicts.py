@@ -14,8 +14,8 @@ import numpy as np
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from chenhorng.calibration.choice import Candidate, rank_interpretations
-from chenhorng.claims.claim import Claim
+from chenhorng.calibration.choice import Candidate, printed_numbers, rank_interpretations
+from chenhorng.claims.claim import Claim, Verdict
 from chenhorng.claims.evidence import QUICK_EFFORT
 from chenhorng.claims.judge import (
     CONTRADICTED,
@@ -27,6 +27,7 @@ from chenhorng.claims.judge import (
     count_once,
     outcome,
 )
+from chenhorng.claims.words import COLOURS, number
 from chenhorng.places import part_of_paper
 from chenhorng.tables import TABLES
 from thirdbody.core.turning_points import PROMINENCE
@@ -40,6 +41,8 @@ COUNTED = {
     "not tested": "are not tested",
 }
 NO_RANGE = (np.nan, np.nan)
+# of a bullet graph, in its units: the middle, the length of a tolerance, and the last place
+MIDDLE, TOLERANCE, LAST = 50.0, 20.0, 46.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -192,6 +195,7 @@ def claims_markdown(report: Report) -> str:
         range=RANGE,
         reached=numbers["verdict"].eq(HOLDS).sum(),
         headline=numbers.drop(columns="id"),
+        numbers=len(printed_numbers(report.claims, report.verdicts, report.settings["headline"])),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
         words=dict(zip(table["id"], table["verdict"], strict=True)),
         comparison=report.comparison,
@@ -214,7 +218,27 @@ def claims_html(report: Report) -> str:
         groups=groups,
         verdicts=report.verdicts,
         claims={claim.id: claim for claim in report.claims},
+        bullets={claim.id: bullets(claim, report.verdicts[claim.id]) for claim in report.claims},
+        colours={verdict.split()[0]: colour for verdict, colour in COLOURS.items()},
+        ends=(MIDDLE - TOLERANCE, MIDDLE, 2.0 * TOLERANCE, LAST),
     )
+
+
+def bullets(claim: Claim, verdict: Verdict) -> list[dict[str, Any]]:
+    """A bullet graph of each number that the paper prints in a statement: the number as text, and
+    how far the computed numbers lie from it, in tolerances [1]; none for words."""
+    published = np.atleast_1d(claim.published)
+    if claim.kind == "reach" or claim.stands_for or published.dtype.kind != "f":
+        return []
+    if not np.isfinite(verdict.numbers).all():
+        return []
+    found = np.reshape(verdict.numbers, (-1, published.size))
+    offsets = np.reshape(claim.offsets(found), found.shape)
+    return [
+        {"printed": number(value, 4), "offsets": dict.fromkeys(np.round(own, 3).tolist())}
+        for value, own in zip(published.tolist(), offsets.T, strict=True)
+        if own.size
+    ]
 
 
 def claims_json(report: Report) -> str:

@@ -1,10 +1,14 @@
 """The words of verdicts, and the sentences on results beside the statements of the paper."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
 
 import numpy as np
 
+from thirdbody.symbols import short
 from thirdbody.variables import QUANTITIES
+
+DIGITS = 3  # of computed numbers
 
 # verdicts
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
@@ -26,8 +30,9 @@ BEGINNINGS = {
     "turning_point_load": "The turning point is at",
     "bend_load": "The slope falls at",
     "total_contact_area_reversal_load": "The order reverses at",
-    "bend_load_over_mixed_load": "Over the load at which mixed lubrication begins "
-    "that of the bend is",
+    "bend_load_over_mixed_load": (
+        "The load of the bend over that at which mixed lubrication begins is"
+    ),
     "departure_sharpness": "The sharpness of the departure is",
     "window_low": "Turning points begin at x_a/sigma of",
     "window_high": "Turning points end at x_a/sigma of",
@@ -43,12 +48,6 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
         if verdict in (HOLDS, FAILS):
             held[name] = held.get(name, True) and verdict == HOLDS
     return sum(held.values()), len(held)
-
-
-def listed(texts: Sequence[str]) -> str:
-    """The different ``texts`` as a list in a sentence."""
-    *others, last = dict.fromkeys(texts)
-    return f"{', '.join(others)} and {last}" if others else last
 
 
 def sentence(text: str, *others: str) -> str:
@@ -68,17 +67,51 @@ def beginning(quantity: str, extreme: str, limits: Mapping[str, float], is_chang
             " and ".join(f"{NAMES[name]} falls to {level:g}" for name, level in limits.items())
             + " at"
         )
-    return BEGINNINGS.get(quantity) or f"{EXTREMES.get(extreme, '')}{NAMES[quantity]} is"
+    if quantity in BEGINNINGS:
+        return BEGINNINGS[quantity]
+    name = NAMES[quantity]
+    return f"{EXTREMES[extreme]}{name.removeprefix('the ')} is" if extreme else f"{name} is"
+
+
+def number(value: float, digits: int = DIGITS) -> str:
+    """A ``value`` with some ``digits``: 0.208, 3.41e-6."""
+    text = f"{value:.{digits}g}"
+    if 0.0 < abs(value) < 1e-3 and "e" not in text:
+        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+        text = f"{float(mantissa):g}e{exponent}"
+    return short(text)
 
 
 def size(gap: float, is_relative: bool) -> str:
     """A ``gap`` between curves as text; a gap of logarithms is in per cent or a factor."""
     if not is_relative:
-        return f"{gap:.3g}"
+        return number(gap)
     factor = np.exp(gap)
-    return f"a factor of {factor:.3g}" if factor > 2.0 else f"{100.0 * (factor - 1.0):.3g} %"
+    return (
+        f"a factor of {number(factor)}" if factor > 2.0 else f"{number(100.0 * (factor - 1.0))} %"
+    )
 
 
-def passed(states: Sequence[str]) -> str:
-    """The ``states`` in the order in which a curve passes them."""
-    return ", then ".join(state.replace("_", "-") for state in states)
+def named(names: Sequence[str], texts: Sequence[str]) -> str:
+    """The ``texts`` of curves, behind the name of each curve or of the first and the last curve
+    with the same text; one text if all are equal."""
+    if len({*texts}) == 1:
+        return texts[0]
+    parts = []
+    for text, group in groupby(zip(names, texts, strict=True), key=lambda pair: pair[1]):
+        ends = [name for name, _ in group]
+        parts.append(f"{' to '.join(dict.fromkeys((ends[0], ends[-1])))} {text}")
+    return ", ".join(parts)
+
+
+def passed(states: Sequence[str], open_end: bool = False) -> str:
+    """The ``states`` in the order in which a curve passes them; with an ``open_end`` the last may
+    lie beyond the loads."""
+    *others, last = [state.replace("_", "-") for state in states]
+    last = f"{last} (or beyond the loads)" if open_end else last
+    return ", then ".join((*others, last))
+
+
+def source(published: str, stands_for: str) -> str:
+    """Where a ``published`` number comes from: the print, or words that it stands for."""
+    return f'{published} is taken for "{stands_for}"' if stands_for else f"{published} is printed"

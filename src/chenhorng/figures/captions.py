@@ -58,25 +58,29 @@ class Caption:
 
 WORDS = read_yaml(Path(__file__).with_suffix(".yaml"))
 FIGURES, MARKS, SENTENCES = WORDS["figures"], WORDS["marks"], WORDS["sentences"]
-HEADLINES = {name: words["headline"] for name, words in FIGURES.items() if "headline" in words}
 REMARKS = WORDS["remarks"]
 UNITS = {key: BOUNDS[name].unit for name, key in KEYS["body"].items()}  # SI, of the inputs
 
 
 def caption(
-    name: str, panels: Sequence[Panel] = (), title: str = "", notes: Sequence[str] = ()
+    name: str,
+    panels: Sequence[Panel] = (),
+    title: str = "",
+    notes: Sequence[str] = (),
+    headline: Sequence[str] = (),
 ) -> Caption:
     """The caption of a figure; that of a figure of curves follows from the ``title`` of its scene
-    and from its ``panels``.  ``notes`` are further sentences on what is shown."""
+    and from its ``panels``.  ``notes`` are further sentences on what is shown; ``headline`` says
+    what the curves show, and what the paper says."""
     words = FIGURES.get(name, {})
     paper = name in FIGURES and name.startswith("fig")
     if panels:
-        notes = [*_notes(panels), *notes, *([SENTENCES["differences"]] if paper else [])]
+        notes = [*_notes(panels), *notes]
     return Caption(
         place=f"Figure {int(name.removeprefix('fig'))}" if paper else "",
         title=words.get("title") or " ".join(title.split()),
         shows=" ".join(notes),
-        message=" ".join(words[key] for key in ("headline", "message") if key in words),
+        message=" ".join(filter(None, (*headline, words.get("message")))),
         alternative=words.get("alternative") or " ".join(map(_description, panels)),
     )
 
@@ -87,6 +91,13 @@ def inputs_sentence(data: Dataset) -> str:
     solved, expected = json.loads(data.attrs["model_parameters"]), json.loads(default)
     texts = [_input_text(key, value) for key, value in solved.items() if value != expected[key]]
     return SENTENCES["others"].format(", ".join(texts)) if texts else SENTENCES["default"]
+
+
+def labels_sentences(data: Dataset) -> str:
+    """What loads and sizes in all figures mean for the inputs of a dataset."""
+    area = json.loads(data.attrs["model_parameters"])["A_n"]
+    sizes = data["particle_diameter"].attrs["comment"]
+    return SENTENCES["labels"].format(area=1e6 * area, sizes=sizes)
 
 
 def _input_text(key, value) -> str:
@@ -114,7 +125,7 @@ def _notes(panels) -> list[str]:
         letter = f"({panel.letter}) " if len(panels) > 1 else ""
         contents.append(f"{letter}{quantity(panel.y)}{at}{over}")
     sentences = ["; ".join(contents) + "."]
-    sentences += [SENTENCES["loads"], _conditions(conditions)]
+    sentences += [_conditions(conditions)]
     sentences += [sentence.format(RANGE) for kind, sentence in MARKS.items() if kind in named]
     statuses = [status.replace("_", " ") for status in marks.STATUSES if status in named]
     sentences += map(SENTENCES["status"].format, statuses)

@@ -5,9 +5,11 @@ from dataclasses import replace
 from typing import Any
 
 from matplotlib.figure import Figure
+from matplotlib.text import Annotation
 
 from chenhorng.figures import printed as printed_marks
-from chenhorng.figures.captions import HEADLINES, REMARKS
+from chenhorng.figures.captions import REMARKS
+from chenhorng.figures.findings import headline
 from chenhorng.figures.numbers import draw_numbers, hide_coinciding
 from chenhorng.figures.printed import LOCUS
 from chenhorng.tables import TABLES, read_csv
@@ -70,6 +72,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     # and with other particle densities
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
+LEAST_SIZE = 7.0  # of what the paper says, below the title [points]
 WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
@@ -129,7 +132,10 @@ def plot(
         axes.sharex(over_sizes[0])
     if len(over_sizes) > 1:
         over_sizes[0].autoscale(axis="x")
-    if name in HEADLINES and not panel:
-        look = {"fontsize": "medium", "fontweight": "bold", "wrap": True}
-        figure.suptitle(HEADLINES[name], x=0.01, ha="left", **look)
+    finding, paper = headline(name, data)
+    if paper and not panel:
+        first = finding or data.attrs["title"]
+        title = figure.suptitle(f"{first}\n", x=0.01, ha="left", size="medium", weight="bold")
+        below = Annotation(paper, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)
+        figure.add_artist(below)
     return figure

@@ -139,8 +139,8 @@ def _draw_section(axes: Axes, panel: Panel, section: Section, shape: float) -> N
 
 
 def _name_parts(axes, section, ends):
-    """Name the parts.  Lines lead to a contact of summits and to the largest particle under load;
-    the middles of these two names lie between the ``ends``."""
+    """Name the parts.  Lines lead to a contact of summits and to a particle that touches both
+    surfaces; the middles of these two names lie between the ``ends``."""
     position, length = section["position"], section["position"][-1]
     for name, height in (("surface 1", 0.95), ("surface 2", 0.05)):
         look = {"va": "top" if height > 0.5 else "bottom", "transform": axes.transAxes}
@@ -158,14 +158,10 @@ def _name_parts(axes, section, ends):
             min(0.5 * (above + top), highest),
         )
         _point_at(axes, SUMMITS, (position[place], middle[place]), beside)
-    x, y, size, carries = (section[name] for name in PARTICLES)
-    if carries.any():
-        largest = np.argmax(np.where(carries, size, 0.0))
-        beside = (
-            np.clip(x[largest] / length, *ends) * length,
-            max(0.85 * below + 0.15 * bottom, lowest),
-        )
-        _point_at(axes, PARTICLE, (x[largest], y[largest]), beside)
+    if section["touching"]:
+        x, y = (section[name][0] for name in PARTICLES[:2])
+        beside = np.clip(x / length, *ends) * length, max(0.85 * below + 0.15 * bottom, lowest)
+        _point_at(axes, PARTICLE, (x, y), beside)
     if has_film(section["viscosity"]):
         widest = np.argmax(section["upper"] - section["lower"])
         axes.text(position[widest], middle[widest], LUBRICANT, ha="center", va="center", zorder=4)

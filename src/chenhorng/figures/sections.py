@@ -5,7 +5,7 @@ fixed places they are raised until summits touch, or a particle touches both, as
 says. Lengths are as in the model; on paper heights are stretched, and particles, which are drawn
 round, touch the surfaces as they are drawn.  A section is a mapping: its state, which has the
 condition and the solution, ``elastic_depth`` h_e, ``position`` along it, and by the names of
-``LINES`` and ``PARTICLES`` [m].
+``LINES`` and ``PARTICLES`` [m]; the first ``touching`` particles touch both surfaces.
 """
 
 from collections.abc import Mapping, Sequence
@@ -101,6 +101,7 @@ def section_through(state: Section, parameters: Parameters, length: float) -> Se
         "elastic_depth": depth,
         "position": position,
         **dict(zip(LINES, (lower, upper, touches.astype(np.int8)), strict=True)),
+        "touching": len(held),
         **particles,
     }
 

@@ -21,9 +21,9 @@ def unit_text(parameter: str) -> str:
 def parameter_title(parameter: str) -> str:
     """Title of a legend of curves that differ in a condition or the ``diameter_ratio``."""
     if parameter == "diameter_ratio":
-        return f"Diameter over roughness {unicode(DERIVED[parameter].symbol)}"
-    name = parameter.replace("_", " ").capitalize()
-    return f"{name} {unicode(CONDITIONS[parameter].symbol)} ({unit_text(parameter)})"
+        return f"{DERIVED[parameter].title} {unicode(DERIVED[parameter].symbol)}"
+    condition = CONDITIONS[parameter]
+    return f"{condition.title} {unicode(condition.symbol)} ({unit_text(parameter)})"
 
 
 def value_text(parameter: str, value: float) -> str:

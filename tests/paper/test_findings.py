@@ -1,0 +1,141 @@
+"""Titles of figures: what they say is true of the curves, and not said where the curves deny it."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+import yaml
+
+from chenhorng.figures.curve_figures import plot
+from chenhorng.figures.findings import FOUND, headline
+from chenhorng.scenes import scene_dataset
+
+pytestmark = pytest.mark.usefixtures("style")
+
+ROOT = Path(__file__).parents[2]
+RATIO, AREA, SOLID = "particle_contact_area_ratio", "total_contact_area", "solid_load_fraction"
+OIL = {"viscosity": 9e-5}
+DRY = {"viscosity": 0.0}
+
+
+@pytest.fixture(scope="module")
+def datasets(defaults):
+    """The paper's scenes with the default inputs, on a part of the loads."""
+    scenes = yaml.safe_load((ROOT / "config" / "scenes.yaml").read_text())["scenes"]
+    axis = {"load_axis": {"load_N": [0.04, 80.0], "count": 60}}
+    return {
+        name: xr.decode_cf(scene_dataset(scenes[name] | axis, defaults.best, 1e-4).to_xarray())
+        for name in FOUND
+    }
+
+
+def said(name, datasets):
+    """The title of a figure, and the numbers in it."""
+    finding, paper = headline(name, datasets[name])
+    assert finding and paper
+    powers = re.sub(r"×10⁻(.)", lambda match: f"e-{'⁰¹²³⁴⁵⁶⁷⁸⁹'.index(match[1])}", finding)
+    return finding, [float(text) for text in re.findall(r"(?<![\w.])\d[\d.]*(?:e-\d)?", powers)]
+
+
+def shown(data, name, along, **where):
+    """A variable over the load and the values of ``along`` that are shown, without two-body
+    contact."""
+    values = data[name].sel(where, method="nearest", tolerance=1e-12).squeeze()
+    values = values.transpose("load", along)
+    values = values[:, (data[along].values > 0.0) | (along == "viscosity")]
+    return values.where(values < 1e30).dropna(along, how="all")  # without conditions not shown
+
+
+def stands_out(values):
+    """How far the largest value of each curve lies above the higher of both ends."""
+    return values.max("load") - np.maximum(values[0], values[-1])
+
+
+def test_summits_take_over_later_with_larger_particles_and_never_from_a_size_on(datasets):
+    _, (size,) = said("fig03", datasets)
+    ratio = shown(datasets["fig03"], RATIO, "particle_diameter")
+    alone = ratio.min("load") > 0.95
+    assert (alone == (ratio["particle_diameter"] > 0.999e-9 * size)).all() and alone.any()
+    half = [int((curve < 0.5).argmax()) for curve in ratio.values[:, ratio.values[0] > 0.95].T]
+    taken = [place for place in half if place]
+    assert taken == sorted(taken) and len(set(taken)) == len(taken) > 1
+
+
+@pytest.mark.parametrize(
+    ("name", "along"), [("fig06", "particle_diameter"), ("fig07", "particle_density")]
+)
+def test_the_order_of_areas_is_that_of_the_title_dry_and_lubricated(name, along, datasets):
+    finding, (load,) = said(name, datasets)
+    data = datasets[name]
+    dry, wet = (shown(data, AREA, along, **medium) for medium in (DRY, OIL))
+    assert (dry.diff(along) < 0.02 * dry.min(along)).all() and "dry area smaller" in finding
+    rises = (wet.diff(along) > 0.0).all(along)
+    assert rises[data["load"] > 1.02 * load].all()
+    assert not rises[data["load"] < 0.9 * load][-1]
+
+
+def test_oil_changes_no_area_up_to_the_load_of_the_title_and_some_surfaces_turn(datasets):
+    _, (load, roughness) = said("fig08", datasets)
+    data = datasets["fig08"]
+    particles = {"particle_diameter": 5e-7}
+    dry, wet = (shown(data, AREA, "roughness", **medium, **particles) for medium in (DRY, OIL))
+    apart = np.abs(wet / dry - 1.0).max("roughness")
+    assert (apart[data["load"] < load] < 0.055).all() and (
+        apart[data["load"] > 1.1 * load] > 0.05
+    ).all()
+    for medium in (DRY, OIL):
+        ratio = shown(data, RATIO, "roughness", **medium, **particles)
+        turns = stands_out(ratio) >= 0.02
+        assert (turns == (ratio["roughness"] > 0.999e-9 * roughness)).all()
+
+
+def test_turning_points_occur_on_either_surface_between_the_ratios_of_the_title(datasets):
+    _, ends = said("fig10", datasets)
+    data = datasets["fig10"]
+    for roughness, (low, high) in ((1e-7, ends[:2]), (5e-7, ends[2:])):
+        ratio = shown(data, RATIO, "particle_diameter", roughness=roughness)
+        sizes = ratio["particle_diameter"] / roughness
+        inside = (sizes > low - 1e-6) & (sizes < high + 1e-6)
+        assert ((stands_out(ratio) >= 0.02) == inside).all() and inside.any()
+
+
+def test_oil_takes_the_turning_point_of_the_smoother_surface_alone(datasets):
+    _, (viscosity,) = said("fig12", datasets)
+    data = datasets["fig12"]
+    smooth, rough = (
+        shown(data, RATIO, "viscosity", particle_diameter=size, roughness=size)
+        for size in (1e-7, 5e-7)
+    )
+    turns = stands_out(smooth) >= 0.02
+    assert (turns == (smooth["viscosity"] < 0.999e-6 * viscosity)).all()
+    places = data["load"][smooth[:, turns.values].argmax("load")]
+    assert places.max() > 1.1 * places[0]
+    places = data["load"][rough.argmax("load")]
+    assert (stands_out(rough) >= 0.02).all() and places.max() < 1.15 * places.min()
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_a_title_is_dropped_where_the_curves_deny_it(name, datasets):
+    data = datasets[name]
+    flat = data.assign(
+        {each: data[each].where(data[each].isnull(), 0.5) for each in (RATIO, AREA, SOLID)}
+    )
+    finding, paper = headline(name, flat)
+    assert finding == "" and paper.startswith("The paper: ")
+    titles = [plot(name, each).get_suptitle() for each in (data, flat)]
+    assert titles[0].strip() == headline(name, data)[0] != ""
+    assert titles[1].strip() == data.attrs["title"]
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_a_title_fits_the_width_of_its_figure_and_the_paper_stands_below_it(name, datasets):
+    figure = plot(name, datasets[name])
+    figure.draw_without_rendering()
+    title = figure._suptitle.get_window_extent()
+    (paper,) = (each for each in figure.artists if hasattr(each, "get_text"))
+    box = paper.get_window_extent()
+    assert paper.get_text() == headline(name, datasets[name])[1]
+    assert max(title.x1, box.x1) <= figure.bbox.width
+    assert title.y0 <= box.y1 <= title.y1 - 0.4 * title.height
