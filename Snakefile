@@ -49,6 +49,8 @@ TABLES = [
     "limits",
     "held_out",
 ]
+# the panel that shows a finding of the paper: its figure and letter
+PANELS = {finding["panel"]: finding["of"] for finding in settings["findings"]}
 FIGURE_FORMATS = ["svg", "pdf", "png", "csv", "md", "json"]
 TABLE_FORMATS = ["csv", "html", "tex"]
 
@@ -71,6 +73,7 @@ rule all:
         "<results>/extracted/table1/all.csv",
         "<results>/extracted/table2/all.csv",
         expand("<results>/figures/{figure}.{format}", figure=FIGURES, format=FIGURE_FORMATS),
+        expand("<results>/figures/{panel}.{format}", panel=PANELS, format=["svg", "pdf", "png"]),
         "<results>/extracted/apparent_area/all.csv",
         "<results>/extracted/limits/all.csv",
         expand("<results>/figures/{figure}_wide.csv", figure=SCENES),

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from docutils.nodes import SkipNode
 from latex2mathml.converter import convert
+from pygments.lexers.special import TextLexer
 
 sys.path.insert(0, str(Path(__file__).parent))
 import configuration_reference
@@ -60,4 +61,5 @@ def _block(self, node):
 def setup(app):
     """Write formulas as MathML, which browsers show without a script from elsewhere."""
     app.connect("source-read", configuration_reference.fill)
+    app.add_lexer("mermaid", TextLexer)  # a graph, which stays text in the site
     app.add_html_math_renderer("mathml", (_inline, None), (_block, None))

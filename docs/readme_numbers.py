@@ -16,6 +16,7 @@ page keeps its numbers.
 import io
 import json
 import re
+import subprocess
 import sys
 from contextlib import redirect_stdout
 from functools import partial
@@ -31,19 +32,28 @@ from tabulate import tabulate
 import thirdbody
 from benchmarks.work_precision import largest_errors
 from chenhorng.claims.words import counted_once
+from chenhorng.findings import MARKS, RULE, judged_findings
+from chenhorng.markdown import markdown_text
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.core.particles import first_yield_depth
+from thirdbody.files import read_yaml
+from thirdbody.symbols import unicode
 
 ROOT = Path(__file__).resolve().parents[1]
 BITS = 1e-9  # relative difference of a number on another processor
 README = ROOT / "README.md"
-PAGES = README, ROOT / "paper.md", ROOT / "docs" / "results.md", ROOT / "docs" / "history.md"
+DOCS = [ROOT / "docs" / f"{name}.md" for name in ("results", "history", "workflow")]
+PAGES = README, ROOT / "paper.md", *DOCS
+COLLECTING = "all", "write_sums"  # rules that read everything
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 MEASURED_PICTURE = ROOT / "docs" / "work_precision.png", ACCURACY / "work_precision.png"
+PANEL = "panel_turning_point_viscosity"  # of README
 PICTURES = {  # pictures in docs/, and the figures that they copy
     ROOT / "docs" / "figure01.png": RESULTS / "figures" / "fig01.png",
     ROOT / "docs" / "figure11.png": RESULTS / "figures" / "fig11.png",
+    ROOT / "docs" / "claims.png": RESULTS / "figures" / "claims.png",
+    ROOT / "docs" / f"{PANEL}.png": RESULTS / "figures" / f"{PANEL}.png",
     ROOT / "docs" / "profiles.png": RESULTS / "figures" / "profiles.png",
 }
 
@@ -94,6 +104,41 @@ def claims_block(move: float = 0.0) -> str:
     return fill(f"{read_claims()['score']} {null} {deviations} {others}", 120)
 
 
+def findings_block(move: float = 0.0) -> str:
+    """What the paper finds, and whether it comes out."""
+    judged = read_claims()
+    findings = read_yaml(ROOT / "config" / "findings.yaml", list)
+    score = (
+        f"{judged['held']} of {judged['judged']} checkable statements of the paper hold, with one "
+        f"set of inputs; {judged['predicted']} of {judged['predicted_of']} hold when their figure "
+        f"was not used to find the inputs. {RULE}"
+    )
+    lines = [fill(score, 120), ""]
+    for place, each in enumerate(judged_findings(findings, judged["statements"], move), start=1):
+        parts = list(dict.fromkeys(row["part"] for row in each["failed"]))
+        failed = f"; some of {', '.join(parts)} fail" if parts else ""
+        line = (
+            f"{place}. {each['mark']} **{each['outcome'].capitalize()}** ({each['held']} of "
+            f"{each['judged']} statements hold{failed}). {_typeset(each['sentence'])} "
+            f"*{each['figure']}: {_typeset(each['numbers'])}*"
+        )
+        lines.append(fill(line, 120, subsequent_indent="   ", break_on_hyphens=False))
+    return "\n".join(lines)
+
+
+def outcomes_block(move: float = 0.0) -> str:
+    """How many of the findings are reproduced, and in part."""
+    findings = read_yaml(ROOT / "config" / "findings.yaml", list)
+    words = [each["outcome"] for each in judged_findings(findings, read_claims()["statements"])]
+    all_of_it, some, none = map(words.count, MARKS)
+    counts = f"{all_of_it} are reproduced, {some} in part and {none} not"
+    return fill(f"Of the paper's {len(words)} main findings {counts}. {RULE}", 120)
+
+
+def _typeset(text):
+    return markdown_text(unicode(text))
+
+
 def ranking_block() -> str:
     """All interpretations in the order of the rule."""
     ranking = pd.read_csv(ROOT / "config" / "calibrated" / "ranking.csv")
@@ -113,6 +158,16 @@ def library_block() -> str:
     with redirect_stdout(printed):
         exec(example, {})
     return f"```text\n{printed.getvalue()}```"
+
+
+def rules_block() -> str:
+    """The graph of the rules, without the collecting ones, in the language of mermaid."""
+    command = [sys.executable, "-m", "snakemake", "--rulegraph", "mermaid-js"]
+    graph = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    names = dict(re.findall(r"(id\d+)\[(\w+)\]", graph))
+    edges = [tuple(map(names.get, edge)) for edge in re.findall(r"(id\d+) --> (id\d+)", graph)]
+    lines = [f"    {one} --> {other}" for one, other in sorted(edges) if other not in COLLECTING]
+    return "\n".join(["```mermaid", "flowchart LR", *lines, "```"])
 
 
 def took_block(move: float = 0.0) -> str:
@@ -269,8 +324,9 @@ RANKED = [
     *("interpretation", "unknowns", "left_out_loss", "above_least", "standard_error", "equal"),
     *("objective", "penalty", "predicted", "fitted", "headline", "mean_deviation"),
 ]
-OF_TABLES = {"claims": claims_block, "took": took_block}  # functions of ``move``
-COMPUTED = {"library": library_block, "ranking": ranking_block}
+OF_TABLES = {"findings": findings_block, "outcomes": outcomes_block}
+OF_TABLES |= {"claims": claims_block, "took": took_block}  # functions of ``move``
+COMPUTED = {"library": library_block, "ranking": ranking_block, "rules": rules_block}
 MEASURED = {"accuracy": accuracy_block, "times": times_block, "oracle": oracle_block}
 LARGEST_FACTOR = 3.0  # between times on different machines or in different runs
 SHADE = 8.5 / 255.0  # largest difference of a pixel

@@ -7,6 +7,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
 from dataclasses import replace
+from html import unescape
 from urllib.parse import parse_qs
 
 import numpy as np
@@ -19,10 +20,11 @@ from thirdbody.ensembles import RANGE
 from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
 from thirdbody.points import solve
+from thirdbody.symbols import html
 
 LARGEST = 3e6  # bytes of the page
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
-VIEWS = {"figures": "", "map": "view=map"}
+VIEWS = {"map": "", "figures": "view=figures"}
 NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
 FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 
@@ -91,6 +93,14 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
         assert len(shown.find_elements("css selector", "g:has(> title), .limit")) == len(printed)
         turning = [row for row in of_panel if row["curve"] == "turning points"]
         assert len(shown.find_elements("css selector", ".star")) == len(turning)
+        computed = [row for row in of_panel if row["curve"].startswith("computed")]
+        assert len(shown.find_elements("css selector", ".computed")) == len(computed)
+        names = [name.text for name in shown.find_elements("css selector", ".end")]
+        assert len(names) == len({*names}) and (over_load or not names)
+        title = shown.find_element("css selector", "figcaption").text
+        assert ("not in the paper" in title) == (
+            of_panel[0]["y_name"] in ("total_contact_area_over_two_body", "turning_point_ratio")
+        )
     assert explorer.one("#caption").text.startswith("The paper: ")
     entries = [entry.get_attribute("innerHTML") for entry in explorer.all("#key svg")]
     assert len(set(entries)) == len(entries)
@@ -173,10 +183,14 @@ def test_particles_too_soft_are_refused(explorer):
     assert "particles that are too soft" in explorer.one("#damaged").text
 
 
-def test_what_no_interface_has_is_said(explorer):
-    explorer.open("particle_diameter_nm=5e-7&ball_radius=1e-5")
-    notes = explorer.one("#notes").text
-    assert "Particle size is 5×10⁻⁷ nm; usual: 1 nm to 10⁶ nm" in notes and "of the ball" in notes
+def test_what_the_paper_and_what_no_interface_has_is_said(explorer):
+    notes = explorer.open("particle_density_per_m2=1e13&ball_radius=1e-5").one("#notes").text
+    assert "particle density 10¹³ m⁻²: the paper has 10¹⁰ to 5×10¹² m⁻²" in notes
+    assert "of the ball" in notes
+    notes = explorer.open("load_N=1e4&roughness_nm=500").one("#notes").text
+    assert notes.startswith("normal load 10⁴ N: the paper has 0.04 to 80 N; mean Hertz pressure ")
+    assert "above the hardness of the softer surface, 5000 MPa" in notes and "rough" not in notes
+    assert "the paper has" not in explorer.open("load_N=80&viscosity_cSt=0").one("#notes").text
 
 
 def test_another_interpretation_is_another_model(explorer):
@@ -190,6 +204,7 @@ def test_another_interpretation_is_another_model(explorer):
     explorer.one("#reset").click()
     explorer.settle()
     assert explorer.one("[name=figure]").get_attribute("value") == "fig11"
+    explorer.run("document.querySelector('[name=view][value=figures]').click()")
     explorer.choose("[name=figure]", "fig04")
     assert explorer.curve("ν = 90 cSt") == before
 
@@ -256,12 +271,13 @@ def test_arrow_keys_choose_the_view(explorer):
     explorer.run("document.querySelector('[name=view]:checked').focus()")
     ActionChains(explorer.driver).send_keys(Keys.ARROW_RIGHT).perform()
     explorer.settle()
-    assert explorer.run("return document.activeElement.value") == "map"
-    assert "over" in explorer.one("#heading").text and explorer.one("[name=map_x]").is_displayed()
+    assert explorer.run("return document.activeElement.value") == "figures"
+    assert explorer.one("#heading").text.startswith("Figure 11")
+    assert explorer.one("[name=figure]").is_displayed()
 
 
 def test_controls_and_charts_have_names_for_screen_readers(explorer):
-    explorer.open()
+    explorer.open("view=figures")
     tree = explorer.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
     roles = {"slider", "textbox", "combobox", "button", "radio", "application", "link"}
     nodes = [node for node in tree if not node["ignored"] and node["role"]["value"] in roles]
@@ -338,6 +354,23 @@ def test_verdicts_are_those_of_the_workflow(explorer, page):
         assert bool(re.search(r"(Holds|Fails) if: ", text)) == any(changed)
 
 
+def test_symbols_are_written_as_the_library_writes_them(explorer):
+    explorer.open("show=all")
+    shown = explorer.run(
+        """return Object.fromEntries([...document.querySelectorAll('[data-statement]')].map((each) =>
+            [each.dataset.statement, each.children[1].innerHTML]))"""
+    )
+    texts = {row["id"]: row["statement"] for row in content_of(explorer)["statements"]}
+    checked = {name: text for name, text in texts.items() if not re.search(r"\de[+-]?\d", text)}
+    assert sum("_" in text for text in checked.values()) > 10
+    for name, text in checked.items():
+        assert shown[name].startswith(unescape(html(text)) + " <span"), text
+    label = explorer.one("label[for=input-apparent_area]").get_attribute("innerHTML")
+    assert label.partition("]")[0].endswith(f"{html('A_n')} [mm²")
+    label = explorer.one("label[for=rig-speed_m_per_s]").get_attribute("innerHTML")
+    assert label == f"Entrainment speed {html('u', is_symbol=True)} [m/s]"
+
+
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
     explorer.open("figure=fig10")
     full, hollow = (
@@ -365,7 +398,7 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
     ensemble = content_of(explorer)["ensemble"]
     point = dict(load_N=10.0, viscosity=90e-6, particle_diameter=500e-9)
     point |= dict(roughness=300e-9, particle_density=1e11)
-    found = ranges_over(ensemble, "particle_contact_area_ratio", point)
+    found = ranges_over("particle_contact_area_ratio", point)
     row = re.search(r"(?m)Asa,t\*.* ([\d.]+) to ([\d.]+)$", explorer.one("#point").text)
     assert tuple(map(float, row.groups())) == pytest.approx(tuple(found), abs=rounding(found))
     assert f"{RANGE[1:]}; here of {len(ensemble)} sets" in explorer.one("#definition").text
@@ -376,20 +409,38 @@ def rounding(ends):
     return 0.51 * 10.0 ** (math.floor(math.log10(ends[1] - ends[0])) - 1)
 
 
-def ranges_over(ensemble, quantity, point, **changed):
+def ranges_over(quantity, point, **changed):
     """Both ends of a range over the members, all with what is changed."""
-    members = [load_parameters(**{**member, **changed}) for member in ensemble]
+    members = load_parameters().changed(**changed).members
     values = [float(getattr(solve(**point, parameters=each), quantity)) for each in members]
     return np.quantile(values, (0.05, 0.95))
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"spread_ratio": 0.4},
+        {"mean_ratio": 0.3, "hardness_surface_1": 5.5e9},
+        {"mean_ratio": 0.05, "spread_ratio": 0.38, "participation": 0.6, "summit_radius": 1e-4},
+        {"summit_offset_ratio": 0.0, "elastic_depth_ratio": 0.1},  # far from all members
+    ],
+)
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_calibrated_inputs_follow_what_the_reader_changes_as_in_the_library(explorer, changed):
+    explorer.open("&".join(f"{name}={value}" for name, value in changed.items()))
+    expected = load_parameters().changed(**changed).members
+    found = explorer.run("return thirdbody.members()")
+    assert len(found) == len(expected)
+    for page, library in zip(found, expected, strict=True):
+        numbers = numbers_of(library)
+        assert {name: page[name] for name in numbers} == pytest.approx(numbers, rel=1e-9)
 
 
 def test_what_the_reader_changes_is_changed_in_every_member(explorer):
     explorer.open("figure=fig04&particle_diameter_nm=500&spread_ratio=0.4")
     point = dict(load_N=10.0, viscosity=90e-6, particle_diameter=500e-9)
     point |= dict(roughness=300e-9, particle_density=1e11)
-    ends = ranges_over(
-        content_of(explorer)["ensemble"], "solid_load_fraction", point, spread_ratio=0.4
-    )
+    ends = ranges_over("solid_load_fraction", point, spread_ratio=0.4)
     row = re.search(r"(?m)Ls .* ([\d.]+) to ([\d.]+) %$", explorer.one("#point").text)
     shown = tuple(float(end) / 100.0 for end in row.groups())
     assert shown == pytest.approx(tuple(ends), abs=rounding(ends))
@@ -418,7 +469,7 @@ def test_the_size_at_which_a_mode_ends_is_shown(explorer, defaults):
 def test_the_map_has_turning_points_and_other_axes(explorer):
     from selenium.webdriver import ActionChains
 
-    explorer.open("view=map")
+    explorer.open()
     assert len(explorer.one("#charts path.turning").get_attribute("d")) > 50
     ActionChains(explorer.driver).move_to_element(explorer.one("#charts svg")).perform()
     assert "Asa,t* = " in tooltip(explorer)
@@ -427,9 +478,32 @@ def test_the_map_has_turning_points_and_other_axes(explorer):
     assert explorer.console() == []
 
 
+def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer, defaults):
+    """And the key has nothing else than what the map has."""
+    explorer.open()
+    names, left, top, width, height = explorer.run(
+        """const rect = document.querySelector('#charts rect');
+        const names = [...document.querySelectorAll('#charts text.name')].map((name) =>
+            [[...name.children].map((line) => line.textContent), name.getAttribute('x'), name.getAttribute('y')]);
+        return [names, ...['x', 'y', 'width', 'height'].map((key) => Number(rect.getAttribute(key)))]"""
+    )
+    assert len(names) == 5
+    for (mode, regime), x, y in names:
+        newtons = NEWTONS[0] * (NEWTONS[1] / NEWTONS[0]) ** ((float(x) - left) / width)
+        size = SIZES[1] + (SIZES[0] - SIZES[1]) * (float(y) - top) / height
+        given = FIGURE_11._replace(viscosity=90e-6, particle_diameter=size)._asdict()
+        found = solve(load_N=newtons, **given, parameters=defaults).to_dataframe()
+        assert found["contact_mode"].item() == mode.replace("-", "_")
+        assert found["lubrication_regime"].item() == regime
+    key = [each.text for each in explorer.all("#key .entry")]
+    assert key == ["turning points of the contact area", "your conditions"]
+    explorer.open("viscosity_cSt=150&map_x=roughness")
+    assert "full film" in explorer.one("#charts svg").text + explorer.one("#key").text
+
+
 def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
     """Every corner of the border between boundary and mixed lubrication has L_s = 0.9."""
-    explorer.open("view=map")
+    explorer.open()
     path, left, top, width, height = explorer.run(
         """const [border, rect] = ['path.regime', 'rect'].map((each) => document.querySelector(`#charts ${each}`));
         return [border.getAttribute('d'), ...['x', 'y', 'width', 'height'].map((key) => Number(rect.getAttribute(key)))]"""
@@ -467,7 +541,7 @@ def test_beyond_the_film_formula_no_lubrication_is_told(explorer):
     explorer.open("figure=fig11&load_N=1e9")
     rows = [each.text for each in explorer.all("#point .frame:first-child th")]
     assert "Status" in rows and "Lubrication" not in rows
-    assert "Normal load is 10⁹ N" in explorer.one("#notes").text
+    assert "normal load 10⁹ N: the paper has" in explorer.one("#notes").text
 
 
 def test_lines_bend_without_corners(explorer):
@@ -620,7 +694,7 @@ def test_nothing_waits_on_paper(explorer):
     """Printed as soon as the conditions have changed, without a pause."""
     explorer.open("figure=fig11")
     left = explorer.run(
-        """location.hash = 'load_N=20';
+        """location.hash = 'figure=fig11&load_N=20';
         dispatchEvent(new Event('hashchange'));
         const cells = () => [...document.querySelectorAll('#point td')].map((cell) => cell.textContent);
         return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {

@@ -6,6 +6,8 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from collisions import collisions
+from matplotlib.text import Text
 
 import thirdbody as tb
 from thirdbody.plotting.drawing import FORMATS, save_figure
@@ -278,6 +280,136 @@ def test_a_key_of_many_curves_is_within_the_figure(parameters, over):
     assert len(key.get_texts()) > 20
     inner, outer = key.get_window_extent(), figure.bbox
     assert inner.x0 >= outer.x0 and inner.x1 <= outer.x1 and inner.y0 >= outer.y0
+
+
+@pytest.fixture(scope="module")
+def plane(defaults):
+    """A grid over load and viscosity."""
+    loads, oils = np.geomspace(0.04, 80.0, 60), np.linspace(10.0, 160.0, 40)
+    rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    return tb.grid(load_N=loads, viscosity_cSt=oils, **rest, parameters=defaults)
+
+
+WORDS = {
+    "surface-surface": "surface_surface",
+    "s-s": "surface_surface",
+    "p-s": "particle_surface",
+    "particle-surface": "particle_surface",
+    "hybrid": "hybrid",
+    "boundary": "boundary",
+    "B.L.": "boundary",
+    "mixed": "mixed",
+    "M.L.": "mixed",
+    "full film": "full_film",
+    "F.L.": "full_film",
+}
+
+
+@pytest.mark.parametrize("over", [("load_N", "viscosity_cSt"), ("viscosity", "load")])
+@pytest.mark.parametrize("width_mm", [84, 174])
+def test_names_on_a_map_are_those_of_the_solution_there(plane, defaults, over, width_mm):
+    figure = tb.plot(plane, over=over, width_mm=width_mm)
+    assert not collisions(figure)
+    (axes,) = figure.axes
+    seen = set()
+    for text in axes.texts:
+        at = axes.transData.inverted().transform(
+            axes.transAxes.transform(text.get_unitless_position())
+        )
+        given = dict(zip(over, at, strict=True))
+        rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+        if "viscosity_cSt" in given:
+            given["viscosity_cSt"] *= 1e6  # axes are in SI
+        found = tb.solve(**given, **rest, parameters=defaults)
+        words = [WORDS[word] for word in text.get_text().split("\n")]
+        regime = found.lubrication_regime
+        assert words == ([found.contact_mode] if regime != "full_film" else []) + [regime]
+        seen.add(tuple(words))
+    assert {("hybrid", "mixed"), ("hybrid", "boundary")} <= seen
+    assert ("full_film",) in seen or over[0] == "viscosity"  # where it is narrow
+
+
+def test_the_line_on_a_map_is_that_of_the_turning_points(plane, defaults):
+    (axes,) = tb.plot(plane, over=["load_N", "viscosity_cSt"]).axes
+    (line,) = axes.lines
+    loads, viscosities = line.get_data()
+    rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    found = tb.turning_point(viscosity=viscosities, **rest, parameters=defaults)
+    np.testing.assert_allclose(loads, found["load_N"], rtol=0.02)
+    assert len(axes.figure.legends) == 1
+    assert not tb.plot(plane.isel(load=np.s_[:5]), over=["load_N", "viscosity_cSt"]).legends
+
+
+def test_what_has_no_map_is_refused(plane, grid):
+    for data, over in (
+        (plane[["total_contact_area"]], ["load", "viscosity"]),
+        (grid(roughness=[1e-7, 3e-7]), ["load", "viscosity"]),
+        (plane, ["load", "load_N"]),
+        (plane.isel(load=[0]), ["load", "viscosity"]),
+    ):
+        with pytest.raises(ValueError, match="allowed"):
+            tb.plot(data, over=over)
+
+
+def collided(**given):
+    """Texts that are over something, in a figure of dry and lubricated contact."""
+    points = tb.grid(
+        load_N=np.geomspace(0.04, 80, 100),
+        viscosity_cSt=[0, 90],
+        roughness_nm=300,
+        particle_diameter_nm=[300, 500, 700, 1000],
+        particle_density_per_m2=1e11,
+    )
+    return collisions(tb.plot(points, **given))
+
+
+@pytest.mark.parametrize("width_mm", [84, 174])
+@pytest.mark.parametrize("variable", PANELS)
+def test_a_figure_of_one_panel_has_room_for_names(variable, width_mm):
+    assert not collided(variables=variable, width_mm=width_mm)
+
+
+def test_the_width_is_that_of_the_figure_and_of_its_columns(grid):
+    data = grid()
+    for width_mm, variables, expected, columns in (
+        (None, PANELS, 174, 2),
+        (None, PANELS[0], 84, 1),
+        (84, PANELS, 84, 1),
+        (140, PANELS, 140, 2),
+    ):
+        figure = tb.plot(data, variables=variables, width_mm=width_mm)
+        assert figure.bbox.width / figure.dpi == pytest.approx(expected / 25.4)
+        assert len({round(axes.get_position().x0, 2) for axes in figure.axes}) == columns
+        texts = figure.findobj(type(figure.axes[0].title))
+        assert min(text.get_fontsize() for text in texts) >= 7.0
+
+
+def test_names_leave_the_room_of_the_curves_and_ticks_to_them(grid):
+    axes = tb.plot(grid(), variables="solid_load_fraction").axes[0]
+    axes.figure.draw_without_rendering()
+    assert axes.texts
+    end = axes.transData.transform((LOADS[-1], 0.0))[0]
+    frame = axes.get_window_extent()
+    for text in axes.texts:
+        box = Text.get_window_extent(text)
+        assert end < box.x0 and box.x1 < frame.x1
+    ticks = [*axes.get_xticks(), *axes.get_xticks(minor=True)]
+    assert min(ticks) > 0.9 * LOADS[0] and max(ticks) < 1.1 * LOADS[-1]
+
+
+def test_points_outside_the_film_formula_are_dotted_over_any_axis():
+    oils = [0.0, *np.geomspace(1e-3, 100.0, 12)]
+    rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
+    with pytest.warns(tb.OutOfRangeWarning):
+        points = tb.solve(load_N=80, viscosity_cSt=oils, **rest)
+    outside = points.to_dataset()["solution_status"].values.ravel() == 1
+    assert 1 < outside.sum() < len(oils) and points.solid_load_fraction[1] < 0.99
+    figure = tb.plot(points, over="viscosity_cSt", variables="solid_load_fraction")
+    curve, dotted = figure.axes[0].lines
+    np.testing.assert_array_equal(np.isnan(curve.get_ydata()), outside)
+    np.testing.assert_array_equal(dotted.get_ydata(), points.solid_load_fraction[outside])
+    assert dotted.get_linestyle() == ":"
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["outside film formula"]
 
 
 def test_a_stribeck_curve_is_drawn_over_the_speed():

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
+from collisions import collisions
 from matplotlib.colors import to_rgb
 from matplotlib.text import Text
 
@@ -20,7 +21,7 @@ from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
 from chenhorng.figures.findings import headline
 from chenhorng.figures.numbers import Number
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED, WINDOW
-from chenhorng.figures.products import SUFFIXES, figure_record, save, write_wide
+from chenhorng.figures.products import SUFFIXES, figure_record, save, save_pictures, write_wide
 from chenhorng.figures.schematics import SCHEMATICS
 from chenhorng.figures.sections import STRETCH, sections, state_of
 from chenhorng.sampling import area_slope
@@ -153,6 +154,22 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
             assert curve.y.max() < top
 
 
+@pytest.mark.parametrize("width_mm", [84.0, 174.0])
+@pytest.mark.parametrize("name", PANELS)
+def test_no_text_is_over_an_axis_a_tick_a_rule_or_another_text(name, width_mm, defaults, printed):
+    scene = yaml.safe_load((ROOT / "config" / "scenes.yaml").read_text())["scenes"][name]
+    data = dataset_of(scene | {"load_axis": LOAD_AXIS}, defaults.best)
+    windows = [
+        {"roughness_m": roughness, "end": end, "diameter_over_roughness": at}
+        for roughness in data["roughness"].values
+        for end, at in (("low", 0.79), ("high", 1.35))
+    ]
+    given = {"printed": printed[name], "windows": windows, "width": width_mm / 25.4}
+    figure = plot(name, data, turning_points_in(data), **given)
+    assert figure.bbox.width / figure.dpi == pytest.approx(width_mm / 25.4)
+    assert not collisions(figure)
+
+
 @pytest.mark.parametrize("name", PANELS)
 def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
     figure = plotted(name, datasets)
@@ -256,9 +273,9 @@ def test_a_name_is_of_dry_or_of_lubricated_curves(name, datasets):
     figure = plotted(name, datasets)
     for axes, panel in zip(figure.axes, figure.panels, strict=True):
         names = {text.get_text(): text.get_color() for text in axes.texts}
-        assert {text.startswith("dry ") for text in names} == {True, False}
+        assert {text.startswith("dry") for text in names} == {True, False}
         for text, colour in names.items():
-            assert text.startswith("dry ") == (colour == "black"), (panel.letter, text)
+            assert text.startswith("dry") == (colour == "black"), (panel.letter, text)
 
 
 def test_of_dashed_curves_that_coincide_one_is_drawn(datasets):
@@ -306,6 +323,66 @@ def test_panels_that_the_paper_lacks_say_so(datasets):
 def test_the_title_of_each_panel_says_what_differs(name, datasets):
     titles = [axes.get_title(loc="left")[12:] for axes in plotted(name, datasets).axes]
     assert len(set(titles)) == len(titles) and all(titles)
+
+
+def test_a_panel_alone_is_as_wide_as_a_column_and_shows_the_same(datasets, printed, tmp_path):
+    given = {"printed": printed["fig11"]}
+    whole, alone = (
+        plotted("fig11", datasets, **given),
+        plotted("fig11", datasets, **given, panel="B"),
+    )
+    assert alone.bbox.width / alone.dpi == pytest.approx(84.0 / 25.4)
+    (panel,) = alone.panels
+    assert (panel.letter, panel.y) == ("B", SOLID)
+    for one, other in zip(panel.series, whole.panels[1].series, strict=True):
+        np.testing.assert_array_equal((one.x, one.y), (other.x, other.y))
+    save_pictures(alone, tmp_path / "a", caption("fig11", alone.panels))
+    assert {path.suffix for path in tmp_path.iterdir()} == {".svg", ".pdf", ".png"}
+    assert b"<title>Panel B: " in (tmp_path / "a.svg").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["fig06", "fig07", "fig09"])
+def test_the_panel_of_areas_is_narrow_beside_that_of_their_ratios(name, datasets):
+    figure = plotted(name, datasets)
+    figure.draw_without_rendering()
+    boxes = {
+        panel.y: axes.get_position() for panel, axes in zip(figure.panels, figure.axes, strict=True)
+    }
+    area, ratio = boxes[AREA], boxes[OVER]
+    assert area.width < 0.75 * ratio.width and area.x1 < ratio.x0
+    assert area.y0 == pytest.approx(ratio.y0, abs=0.01)
+
+
+def test_titles_of_axes_that_repeat_are_shown_once(datasets):
+    def titles(name):
+        figure = plotted(name, datasets)
+        return [
+            (axes.xaxis.label.get_visible(), axes.yaxis.label.get_visible()) for axes in figure.axes
+        ]
+
+    assert titles("fig04") == [(False, True), (False, True), (True, True), (True, True)]
+    assert titles("fig11") == [(True, True), (True, True), (True, True)]  # C is over the film
+    assert titles("fig13") == [(False, True), (True, False), (True, True)]
+
+
+def test_the_range_of_two_body_contact_is_drawn_with_others_of_areas(datasets):
+    data = datasets["fig03"]
+    ends = {
+        f"{y}_{end}": part * data[y]
+        for y in (RATIO, AREA)
+        for end, part in (("low", 0.9), ("high", 1.2))
+    }
+    figure = plotted("fig03", datasets, ensemble_range=xr.Dataset(ends))
+    highest = max(one.y.max() for one in figure.panels[1].of_kind(BAND) if one.curve.is_two_body)
+    for place, expected in ((0, False), (1, True)):
+        outlines = figure.axes[place].collections
+        assert outlines
+        greys = [one for one in outlines if len({*one.get_facecolor()[0][:3]}) == 1]
+        assert (
+            bool([one for one in greys if one.get_label() == "range of the ensemble"]) == expected
+        )
+    tops = [path.vertices[:, 1].max() for one in greys for path in one.get_paths()]
+    assert highest in tops
 
 
 def look(line):
@@ -373,7 +450,7 @@ def test_a_wide_table_has_a_column_for_each_curve(datasets, tmp_path):
 @pytest.mark.parametrize(
     ("status", "places", "meaning"),
     [
-        ("outside_film_formula", [-4, -1], "outside film formula"),
+        ("outside_film_formula", np.s_[-4:], "outside film formula"),
         ("load_exceeded", [-5], "load exceeded"),
     ],
 )
@@ -392,6 +469,9 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         assert marked.name == curve.label
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values[name][places])
+    first = drawing.axes[0].lines[len(curves_in(data)) - 1]
+    left_out = np.isnan(first.get_ydata())
+    assert left_out[-4:].all() and not left_out[:-4].any()
     assert meaning in key_of(drawing)
     assert meaning in caption("fig11", drawing.panels).shows
     assert meaning not in key_of(plotted("fig11", datasets))
@@ -473,6 +553,26 @@ def test_what_is_printed_along_x_alone_stands_across_the_panel(
     ]
     for low, high in brackets:
         assert any(np.allclose((span.x0, span.x1), (low, high)) for span in spans)
+
+
+@pytest.mark.parametrize(("name", "place", "words"), [
+    ("fig09", 3, {"printed", "printed for all surfaces", "computed"}),
+    ("fig11", 2, {"70", "120"}),
+])  # fmt: skip
+def test_a_bracket_joins_both_ends_of_a_range(name, place, words, datasets, printed):
+    windows = [{"roughness_m": 3e-7, "end": end, "diameter_over_roughness": at}
+               for end, at in (("low", 0.79), ("high", 1.35))]  # fmt: skip
+    drawing = plotted(name, datasets, printed=printed[name], windows=windows)
+    axes = drawing.axes[place]
+    assert {text.get_text() for text in axes.texts} == words
+    brackets = {tuple(line.get_xdata()[1:3]) for line in axes.lines if len(line.get_xdata()) == 4}
+    uprights = {line.get_xdata()[0] for line in axes.lines if len({*line.get_xdata()}) == 1}
+    expected = {
+        "fig09": {(0.79, 1.35), (0.8, 1.3), (0.8333, 1.3333)},
+        "fig11": {(1.15e-4, 2.23e-4), (1.63e-4, 2.34e-4)},
+    }
+    assert brackets == expected[name]
+    assert {end for bracket in brackets for end in bracket} <= uprights
 
 
 def test_bends_are_marked_where_the_slope_falls(datasets, printed):

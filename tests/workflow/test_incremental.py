@@ -156,6 +156,7 @@ def test_comments_in_the_configuration_and_dates_of_files_rerun_nothing(workspac
         "paper_tables",
         "printed_digits",
         "held_out",
+        "findings",
     ):
         workspace.rewrite(f"config/{file}.yaml", lambda text: f"# a remark\n{text}")
     assert not workspace.pending()

@@ -12,12 +12,14 @@ from thirdbody.symbols import html
 
 CURVE_FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 FIGURES = ["fig01", "fig02", *CURVE_FIGURES]
+FINDINGS = ["modes", "size", "viscosity", "turning_point", "turning_point_viscosity"]
 TABLES = ["table1", "table2", "tpca_loads", "tpca_windows", "transitions"]
 FIGURE_FORMATS, TABLE_FORMATS = ("svg", "pdf", "png", "csv", "md", "json"), ("csv", "html", "tex")
 PRODUCTS = {
     *(f"datasets/{figure}.nc" for figure in CURVE_FIGURES),
     *(f"figures/{figure}.{format}" for figure in FIGURES for format in FIGURE_FORMATS),
     *(f"figures/{figure}_wide.csv" for figure in CURVE_FIGURES),
+    *(f"figures/panel_{name}.{format}" for name in FINDINGS for format in FIGURE_FORMATS[:3]),
     *(f"tables/{table}.{format}" for table in TABLES for format in TABLE_FORMATS),
     *(f"claims/claims.{format}" for format in ("csv", "html", "md")),
     *("explorer/index.html", "index.html", "captions.md", "SHA256SUMS"),

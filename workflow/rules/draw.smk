@@ -8,6 +8,11 @@ BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
 STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
 
 
+def of_panel(path):
+    """The file at ``path`` of the figure that a panel is of."""
+    return lambda wildcards: path.format(PANELS[wildcards.panel][:-1])
+
+
 rule render_figure:
     input:
         dataset="<results>/datasets/{scene}.nc",
@@ -27,6 +32,33 @@ rule render_figure:
         "Draw {wildcards.scene}"
     script:
         "../scripts/render_figure.py"
+
+
+# a panel that shows a finding of the paper, as wide as a column
+rule render_panel:
+    input:
+        dataset=of_panel("<results>/datasets/{}.nc"),
+        turning_points=of_panel("<results>/extracted/tpca_loads/{}.csv"),
+        printed=PRINTED,
+        windows=[],
+        ensemble_range=of_panel("<results>/bands/{}.nc") if settings["bands"] else [],
+        style=STYLE,
+    output:
+        svg="<results>/figures/{panel}.svg",
+        pdf="<results>/figures/{panel}.pdf",
+        png="<results>/figures/{panel}.png",
+    log:
+        "<logs>/render_panel/{panel}.log",
+    wildcard_constraints:
+        panel="|".join(PANELS),
+    params:
+        *sources_of("render_panel.py"),
+        figure=lambda wildcards: PANELS[wildcards.panel][:-1],
+        panel=lambda wildcards: PANELS[wildcards.panel][-1],
+    message:
+        "Draw {wildcards.panel}"
+    script:
+        "../scripts/render_panel.py"
 
 
 rule draw_schematic:
@@ -192,6 +224,7 @@ rule write_index:
         figures=expand("<results>/figures/{figure}.json", figure=FIGURES),
         pictures=expand("<results>/figures/{figure}.png", figure=FIGURES),
         tables=expand("<results>/tables/{table}.html", table=TABLES),
+        panels=expand("<results>/figures/{panel}.svg", panel=PANELS),
         verdicts="<results>/claims/claims.json",
         explorer="<results>/explorer/index.html",
         datasets=expand("<results>/datasets/{figure}.nc", figure=SCENES),
@@ -205,7 +238,8 @@ rule write_index:
         "<logs>/write_index.log",
     params:
         *sources_of("write_index.py"),
-        titles={figure: settings["scenes"][figure]["title"] for figure in SCENES},
+        findings=settings["findings"],
+        scenes=SCENES,
     message:
         "Write the index page"
     script:

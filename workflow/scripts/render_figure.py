@@ -5,29 +5,20 @@ import json
 import matplotlib.style
 
 from chenhorng.figures.captions import caption, inputs_sentence
-from chenhorng.figures.curve_figures import plot
+from chenhorng.figures.curve_figures import plot, read_inputs
 from chenhorng.figures.findings import headline
 from chenhorng.figures.products import save, write_wide
 from chenhorng.job_log import job
-from chenhorng.tables import TABLES, read_csv
-from thirdbody.netcdf import read_plain
-from thirdbody.plotting.marks import read_turning_points
 
 with job(snakemake) as output:
     figure = snakemake.wildcards.scene
-    windows = snakemake.input.windows
-    ensemble_range = snakemake.input.ensemble_range
-    data = read_plain(snakemake.input.dataset)
-    points = read_turning_points(snakemake.input.turning_points)
-    rows = read_csv(snakemake.input.printed, TABLES["printed"])
-    numbers = [row for row in rows if row["figure"] == figure]
-    ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
-    ranges = read_plain(ensemble_range) if ensemble_range else None
+    given = read_inputs(figure, snakemake.input)
+    data, ranges = given["data"], given["ensemble_range"]
     notes = [inputs_sentence(data)]
     if ranges:
         notes.append(f"The ensemble has {len(json.loads(ranges.attrs['ensemble']))} members.")
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
-        drawing = plot(figure, data, points, ranges, numbers, ends)
+        drawing = plot(figure, **given)
         save(
             drawing,
             output.png.with_suffix(""),

@@ -10,13 +10,13 @@ from markupsafe import Markup
 
 from chenhorng.claims.words import COLOURS, FAILS, HOLDS
 from chenhorng.figures.captions import inputs_sentence, labels_sentences
+from chenhorng.findings import RULE, judged_findings
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
 from thirdbody.netcdf import read_plain
 from thirdbody.symbols import html
 from thirdbody.version import current
 
-FRONT = "fig11"  # the figure on the first screen
 # a description of each table
 TABLES = {
     "table1": "Table 1: mechanical properties, as printed and recomputed",
@@ -49,21 +49,6 @@ def figure_entry(path, picture, statements, scenes):
     }
 
 
-def score_tiles(judged):
-    """The numbers on the first screen: a count, the whole, and words on what is counted."""
-    met = [row["verdict"] == HOLDS for row in judged["headline"]]
-    tiles = [
-        (judged["held"], judged["judged"], "statements of the paper hold, with one set of inputs"),
-        (sum(met), len(met), "headline statements hold, with all of their numbers"),
-        (
-            judged["predicted"],
-            judged["predicted_of"],
-            "statements hold when their figure was left out of the search for inputs",
-        ),
-    ]
-    return [tile for tile in tiles if tile[1]]
-
-
 with job(snakemake) as output:
     judged = json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8"))
     templates = Path(snakemake.input.page_template), Path(snakemake.input.captions_template)
@@ -76,27 +61,25 @@ with job(snakemake) as output:
     )
     environment.filters["typeset"] = lambda text: Markup(html(text))
     environment.filters["markdown"] = markdown_text
-    statements, titles = judged["statements"], snakemake.params.titles
+    statements = judged["statements"]
     figures = [
-        figure_entry(*files, statements, titles)
+        figure_entry(*files, statements, snakemake.params.scenes)
         for files in zip(snakemake.input.figures, snakemake.input.pictures, strict=True)
     ]
     data = read_plain(snakemake.input.datasets[0])
     content = {
         "figures": figures,
-        "front": next((figure for figure in figures if figure["stem"] == FRONT), None),
-        "tiles": score_tiles(judged),
-        "verdicts": {HOLDS: judged["held"], FAILS: judged["judged"] - judged["held"]},
+        "findings": judged_findings(snakemake.params.findings, statements),
+        "rule": RULE,
         "colours": {verdict.split()[0]: colour for verdict, colour in COLOURS.items()},
+        "judged": judged,
         "tables": {
             name: TABLES.get(name, name)
             for name in (Path(table).stem for table in snakemake.input.tables)
         },
-        "datasets": {Path(path).name: titles[Path(path).stem] for path in snakemake.input.datasets},
         "precision": [
             base64.b64encode(Path(path).read_bytes()).decode() for path in snakemake.input.precision
         ],
-        "score": f"{judged['score']} {judged['counts']}",
         "inputs": f"{inputs_sentence(data)} {labels_sentences(data)}",
         "version": current().text,
     }

@@ -96,6 +96,7 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
         **chosen,
         "scenes": scenes,
         "calibration": read_yaml(folder / "calibration.yaml"),
+        "findings": read_yaml(folder / "findings.yaml", list),
         "sensitivity": read_yaml(folder / "sensitivity.yaml"),
         "uncalibrated": uncalibrated_values(folder),
         "accuracy": read_yaml(located(config["accuracy"])),

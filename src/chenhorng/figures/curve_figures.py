@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation
@@ -11,9 +12,10 @@ from chenhorng.figures.captions import REMARKS
 from chenhorng.figures.findings import headline
 from chenhorng.figures.numbers import draw_numbers, hide_coinciding
 from chenhorng.figures.printed import LOCUS
-from thirdbody.netcdf import PlainDataset
+from chenhorng.tables import TABLES, read_csv
+from thirdbody.netcdf import PlainDataset, read_plain
 from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
-from thirdbody.plotting.marks import BAND, turning_point_series
+from thirdbody.plotting.marks import BAND, read_turning_points, turning_point_series
 from thirdbody.plotting.panels import Curve, Series
 from thirdbody.plotting.scales import axis_label
 
@@ -22,6 +24,7 @@ AREA, FILM = Content("total_contact_area"), Content("film_thickness")
 RELATIVE_AREA = Content("total_contact_area_over_two_body", remark=REMARKS["relative"])
 OVER_SIZES = "diameter_ratio"  # x of panels of turning points
 TURNING_POINTS = Content("turning_point_ratio", x=OVER_SIZES, remark=REMARKS["ours"])
+AREA_BESIDE_RATIO = "AADDD", "BBCC"  # its curves lie close together, those of the ratio apart
 # The conditions of the curves have the same name in config/scenes.yaml.  Other scenes need no
 # entry here.
 CURVE_FIGURES: dict[str, CurveFigure] = {
@@ -36,11 +39,13 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         "particle_diameter",
         (AREA, SOLID, RATIO, RELATIVE_AREA),
         strong=(300e-9, 500e-9, 700e-9, 1000e-9),
+        rows=AREA_BESIDE_RATIO,
     ),
     "fig07": CurveFigure(
         "particle_density",
         (AREA, SOLID, RATIO, RELATIVE_AREA),
         strong=(1e10, 1e11, 5e11, 5e12),
+        rows=AREA_BESIDE_RATIO,
     ),
     "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE_AREA), two_body=False),
     # dry: where the turning point occurs
@@ -49,6 +54,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
         (RATIO, AREA, RELATIVE_AREA, TURNING_POINTS),
         two_body=False,
         strong=(250e-9, 300e-9, 350e-9, 400e-9, 500e-9),
+        rows=("AADD", "BBCCC"),
     ),
     "fig10": CurveFigure(
         "diameter_ratio",
@@ -70,6 +76,18 @@ LEAST_SIZE = 7.0  # of what the paper says, below the title [points]
 WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
+def read_inputs(name: str, files: Any) -> dict[str, Any]:
+    """What ``plot`` draws in the figure ``name``, from the input ``files`` of its rule."""
+    rows = read_csv(files.printed, TABLES["printed"])
+    return {
+        "data": read_plain(files.dataset),
+        "turning_points": read_turning_points(files.turning_points),
+        "ensemble_range": read_plain(files.ensemble_range) if files.ensemble_range else None,
+        "printed": [row for row in rows if row["figure"] == name],
+        "windows": read_csv(files.windows, TABLES["tpca_windows"]) if files.windows else (),
+    }
+
+
 def plot(
     name: str,
     data: PlainDataset,
@@ -77,8 +95,10 @@ def plot(
     ensemble_range: PlainDataset | None = None,
     printed: Sequence[Mapping] = (),
     windows: Sequence[Mapping] = (),
+    width: float | None = None,
+    panel: str = "",
 ) -> Figure:
-    """Draw the figure ``name`` of the paper, or that of any other scene.
+    """Draw the figure ``name`` of the paper, or that of any other scene, or one ``panel``.
 
     ``printed`` and ``windows`` are rows of the tables ``printed``, those of this figure, and
     ``tpca_windows``; the other arguments and errors are those of ``CurveFigure.plot``.
@@ -102,6 +122,8 @@ def plot(
         add_series=add_numbers,
         draw_marks=draw_numbers,
         mark_looks=printed_marks.ALL_LOOKS,
+        width=width,
+        only=panel,
     )
     for axes in figure.axes:
         hide_coinciding(axes)
@@ -111,7 +133,7 @@ def plot(
     if len(over_sizes) > 1:
         over_sizes[0].autoscale(axis="x")
     finding, paper = headline(name, data)
-    if paper:
+    if paper and not panel:
         first = finding or data.attrs["title"]
         title = figure.suptitle(f"{first}\n", x=0.01, ha="left", size="medium", weight="bold")
         below = Annotation(paper, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)

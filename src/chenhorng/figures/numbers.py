@@ -16,17 +16,19 @@ from thirdbody.plotting.panels import CURVE, Panel, Series
 UPRIGHT = "upright"  # how a number along x alone is drawn
 BAR = "_bar"  # label of the bar of a number, which has no entry in the key
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
-NAME_LOOK = {"fontsize": NAME_SIZE, "rotation": 90}  # of the name of a vertical line
+LEVEL, LEVEL_PAD = 0.06, 8.5  # of brackets over each other: in heights of a panel, and in points
+BRACKET_NAME = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}  # on its line
 
 
 @dataclass(frozen=True, eq=False)
 class Number(Series):
     """A number at a point, at a level, or along x alone (``UPRIGHT``).  ``tolerance`` has x and y
-    of both its ends."""
+    of both its ends; ``words`` stand at a range of two numbers along x."""
 
     drawn_as: str = "number"
     tolerance: tuple[NDArray, NDArray] | None = None
     tolerance_look: Mapping[str, Any] = field(default_factory=dict)
+    words: str = ""
 
     @property
     def labels(self) -> set[str]:
@@ -48,23 +50,38 @@ def draw_numbers(axes: Axes, panel: Panel) -> None:
     for number in numbers:
         if number.drawn_as == UPRIGHT and not any(_is_same(number, one) for one in drawn):
             drawn.append(number)
-            _draw_upright(axes, number, names.get(number.curve), panel.x == "load")
-
-
-def _draw_upright(axes, number, name, is_low):
-    """Draw vertical lines with a strip for the tolerance, and a name where fewer curves are."""
-    for x in number.x:
-        axes.axvline(x, **number.look)
-    if not number.tolerance:
-        return
-    axes.axvspan(*number.tolerance[0], **number.tolerance_look)
-    if name is not None:
-        y = 0.02 if is_low else 0.98
-        look = NAME_LOOK | {"color": number.look["color"]}
-        look |= {"va": "bottom", "ha": "left"} if is_low else {"va": "top", "ha": "right"}
+            for x in number.x:
+                axes.axvline(x, **number.look)
+            if number.tolerance:
+                axes.axvspan(*number.tolerance[0], **number.tolerance_look)
+    ranges: dict[tuple, list[Number]] = {}
+    for number in drawn:
+        ranges.setdefault((number.name, number.curve), []).append(number)
+    ends = {key: np.concatenate([each.x for each in own]) for key, own in ranges.items()}
+    pairs = sorted((key for key in ends if ends[key].size == 2), key=lambda key: np.ptp(ends[key]))
+    for level, key in enumerate(pairs, 1):
+        one = ranges[key][0]
+        _draw_bracket(axes, ends[key], names.get(one.curve, one.words), one.look["color"], level)
+    if pairs:
+        title = axes.get_title(loc="left")
+        axes.set_title(title, loc="left", y=1.0, pad=LEVEL_PAD * (len(pairs) + 0.8))
+    single = [one for one in drawn if (one.name, one.curve) not in pairs and one.curve in names]
+    for place, number in enumerate(single):  # beside its strip, the first at its left
+        low, high = number.tolerance[0] if number.tolerance else number.x.repeat(2)
+        x, gap, side = (high, 2.0, "left") if place else (low, -2.0, "right")
+        look = {"color": number.look["color"], "fontsize": NAME_SIZE, "ha": side}
         look |= {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points"}
-        x, gap = (number.tolerance[0][1], 2.0) if is_low else (number.x[0], -2.0)
-        axes.annotate(name, (x, y), (gap, 0.0), **look)
+        axes.annotate(names[number.curve], (x, 0.0), (gap, 5.0), **look)
+
+
+def _draw_bracket(axes, ends, words, colour, level):
+    """Draw a bracket above the panel over both ends of a range, with its name."""
+    (low, high), height = np.sort(ends), 1.0 + LEVEL * level
+    look = {"transform": axes.get_xaxis_transform(), "color": colour}
+    places = [low, low, high, high], [1.0, height, height, 1.0]
+    axes.plot(*places, linewidth=0.8, clip_on=False, **look)
+    look |= {"fontsize": NAME_SIZE, "ha": "center", "va": "center"}
+    axes.text(ends.mean(), height, words, bbox=BRACKET_NAME, **look)
 
 
 def _is_same(number, other) -> bool:

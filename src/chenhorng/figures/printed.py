@@ -152,7 +152,8 @@ def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Seri
     ends = ends[np.isfinite(ends)]
     if ends.size:
         no_y = np.full(ends.size, np.nan)
-        yield Number(WINDOW, "", ends, no_y, look=LOOKS[WINDOW], drawn_as=UPRIGHT)
+        look, words = LOOKS[WINDOW], "computed"
+        yield Number(WINDOW, "", ends, no_y, look=look, drawn_as=UPRIGHT, words=words)
 
 
 def _is_on(row, roughness) -> bool:
@@ -201,6 +202,7 @@ def _along_x(row, curves=()) -> Series:
         drawn_as=UPRIGHT,
         tolerance=(np.array([row["low"], row["high"]]), nothing),
         tolerance_look=STRIP,
+        words="printed" if kind == ALONG_X else "printed for all surfaces",
     )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from chenhorng.figures.captions import Caption
 from chenhorng.figures.numbers import UPRIGHT, Number
-from chenhorng.figures.printed import ALONG_X, EVERY_LOAD, LOCUS, PRINTED
+from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED
 from chenhorng.tables import DRAWN_POINTS, write_csv
 from thirdbody.plotting.drawing import FORMATS, Drawing, write_figure
 from thirdbody.plotting.marks import TURNING_POINTS
@@ -27,22 +27,27 @@ DIGITS = 5  # of the coordinates of printed numbers in a record
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
-    """Write ``stem``.svg, with the alternative text as its title, .pdf, .png, the data drawn as
-    .csv, the caption as .md, and the record of the figure as .json."""
-    if engine := drawing.get_layout_engine():
-        engine.execute(drawing)
-        drawing.set_layout_engine(None)  # once for all formats
+    """Write the pictures of ``stem``, the data drawn as .csv, the caption as .md, and the record of
+    the figure as .json."""
+    save_pictures(drawing, stem, caption)
     rows = [
         row for panel in drawing.panels for each in panel.series for row in _points(panel, each)
     ]
-    for kind, options in FORMATS.items():
-        title = {"Title": caption.alternative} if kind == "svg" else {}
-        options = options | {"metadata": options["metadata"] | title}
-        write_figure(drawing, f"{stem}.{kind}", kind, options)
     write_csv(f"{stem}.csv", rows, DRAWN_POINTS)
     Path(f"{stem}.md").write_text(caption.markdown(), encoding="utf-8")
     record = json.dumps(figure_record(drawing.panels, caption), ensure_ascii=False, indent=1)
     Path(f"{stem}.json").write_text(record + "\n", encoding="utf-8")
+
+
+def save_pictures(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
+    """Write ``stem``.svg, with the alternative text as its title, .pdf and .png."""
+    if engine := drawing.get_layout_engine():
+        engine.execute(drawing)
+        drawing.set_layout_engine(None)  # once for all formats
+    for kind, options in FORMATS.items():
+        title = {"Title": caption.alternative} if kind == "svg" else {}
+        options = options | {"metadata": options["metadata"] | title}
+        write_figure(drawing, f"{stem}.{kind}", kind, options)
 
 
 def figure_record(panels: Iterable[Panel], caption: Caption) -> dict[str, Any]:
@@ -64,6 +69,7 @@ def _panel_record(panel):
         "printed": [_mark(series) for series in panel.of_kind(PRINTED)],
         "limits": [_mark(series) for series in panel.of_kind(ALONG_X)],
         "levels": [_mark(series) for series in panel.of_kind(EVERY_LOAD)],
+        "computed": [_at(series) for series in panel.of_kind(COMPUTED)],
         "turning_points": TURNING_POINTS in kinds,
         "locus": LOCUS in kinds,
     }
@@ -72,9 +78,12 @@ def _panel_record(panel):
 def _mark(series):
     """The printed number of a series: its first point, with both ends of its tolerance; y is None
     for a number along x alone."""
-    points = [(series.x[0], series.y[0]), *zip(*series.tolerance)]
-    at, *ends = ([_rounded(each) for each in point] for point in points)
-    return {"id": series.name, "at": at, "ends": ends}
+    ends = [[_rounded(each) for each in point] for point in zip(*series.tolerance)]
+    return _at(series) | {"ends": ends}
+
+
+def _at(series):
+    return {"id": series.name, "at": [_rounded(each[0]) for each in (series.x, series.y)]}
 
 
 def _rounded(number):

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 import thirdbody.symbols as symbols
+from chenhorng.figures.curve_figures import RELATIVE_AREA, TURNING_POINTS
+from thirdbody.conditioning import LEAST_SPREAD
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
@@ -33,6 +35,7 @@ MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"_\{(\w+(?:,t)?)\}": r"_\1",
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
+PATTERNS = "SYMBOL", "IN_TEXT", "IN_SYMBOL", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS"
 STATED = (  # the fields of a statement in claims.json that the page shows
     *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
@@ -67,7 +70,6 @@ def page_content(
                 "name": axis.name,
                 "key": axis.alias,
                 "scale": axis.scale,
-                "usual": axis.usual,
                 "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
             }
             for axis in AXES.values()
@@ -77,11 +79,11 @@ def page_content(
             variable.name: _variable(variable)
             for variable in (*AXES.values(), NORMAL_LOAD, *QUANTITIES.values(), *DERIVED.values())
         },
-        "symbols": {
-            name.lower(): getattr(symbols, name)
-            for name in ("SYMBOL", "IN_TEXT", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS")
-        },
+        "symbols": {name.lower(): getattr(symbols, name) for name in PATTERNS}
+        | {"html": {"symbol": symbols.HTML.symbol, "below": symbols.HTML.below("{}")}},
         "statuses": dict(STATUS_MEANINGS),
+        # behind the title of a panel
+        "remarks": {panel.y: panel.remark for panel in (RELATIVE_AREA, TURNING_POINTS)},
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
         "inputs": {
@@ -89,6 +91,7 @@ def page_content(
             for name, entry in inputs.items()
         },
         "ensemble": list(ensemble),
+        "least_spread": LEAST_SPREAD,
         "range": RANGE,
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],

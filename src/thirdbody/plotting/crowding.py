@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 NEAR = 0.03  # marks closer than this coincide, in widths and heights of a panel
 MOST_NAMES = 12  # of curves, written at their ends; a key has all
 COINCIDE = 0.015  # ends closer than this have one name, in heights of a panel
-LINE = 0.058  # distance of names, in heights of a panel
-LOWEST, TOP = 0.03, 1.02  # heights of the lowest and the highest name
-NAME_SIZE = 7.0  # of names [points]
+NAME_SIZE, LINE = 7.0, 8.2  # of names, and the distance between them [points]
 LEADER, GAP = 9.0, 4.0  # from the end of a curve to its name, and beyond the name [points]
+MOST_ROOM = 0.6  # of names, in widths of a panel; longer ones are left to the key
 TO_END = {"arrowstyle": "-", "color": "0.3", "linewidth": 0.4, "shrinkA": 0, "shrinkB": 0}
 SEEN_APART = 0.8  # of lines [points]
 SEVERAL = "0.25"  # colour of a name of several curves
@@ -26,59 +25,64 @@ def name_ends(
     texts: Mapping[Line2D, str],
     dry: Collection[Line2D],
     hairlines: Mapping[Line2D, str],
-) -> float:
-    """Write ``texts`` beside the ends of their lines.
+) -> None:
+    """Write ``texts`` beside the ends of their lines, within the frame, whose axis becomes longer
+    by the width of the longest one.
 
-    They stand on the side with more ends apart: right of the panel, or left of the curves, where
-    the axis becomes longer.  ``dry`` lines share no name with others; ``hairlines`` have a name
-    where there is room.  Returns the width taken right of the panel [points]."""
+    They stand on the side with more ends apart.  ``dry`` lines share no name with others;
+    ``hairlines`` have a name where there is room.  The axes have their place in the figure."""
     right, left = (_groups(axes, texts, end, dry) for end in (-1, 0))
     at_left = len(left) > len(right)
     groups = left if at_left else right
     if not 1 < len(groups) <= MOST_NAMES:
-        return 0.0
+        return
+    points = 72.0 / axes.figure.dpi
+    frame = axes.get_window_extent()
+    line = LINE / (frame.height * points)
     for group in _groups(axes, hairlines, 0 if at_left else -1, dry):
         taken = [height for other in groups for *_, height in other]
-        if all(abs(group[0][2] - height) > LINE for height in taken):
+        if all(abs(group[0][2] - height) > line for height in taken):
             groups.append(group)
-    base = axes.get_xaxis_transform() if at_left else axes.transAxes
-    shift = (-LEADER if at_left else LEADER) / 72.0
-    beside = base + ScaledTranslation(shift, 0.0, axes.figure.dpi_scale_trans)
     groups.sort(key=lambda group: np.mean([height for *_, height in group]))
     ends = [float(np.mean([height for *_, height in group])) for group in groups]
-    compares_media = 0 < len({*dry} & {*texts}) < len(texts)
+    all_dry = {*dry} & {*texts}
+    compares_media = 0 < len(all_dry) < len(texts)
     texts = {**texts, **hairlines}
     names = []
-    for group, end, height in zip(groups, ends, _spread(ends), strict=True):
+    for group, end, height in zip(groups, ends, _spread(ends, line), strict=True):
         colours = {line.get_color() for line, *_ in group}
         is_dry = group[0][0] in dry
         if colours == {"black"} and not is_dry:  # black names are of dry contact
             colours = {SEVERAL}
         text = _joined(texts[line] for line, *_ in group)
-        says_dry = is_dry and compares_media and not text.startswith(("dry", "two-body"))
-        x = group[0][1] if at_left else 1.0
+        if is_dry and compares_media and not text.startswith(("dry", "two-body")):
+            text = "dry" if all_dry == {line for line, *_ in group} else f"dry {text}"
         name = axes.annotate(
-            f"dry {text}" if says_dry else text,
-            (x, end),
-            (x, height),
-            xycoords=base,
-            textcoords=beside,
+            text,
+            (group[0][1], end),
+            (0.0 if at_left else 1.0, height),
+            xycoords=axes.get_xaxis_transform(),
             color=colours.pop() if len(colours) == 1 else SEVERAL,
             fontsize=NAME_SIZE,
             ha="right" if at_left else "left",
             va="center",
             arrowprops=TO_END | {"relpos": (float(at_left), 0.5)},
-            annotation_clip=False,
         )
         names.append(name)
-    widest = max(Text.get_window_extent(name).width for name in names)
-    width = LEADER + widest * 72.0 / axes.figure.dpi + GAP
-    if not at_left:
-        return width
-    low, high = axes.get_xlim()
-    room = width / (axes.get_window_extent().width * 72.0 / axes.figure.dpi)
-    axes.set_xlim(low * (low / high) ** (room / (1.0 - room)), high)
-    return 0.0
+    widest = points * max(Text.get_window_extent(name).width for name in names)
+    room = (LEADER + widest + GAP) / (frame.width * points)
+    if room > MOST_ROOM:
+        for name in names:
+            name.remove()
+        return
+    side = 1.0 if at_left else -1.0  # from the edge of the frame, so that none crosses it
+    shift = ScaledTranslation(side * (widest + GAP) / 72.0, 0.0, axes.figure.dpi_scale_trans)
+    for name in names:
+        name.set_anncoords(axes.transAxes + shift)
+    scale = axes.xaxis.get_transform()
+    limits = scale.transform(axes.get_xlim())
+    limits[0 if at_left else 1] -= side * np.ptp(limits) * room / (1.0 - room)
+    axes.set_xlim(*scale.inverted().transform(limits))
 
 
 def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
@@ -109,15 +113,14 @@ def _joined(texts) -> str:
     return ", ".join(texts) if len(texts) < 3 else f"{texts[0]} … {texts[-1]}"
 
 
-def _spread(heights) -> NDArray:
-    """Move increasing heights apart by at least a line: the mean of pushing all up and pushing all
-    down."""
-    lines = LINE * np.arange(len(heights))
+def _spread(heights, line) -> NDArray:
+    """Move increasing heights apart by at least a ``line``, within the frame: the mean of pushing
+    all up and pushing all down."""
+    lines = line * np.arange(len(heights))
     apart = np.array(heights) - lines
     up, down = np.maximum.accumulate(apart), np.minimum.accumulate(apart[::-1])[::-1]
-    spread = np.maximum((up + down) / 2.0, LOWEST) + lines
-    spread -= max(spread[-1] - TOP, 0.0)
-    return spread
+    low, high = 0.6 * line, 1.0 - 0.6 * line - lines[-1]
+    return np.clip((up + down) / 2.0, low, max(low, high)) + lines
 
 
 def keep_apart(axes: Axes, marks: Sequence[Line2D]) -> None:

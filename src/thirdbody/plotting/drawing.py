@@ -12,6 +12,7 @@ from typing import Any
 import matplotlib.style
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.gridspec import SubplotSpec
 
 from thirdbody.curves import MOST_PANELS
 from thirdbody.files import atomic_write
@@ -50,21 +51,42 @@ class Drawing(Figure):
         return picture.getvalue()
 
 
-def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: int = 2) -> Drawing:
+def empty_panels(
+    panels: Sequence[Panel],
+    size: tuple[float, float],
+    columns: int = 2,
+    rows: Sequence[str] = (),
+) -> Drawing:
     """A figure of this ``size`` [inches] with axes for ``panels`` in rows.  Axes have titles, and
-    letters if there are several panels."""
+    letters if there are several panels.  ``rows`` have the letters of their panels, each as often
+    as it is wide: "AABBB"."""
     if len(panels) > MOST_PANELS:
         raise ValueError(f"the figure has {len(panels)} panels; allowed: at most {MOST_PANELS}")
     figure = Drawing(figsize=size, layout="constrained")
     figure.panels = [
-        replace(panel, letter=ascii_uppercase[place]) for place, panel in enumerate(panels)
+        replace(panel, letter=panel.letter or letter)
+        for panel, letter in zip(panels, ascii_uppercase, strict=False)
     ]
-    rows = math.ceil(len(panels) / columns)
-    for place, panel in enumerate(figure.panels, 1):
-        axes = figure.add_subplot(rows, columns, place)
+    if rows:
+        cells = _cells_of(rows, figure.add_gridspec(len(rows)))
+    else:
+        grid = figure.add_gridspec(math.ceil(len(panels) / columns), columns)
+        cells = [grid[place] for place in range(len(panels))]
+    for panel, cell in zip(figure.panels, cells, strict=True):
+        axes = figure.add_subplot(cell)
         letter = rf"$\bf{{({panel.letter})}}$  " if len(panels) > 1 else ""
         axes.set_title(letter + mathtext(panel.title), loc="left", y=1.0)
     return figure
+
+
+def _cells_of(rows, lines) -> list[SubplotSpec]:
+    """The cells of panels in the order of their letters; lines are those of the figure."""
+    cells: dict[str, SubplotSpec] = {}
+    for place, row in enumerate(rows):
+        letters = sorted({*row})
+        grid = lines[place].subgridspec(1, len(letters), width_ratios=[*map(row.count, letters)])
+        cells |= {letter: grid[column] for column, letter in enumerate(letters)}
+    return [cells[letter] for letter in sorted(cells)]
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:

@@ -3,12 +3,14 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import product, zip_longest
+from string import ascii_uppercase
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from thirdbody.curves import (
     OF_PARTICLES,
@@ -21,11 +23,11 @@ from thirdbody.netcdf import Dataset, curves_of
 from thirdbody.plotting import marks
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import hide_repeats, keep_apart, name_ends
-from thirdbody.plotting.drawing import TWO_COLUMNS, empty_panels
-from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height
+from thirdbody.plotting.drawing import ONE_COLUMN, TWO_COLUMNS, empty_panels
+from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height, key_title
 from thirdbody.plotting.marks import AREA, RELATIVE_AREA
 from thirdbody.plotting.panels import CURVE, LINE, Curve, Panel, Series
-from thirdbody.plotting.scales import panel_title, parameter_title, shared_notes
+from thirdbody.plotting.scales import SCALES, panel_title, parameter_title, shared_notes
 from thirdbody.plotting.styles import DRY, DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
 from thirdbody.symbols import mathtext
 
@@ -91,7 +93,8 @@ class CurveFigure:
 
     Each panel is drawn for every value of the conditions ``each``, with two-body contact.  Without
     ``two_body``, two-body contact is only the reference of areas.  If levels of the parameter [SI]
-    are ``strong``, the others are hairlines.
+    are ``strong``, the others are hairlines.  ``rows`` of two columns are those of
+    ``empty_panels``.
     """
 
     parameter: str
@@ -99,6 +102,7 @@ class CurveFigure:
     each: tuple[str, ...] = ()
     two_body: bool = True
     strong: tuple[float, ...] = ()
+    rows: tuple[str, ...] = ()
 
     def plot(
         self,
@@ -109,12 +113,16 @@ class CurveFigure:
         add_series: Callable[[Content, list[Curve], list[Series]], None] | None = None,
         draw_marks: Callable[[Axes, Panel], None] | None = None,
         mark_looks: Mapping[str, Look] = marks.LOOKS,
+        width: float | None = None,
+        only: str = "",
     ) -> Figure:
         """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
         ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``;
         ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``.  With
-        ``axes``, the panels are drawn there.  ``add_series`` adds to the series of a panel;
+        ``axes``, the panels are drawn there; the ``width`` of a figure [inches] is by default one
+        column for one panel, and two for several; ``only`` is the letter of a panel to draw alone.
+        ``add_series`` adds to the series of a panel;
         ``draw_marks`` draws those that are neither lines nor outlines; ``mark_looks`` are entries
         of the key, for marks that are drawn.
         """
@@ -139,12 +147,23 @@ class CurveFigure:
             own = ", ".join(text for text in shared if text not in common)
             if series:
                 panels.append(self._panel(content, series, own))
+        if only:
+            panels = [replace(panels[ascii_uppercase.index(only)], letter=only)]
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = parameter_title(self.parameter)
         return draw_panels(
-            panels, key, title, common, newtons_per_load, axes, draw_marks, mark_looks
+            panels,
+            key,
+            title,
+            common,
+            newtons_per_load,
+            axes,
+            draw_marks,
+            mark_looks,
+            width,
+            () if only else self.rows,
         )
 
     def _chosen(self, curves, roughness) -> Iterator[tuple[Content, list[Curve]]]:
@@ -196,7 +215,7 @@ def _curve_series(content, curves) -> Iterator[Series]:
     for curve in curves:
         values = curve.values[x], curve.values[y]
         yield Series(CURVE, curve.label, *values, curve.condition, curve.look)
-    yield from marks.status_series(x, y, curves)
+        yield from marks.status_series(curve.label, *values, curve.values, curve.condition)
     if y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves)
         if x == "load":
@@ -215,37 +234,71 @@ def draw_panels(
     axes: Sequence[Axes] = (),
     draw_marks: Callable[[Axes, Panel], None] | None = None,
     mark_looks: Mapping[str, Look] = marks.LOOKS,
+    width: float | None = None,
+    rows: Sequence[str] = (),
 ) -> Figure:
     """Draw panels of curves, and a key with the groups of ``key`` and those ``mark_looks`` that
     occur.  With ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.  Panels are drawn
-    on ``axes``, with the key in the last, or on a new figure.  ``draw_marks`` draws in a panel
+    on ``axes``, with the key in the last, or on a new figure of this ``width`` [inches], in
+    ``rows`` as in ``empty_panels`` if there are two columns.  ``draw_marks`` draws in a panel
     after its curves."""
     if not panels:
         raise ValueError("there is nothing to draw; allowed: points with values of the variables")
     labels = {label for panel in panels for series in panel.series for label in series.labels}
     drawn = [look for look in mark_looks.values() if look.get("label") in labels]
     groups = [group for group in (*key, drawn) if group]
-    if len(axes):
-        for each, panel in zip(axes, panels, strict=True):
-            _draw_panel(each, panel, newtons_per_load, draw_marks)
-        if groups:
-            lines = [handle(each) for group in groups for each in group]
-            axes[-1].legend(handles=lines, title=mathtext(title) or None)
-        return axes[0].figure.figure
-    rows = math.ceil(len(panels) / 2)
-    beside = len(panels) % 2 == 1 and is_beside(groups)
-    below = key_height(groups) if groups and not beside else 0.0
-    figure = empty_panels(panels, (TWO_COLUMNS, rows * CELL_HEIGHT + below))
-    for each, panel in zip(figure.axes, figure.panels, strict=True):
-        _draw_panel(each, panel, newtons_per_load, draw_marks)
-    if groups:
-        add_key(figure, groups, title, common, beside)
+    own = not len(axes)
+    if own:
+        axes = _new_axes(panels, groups, title, common, width, rows)
+    figure = axes[0].figure.figure
+    drawings = [
+        (each, panel, _draw_series(each, panel, newtons_per_load, draw_marks))
+        for each, panel in zip(axes, panels, strict=True)
+    ]
+    if groups and not own:
+        lines = [handle(each) for group in groups for each in group]
+        axes[-1].legend(handles=lines, title=mathtext(title) or None)
+    if engine := figure.get_layout_engine():
+        engine.execute(figure)  # names take their room from that of their panel
+    for drawing in drawings:
+        _keep_readable(*drawing)
     return figure
 
 
-def _draw_panel(axes, panel, newtons_per_load, draw_marks):
-    """Draw the series of a panel, then the scales of its axes, then names."""
-    lines = {}
+def _new_axes(panels, groups, title, common, width, rows) -> Sequence[Axes]:
+    """The axes of a new figure, with its key."""
+    width = width or (ONE_COLUMN if len(panels) == 1 else TWO_COLUMNS)
+    columns = 2 if width > 1.5 * ONE_COLUMN else 1
+    letters = ascii_uppercase[: len(panels)]
+    if columns == 1 or {*"".join(rows)} != {*letters}:
+        rows = ()
+    beside = len(panels) % columns == 1 and is_beside(groups)
+    text = key_title(title, common, width / columns if beside else width)
+    below = key_height(groups, text, width) if groups and not beside else 0.0
+    size = width, math.ceil(len(panels) / columns) * CELL_HEIGHT + below
+    figure = empty_panels(panels, size, columns, rows)
+    if groups:
+        add_key(figure, groups, text, beside)
+    plain = [letters[place : place + columns] for place in range(0, len(letters), columns)]
+    table = [sorted({*row}) for row in rows or plain]
+    _share_titles(dict(zip(letters, zip(figure.axes, panels, strict=True))), table)
+    return figure.axes
+
+
+def _share_titles(drawn, rows):
+    """Hide titles of axes that the panel below or the one at the left repeats."""
+    for row, below in zip_longest(rows, rows[1:], fillvalue=""):
+        for place, letter in enumerate(row):
+            axes, panel = drawn[letter]
+            if place < len(below) and drawn[below[place]][1].x == panel.x:
+                axes.xaxis.label.set_visible(False)
+            if place > 0 and drawn[row[place - 1]][1].y == panel.y:
+                axes.yaxis.label.set_visible(False)
+
+
+def _draw_series(axes, panel, newtons_per_load, draw_marks) -> dict[Series, Line2D]:
+    """Draw the series of a panel, then the scales of its axes; the lines of its series."""
+    lines, doubtful = {}, marks.doubtful(panel.series)
     unseen = UNSEEN * panel.least or -np.inf
     for series in _some_ranges(panel):
         outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
@@ -253,12 +306,17 @@ def _draw_panel(axes, panel, newtons_per_load, draw_marks):
     for series in panel.series:
         if series.drawn_as == LINE:
             y = np.maximum(series.y, unseen)
+            if series.kind == CURVE:
+                y[np.isin(series.x, doubtful.get(series.name, []))] = np.nan
             (lines[series],) = axes.plot(series.x, y, **series.look)
     if draw_marks is not None:
         draw_marks(axes, panel)
-    zones = set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
-    peaks = marks.TURNING_POINTS, marks.SLIGHT
-    keep_apart(axes, [line for series, line in lines.items() if series.kind in peaks])
+    set_scales(axes, panel.x, panel.y, newtons_per_load, panel.least)
+    return lines
+
+
+def _keep_readable(axes, panel, lines):
+    """Write names of curves, and hide what coincides."""
     if panel.x in ("load", "normal_load"):
         named = [one for one in panel.of_kind(CURVE) if curve_name(one)]
         strong, hairlines = (
@@ -266,13 +324,13 @@ def _draw_panel(axes, panel, newtons_per_load, draw_marks):
             for thin in (False, True)
         )
         dry = [lines[one] for one in named if one.curve and one.curve.is_dry]
-        width = name_ends(axes, strong, dry, hairlines)
+        name_ends(axes, strong, dry, hairlines)
         dashed = [
             one for one in panel.of_kind(CURVE) if one.look.get("linestyle") == DRY["linestyle"]
         ]
         hide_repeats(axes, [lines[one] for one in dashed])
-        if zones is not None and width:
-            zones.spines.right.set_position(("outward", width))
+    peaks = marks.TURNING_POINTS, marks.SLIGHT
+    keep_apart(axes, [line for series, line in lines.items() if series.kind in peaks])
 
 
 def curve_name(series: Series) -> str:
@@ -288,9 +346,15 @@ def _is_hairline(series) -> bool:
 
 
 def _some_ranges(panel):
-    """The ranges of a few coloured curves, from the first to the last; grey is a zone."""
+    """The ranges of a few coloured curves, from the first to the last, and those of two-body
+    contact, above which others would rise, but not beside zones: these are grey too."""
     strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
-    ranges = [one for one in panel.of_kind(marks.BAND) if one.curve in strong]
-    coloured = [one for one in ranges if len({*one.look["facecolor"]}) > 1]
-    places = np.linspace(0, max(len(coloured) - 1, 0), MOST_RANGES).round().astype(int)
-    return [coloured[place] for place in np.unique(places) if coloured]
+    has_zones = bool(SCALES[panel.y].zones)
+    ranges = [
+        one
+        for one in panel.of_kind(marks.BAND)
+        if one.curve in strong
+        and (len({*one.look["facecolor"]}) > 1 or (one.curve.is_two_body and not has_zones))
+    ]
+    places = np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int)
+    return [ranges[place] for place in np.unique(places) if ranges]

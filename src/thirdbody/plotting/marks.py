@@ -1,6 +1,6 @@
 """Marks that follow from solved data: turning points (TPCA), slight peaks, ranges and statuses."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
@@ -18,12 +18,12 @@ FROM_ZERO = 0.05  # of a slight peak on a linear axis, in heights of the highest
 VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
 BAND_STEP = 2  # every second load is enough for the edge of a range
 TINT = 0.13  # of the colour in a range, the rest is white
-# markers of points that have not converged; the curve ends where there are no values
+# markers of points that have not converged, dotted; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x134", strict=True))
 PEAK = {"linestyle": "none", "marker": "*", "markersize": 6.5, "zorder": 3.2}
 OF_STATUS = {
     "color": "#A0005A",
-    "linestyle": "none",
+    "linestyle": ":",
     "markersize": 5.0,
     "markeredgewidth": 0.9,
     "zorder": 3.2,
@@ -85,21 +85,35 @@ def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -
         yield Series(SLIGHT, "", at_x, at_y, look=LOOKS[SLIGHT])
 
 
-def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """First and last points that are not ``converged``, and the ends of curves without values."""
+def status_series(
+    name: str, x: NDArray, y: NDArray, values: Mapping[str, Any], condition: Any = None
+) -> Iterator[Series]:
+    """The points of a curve that are not ``converged``, dotted from the first to the last of each
+    status, or where the curve ends beside points without values.  ``values`` are the variables
+    along it."""
+    found = np.asarray(values[STATUS])
     for status in STATUSES:
-        for curve in curves:
-            marked = curve.values[STATUS] == SOLUTION_STATUSES.index(status)
-            if status == "not_converged" and "error_bound" in curve.values:
-                marked &= ~(curve.values["error_bound"] < VISIBLE_ERROR)
-            if status in WITHOUT_VALUES:
-                beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
-                marked = beside & np.isfinite(curve.values[y])
-            places = np.flatnonzero(marked)
-            if places.size:
-                ends = np.unique(places[[0, -1]])
-                at_x, at_y = (curve.values[name][ends] for name in (x, y))
-                yield Series(status, curve.label, at_x, at_y, curve.condition, LOOKS[status])
+        marked = found == SOLUTION_STATUSES.index(status)
+        if status == "not_converged" and "error_bound" in values:
+            marked &= ~(np.asarray(values["error_bound"]) < VISIBLE_ERROR)
+        if status in WITHOUT_VALUES:
+            beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
+            marked = beside & np.isfinite(y)
+        places = np.flatnonzero(marked)
+        if places.size:
+            own = np.s_[places[0] : places[-1] + 1]
+            look = LOOKS[status] | {"markevery": [0, places[-1] - places[0]]}
+            yield Series(status, name, x[own], np.where(marked, y, np.nan)[own], condition, look)
+
+
+def doubtful(series: Iterable[Series]) -> dict[str, NDArray]:
+    """Where curves of these names have points that are drawn by their status."""
+    found: dict[str, NDArray] = {}
+    for one in series:
+        if one.kind in STATUSES and one.kind not in WITHOUT_VALUES:
+            places = one.x[np.isfinite(one.y)]
+            found[one.name] = np.append(found.get(one.name, []), places)
+    return found
 
 
 def range_series(

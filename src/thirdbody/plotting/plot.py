@@ -23,7 +23,8 @@ from thirdbody.ensembles import MEMBER, range_over_members
 from thirdbody.netcdf import GIVEN_AS, OF_THE_FILE, read_plain
 from thirdbody.plotting.drawing import STYLE
 from thirdbody.plotting.load_curves import curve_figure, draw_panels
-from thirdbody.plotting.marks import range_series, read_turning_points
+from thirdbody.plotting.maps import plot_map
+from thirdbody.plotting.marks import range_series, read_turning_points, status_series
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
 from thirdbody.plotting.styles import BLUE, Look, level_styles
@@ -41,10 +42,11 @@ from thirdbody.variables import (
 def plot(
     data: Any,
     *,
-    over: str | None = None,
+    over: str | Sequence[str] | None = None,
     variables: str | Sequence[str] = LUBRICATED,
     turning_points: Sequence[Mapping] | str | PathLike = (),
     ax: Axes | Sequence[Axes] | None = None,
+    width_mm: float | None = None,
 ) -> Figure:
     """Draw A_sa,t*, A_t*, L_s and H_c of any dataset of solved points over one of its axes.
 
@@ -56,12 +58,13 @@ def plot(
         table: its load in newtons does not give F_t*.  Points in a list must be all combinations of
         their conditions.  Data of all members (``members=True``) are drawn as the curves of the
         best, with the range of the ensemble around some of them.
-    over : str, optional
+    over : str or pair of str, optional
         The axis along x, by any of its names, such as "load", "load_N" or "viscosity_cSt"; by
         default the load, in newtons if it was given so, or, where there is one load, the axis with
         most values. Over the load, one of the conditions that vary has colours, and each
         combination of the others has panels of its own.  Over another axis, each combination of the
-        others is a curve.
+        others is a curve.  Over two axes, as ("load_N", "viscosity_cSt"), contact modes and
+        lubrication regimes are drawn as a map, with their names in its regions.
     variables : str or sequence of str, optional
         Draw only these of the four quantities.
     turning_points : sequence of mapping, or path, optional
@@ -69,6 +72,9 @@ def plot(
         ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
     ax : matplotlib.axes.Axes, or sequence of them, optional
         Draw there, one for each panel; by default on a new figure.
+    width_mm : float, optional
+        Width of the figure: from 126 mm on its panels stand in two columns, else in one.  By
+        default those of journals: 84 mm for one panel, 174 mm for several.
 
     Returns
     -------
@@ -98,6 +104,10 @@ def plot(
     >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
     'Viscosity $ν$ (cSt)'
 
+    Where which contact mode and lubrication regime is:
+
+    >>> figure = tb.plot(points, over=["load", "viscosity"])
+
     With the range of the ensemble:
 
     >>> loads = np.geomspace(1e-6, 1e-4, 5)
@@ -108,21 +118,49 @@ def plot(
     if isinstance(turning_points, str | PathLike):
         turning_points = read_turning_points(turning_points)
     complete = _with_all_dimensions(data)
-    over = over or _longest(complete)
-    along = axis_of(over).name
-    if complete.sizes[along] < 2:
-        raise ValueError(f"data has one {along}; allowed: two or more, which curves are drawn over")
+    if over is None or isinstance(over, str):
+        over = [over or _longest(complete)]
+    along = [axis_of(each).name for each in over]
+    for name in along:
+        if complete.sizes[name] < 2:
+            raise ValueError(f"data has one {name}; allowed: two or more, which are drawn over")
+    width = width_mm and width_mm / 25.4
     with matplotlib.style.context(STYLE, after_reset=True):
-        if along != "load":
-            return _plot_over(complete, along, names, axes)
+        if len(along) > 1:
+            return _plot_map(complete, over, along, axes, width)
+        if along != ["load"]:
+            return _plot_over(complete, along[0], names, axes, width)
         if complete.sizes.get(SPEED.name, 1) > 1:
             raise ValueError(f"data vary with the speed; allowed: over='{SPEED.alias}'")
         complete = complete.squeeze(SPEED.name, drop=True) if SPEED.name in complete else complete
         figure = curve_figure(complete)
-        x = NORMAL_LOAD.name if over == "load_N" else "load"
-        chosen = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
-        figure = replace(figure, contents=chosen)
-        return figure.plot(complete, turning_points, axes=axes)
+        x = _drawn_over(over[0], along[0])
+        contents = tuple(replace(each, x=x) for each in figure.contents if each.y in names)
+        figure = replace(figure, contents=contents)
+        return figure.plot(complete, turning_points, axes=axes, width=width)
+
+
+def _drawn_over(given: str, name: str) -> str:
+    """The variable along an axis that was ``given`` by any of its names."""
+    return NORMAL_LOAD.name if given == "load_N" else name
+
+
+def _plot_map(
+    data: xr.Dataset,
+    given: Sequence[str],
+    along: Sequence[str],
+    axes: Sequence[Axes],
+    width: float | None,
+) -> Figure:
+    """A map over two axes of data that vary in no other one."""
+    others = [name for name in _dimensions(data) if name not in along]
+    varying = [name for name in others if data.sizes[name] > 1]
+    if varying or len({*along}) != 2:
+        message = f"a map is over two conditions; data also vary with {', '.join(varying)}"
+        raise ValueError(f"{message}; allowed: one value of all others")
+    common = [_note(data, name, data[name].values[0]) for name in others]
+    x, y = map(_drawn_over, given, along)
+    return plot_map(data.isel(dict.fromkeys(others, 0)), x, y, common, axes, width)
 
 
 def _longest(data: xr.Dataset) -> str:
@@ -135,7 +173,11 @@ def _longest(data: xr.Dataset) -> str:
 
 
 def _plot_over(
-    data: xr.Dataset, over: str, variables: Collection[str], axes: Sequence[Axes]
+    data: xr.Dataset,
+    over: str,
+    variables: Collection[str],
+    axes: Sequence[Axes],
+    width: float | None,
 ) -> Figure:
     """Panels of ``variables`` over one axis, with a curve for each combination of the other
     axes."""
@@ -147,11 +189,11 @@ def _plot_over(
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
-    looks = level_styles(len(curves))
+    looks = level_styles(len(curves), data.sizes[over])
     if varying:
         looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
-    return draw_panels(panels, [looks if varying else []], common=common, axes=axes)
+    return draw_panels(panels, [looks if varying else []], common=common, axes=axes, width=width)
 
 
 def plot_curve(table: pd.DataFrame, along: str) -> Figure:
@@ -183,11 +225,14 @@ def plot_curve(table: pd.DataFrame, along: str) -> Figure:
 def _panel(
     over: str, x: NDArray, name: str, curves: Mapping[str, Mapping], looks: Sequence[Look]
 ) -> Panel:
-    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables, and
-    its range if it has one."""
+    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables, its
+    points that have not converged, and its range if it has one."""
     series = []
     for (label, values), look in zip(curves.items(), looks, strict=True):
-        series.append(Series(CURVE, label, x, np.asarray(values[name], float), look=look))
+        y = np.asarray(values[name], float)
+        series.append(Series(CURVE, label, x, y, look=look))
+        if STATUS in values:
+            series += status_series(label, x, y, values)
         if f"{name}_low" in values:
             low, high = (np.asarray(values[f"{name}_{end}"], float) for end in ("low", "high"))
             series.append(range_series(label, x, low, high, look["color"]))

@@ -1,9 +1,9 @@
-// One panel: axes, curves and marks, and what is under the pointer or the arrow keys.
+// This draws one panel: axes, curves and marks. It reads what is under the pointer or the arrow keys.
 
 import { VARIABLES, numberText } from "./names.js";
 import { escaped, plain, powerOfTen, readable, typeset, typesetInDrawing } from "./text.js";
 
-// as in the figures of the workflow: markers, every second one hollow, and colours from dark to light
+// Markers and colours are those of the figures of the workflow: every second marker is hollow, colours go from dark to light.
 const MARKERS = [
   [d3.symbolCircle, 0], [d3.symbolSquare, 0], [d3.symbolTriangle, 0], [d3.symbolTriangle, 180],
   [d3.symbolCross, 0], [d3.symbolCross, 45], [d3.symbolTriangle, 90],
@@ -16,10 +16,17 @@ const SHAPES = {
   printed: d3.symbol(d3.symbolDiamond2, 60)(),
   doubt: d3.symbol(d3.symbolTimes, 28)(),
   cross: d3.symbol(d3.symbolCross, 110)(),
+  computed: "M0,-6L5.2,-3V3L0,6L-5.2,3V-3Z",
 };
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 40 };
+const LETTER = 6; // width of a letter of a name
+const LINE = 11; // its height
+const SAME = 4; // height between ends of curves that have one name
+const LEADER = 10; // width of the line from an end to its name
+const MOST_NAMES = 12; // at ends of curves
+const WITH_NAMES = 360; // width from which a panel has them
 const ZONE_NAMES = 36; // width of the names of zones beside a panel
 const NEWTON_AXIS = 24; // its height above a panel
 // by how many curves, and by how many points, a key moves
@@ -28,7 +35,7 @@ const MOVES = {
   ...{ Home: [0, -Infinity], End: [0, Infinity] },
 };
 
-// Colour, which differs in lightness too, and marker of a curve at one of several levels of a condition.
+// A curve at one of several levels of a condition has a colour and a marker. Colours differ in lightness too.
 export function levelStyle(level, levels) {
   if (level === 0) return { color: "var(--ink)" };
   const rank = levels.indexOf(level);
@@ -36,7 +43,7 @@ export function levelStyle(level, levels) {
   return { color: shadeAt(part), marker: rank };
 }
 
-// Shades as colours of the style, since the light and the dark have their own.
+// Shades are colours of the style, since the light and the dark page have their own.
 const SHADE = d3.range(STEPS + 1);
 const shadeAt = (part) => `var(--shade-${Math.round(part * STEPS)})`;
 const shadesOf = (ends) =>
@@ -77,6 +84,7 @@ const KEY = {
   slight: { text: "peak that rises by less than 0.02", mark: "slight" },
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
+  computed: { text: "bend or crossing, computed", mark: "computed" },
   levels: { text: "printed, between the strokes", color: "var(--ink)", kind: "level", hasEnds: true },
   windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
   limits: { text: "printed, without height (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit", isUpright: true },
@@ -95,7 +103,7 @@ export function keyOfMarks(specs) {
 
 // A spec of a chart; what is not given is empty.
 export function specOf({ lines = [], ...given }) {
-  const empty = [...Object.keys(KEY), "areas", "borders", "crosses"].map((name) => [name, []]);
+  const empty = [...Object.keys(KEY), "areas", "borders", "crosses", "names"].map((name) => [name, []]);
   const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
   return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts };
 }
@@ -103,8 +111,8 @@ export function specOf({ lines = [], ...given }) {
 const widthIn = (element) => Math.max(element.clientWidth, 220);
 const held = (value, low, high) => Math.min(Math.max(value, low), high);
 
-// An axis around values of a variable, logarithmic or not, as asked for or as usual: that of a fraction is if
-// it has a `least` one, where it begins.
+// An axis around values of a variable. The scale is the one asked for, or the usual one. The axis of a fraction is
+// logarithmic if it has a `least` value, where it begins.
 export function axisFor(name, scale, values, least = 0) {
   const log = scale === "auto" ? VARIABLES[name].log || least > 0 : scale === "log";
   const domain = log && least && VARIABLES[name].fraction ? [least, 1.3] : domainOf(VARIABLES[name], log, values);
@@ -188,10 +196,13 @@ export function chartIn(parent, { onRead, onLeave }) {
     spec = given;
     const width = widthIn(figure.node());
     const height = Math.round(held(0.68 * width, 220, Math.max(430, 0.37 * innerHeight)));
-    const [left, right] = [MARGIN.left, width - (VARIABLES[spec.y.name].zones ? ZONE_NAMES : MARGIN.right)];
     const [top, bottom] = [MARGIN.top + (spec.newtonsPerLoad ? NEWTON_AXIS : 0), height - MARGIN.bottom];
-    scales = { x: scaleOf(spec.x).range([left, right]), y: scaleOf(spec.y).range([bottom, top]) };
+    const y = scaleOf(spec.y).range([bottom, top]);
     rows = (spec.rows ?? spec.lines).map((row) => ({ ...row, points: row.points.filter(isShownIn(spec)) }));
+    const ends = width < WITH_NAMES ? [] : endsOf(rows, y);
+    const beside = ends.length && LEADER + LETTER / 2 + LETTER * d3.max(ends, ({ text }) => text.length);
+    const [left, right] = [MARGIN.left, width - beside - (VARIABLES[spec.y.name].zones ? ZONE_NAMES : MARGIN.right)];
+    scales = { x: scaleOf(spec.x).range([left, right]), y };
     svg.attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
     svg.attr("aria-label", plain(spec.title));
     description.text(spec.description ?? described(spec, rows));
@@ -200,8 +211,9 @@ export function chartIn(parent, { onRead, onLeave }) {
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
     drawAxes(axes, spec, scales);
     marks.html(marksOf(spec, scales));
-    crosses.html(spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y))).join("")); // whole at the edges
-    zones.html(zonesOf(spec, scales));
+    const names = spec.names.map((name) => nameOf(name, scales));
+    crosses.html([...names, ...spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y)))].join("")); // whole at the edges
+    zones.html(zonesOf(spec, scales, beside) + namesOfEnds(ends, right, bottom));
     cursor.html("");
   }
 
@@ -241,6 +253,43 @@ export function chartIn(parent, { onRead, onLeave }) {
     if (rows[row].points.length) read(event);
   });
   return update;
+}
+
+// Ends of curves that coincide form a group with one name. The highest comes first. Where there are too many, the key says more.
+function endsOf(rows, toY) {
+  const named = rows.filter(({ name, points }) => name && points.length).map(({ points, ...row }, rank) => ({ ...row, rank, y: toY(points.at(-1).y) }));
+  const groups = [];
+  for (const end of d3.sort(named, ({ y }) => y)) {
+    if (groups.length && end.y - groups.at(-1)[0].y < SAME) groups.at(-1).push(end);
+    else groups.push([end]);
+  }
+  if (groups.length < 2 || groups.length > MOST_NAMES) return [];
+  return groups.map((group) => {
+    const names = [...new Set(d3.sort(group, ({ rank }) => rank).map(({ name }) => name))];
+    const colors = new Set(group.map(({ color }) => color));
+    const text = names.length < 3 ? names.join(", ") : `${names[0]} … ${names.at(-1)}`;
+    return { y: group[0].y, text, color: colors.size > 1 ? "var(--ink)" : group[0].color };
+  });
+}
+
+// Names stand right of a panel, as near to the ends as lines of text allow: at the mean of pushing all up and all down.
+function namesOfEnds(ends, right, lowest) {
+  const apart = ends.map(({ y }, i) => y - LINE * i);
+  return ends.map(({ y, text, color }, i) => {
+    const middle = 0.5 * (d3.max(apart.slice(0, i + 1)) + d3.min(apart.slice(i)));
+    const at = Math.min(middle, lowest - LINE * (ends.length - 1)) + LINE * i;
+    return `<path class="leader" d="M${right},${y.toFixed(1)}L${right + LEADER - 2},${at.toFixed(1)}"/>
+      <text class="end" x="${right + LEADER}" y="${at.toFixed(1)}" dy="0.32em" style="fill: ${color}">${text}</text>`;
+  }).join("");
+}
+
+// The name of a region, in lines, around a place.
+function nameOf({ x, y, lines }, { x: toX, y: toY }) {
+  const [left, right] = toX.range();
+  const half = 0.5 * LETTER * d3.max(lines, ({ length }) => length);
+  const at = `x="${held(toX(x), left + half, right - half)}"`;
+  const spans = lines.map((line, i) => `<tspan ${at} dy="${i ? 1.2 : 0.95 - 0.6 * lines.length}em">${line}</tspan>`);
+  return `<text class="name" ${at} y="${toY(y)}">${spans.join("")}</text>`;
 }
 
 const isShownIn = (spec) => (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);
@@ -286,10 +335,10 @@ function marksOf(spec, { x: toX, y: toY }) {
     ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, stars.map(shape("star"))].flat().join("");
+  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, spec.computed.map(shape("computed")), stars.map(shape("star"))].flat().join("");
 }
 
-// Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
+// Markers distinguish curves without colour. Each curve has a few, at places of its own.
 function markersOf(lines) {
   const marked = lines.filter((line) => line.marker !== undefined);
   return marked.flatMap(({ points, color, faded, marker }, rank) => {
@@ -300,8 +349,8 @@ function markersOf(lines) {
   });
 }
 
-// The middle one of the modes or regimes shaded, and the names of all beside the panel, as SVG.
-function zonesOf(spec, { x: toX, y: toY }) {
+// SVG of the modes or regimes: the middle one is shaded, and all have their names beside the panel.
+function zonesOf(spec, { x: toX, y: toY }, beside) {
   const { limits, zones = [] } = VARIABLES[spec.y.name];
   if (!limits) return "";
   const [[left, right], [low, high]] = [toX.range(), spec.y.domain];
@@ -309,7 +358,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
   const shade = `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
   const names = zones.map((zone, i) => {
     if (edges[i] - edges[i + 1] < 9) return "";
-    return `<text class="zone" x="${right + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;
+    return `<text class="zone" x="${right + beside + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;
   });
   return [shade, ...names].join("");
 }

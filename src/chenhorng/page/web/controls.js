@@ -3,10 +3,11 @@
 import { axes, content, defaultInputs } from "./content.js";
 import { BODIES, GRADES, MATERIALS, materialInputs, oilViscosity, speedOf } from "./rig.js";
 import { NUMBERS, change, currentInputs, currentPoint, isDefault, state, toDefault } from "./state.js";
-import { areHard, conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
+import { areHard } from "./model.js";
+import { conditionFrom, inputNamed, memberInputs, numberNamed, setCondition, setInputs, toUnit } from "./state.js";
 import { isFree } from "./figures.js";
 import { VARIABLES, capital, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
-import { numberIn, readable, significant, typeset } from "./text.js";
+import { numberIn, readable, significant, typeset, typesetSymbol } from "./text.js";
 
 const STEPS = 1000; // of a slider
 const BACK = '<button type="button" class="back" title="back to the default">↺</button>';
@@ -35,7 +36,7 @@ export function makeControls(form) {
   updateControls();
 }
 
-// Above the results, while they are those of the last valid values: what is refused, and why.
+// While results are those of the last valid values, a line above them says what is refused, and why.
 function showRefused() {
   const fields = d3.selectAll('#controls [aria-invalid="true"]').nodes();
   const reasons = fields.map((field) => `${field.labels[0].textContent}: ${field.parentNode.querySelector(".note").textContent}.`);
@@ -55,7 +56,7 @@ function group(form, title, controls, open = true) {
   details.node().append(...controls);
 }
 
-// A control with a button that goes back to the default, where it has been changed.
+// A control has a button that goes back to the default. It shows once the control has been changed.
 function controlOf({ id, label, hint, changed, choose }, markup) {
   const control = d3.create("div").attr("class", "control").attr("title", hint);
   control.html(`<label for="${id}">${label}</label>${markup}`);
@@ -65,10 +66,10 @@ function controlOf({ id, label, hint, changed, choose }, markup) {
   return control;
 }
 
-// A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
-// steps, and `note` gives the range, as a text or by a function. `read` gives what a value is in SI, undefined if it is not allowed.
+// A slider has a field beside it. Values are in the unit of the field. `scale` maps them to the steps of the slider.
+// `note` is the range, as a text or a function. `read` gives a value in SI, or undefined if it is not allowed.
 function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
-  const label = `${typeset(words)} <i>${typeset(symbol)}</i>${unit && ` [${unit}]`}`;
+  const label = `${typeset(words)} ${typesetSymbol(symbol)}${unit && ` [${unit}]`}`;
   const control = controlOf(
     { label, ...given },
     `<input type="range" min="0" max="${STEPS}">

@@ -46,7 +46,7 @@ export function turningPointBetween(contact, low, high) {
   return peak.prominence >= PROMINENCE ? peak : undefined;
 }
 
-// Where a function with one maximum has it, by thirds.
+// The place of the maximum of a function that has one. The search cuts off thirds.
 function maximum(f, low, high) {
   for (let step = 0; step < 50; step++) {
     const third = (high - low) / 3;
@@ -72,7 +72,7 @@ export function turningWindow(model, roughness, density, low, high) {
   return [end(first, first - 1), end(last, last + 1)];
 }
 
-// Between a place that satisfies a condition and one that does not: where that changes.
+// One place satisfies a condition and another does not: this finds where that changes.
 export function boundary(isInside, inside, outside, steps = 30) {
   let [low, high] = [inside, outside];
   for (let step = 0; step < steps; step++) {
@@ -83,7 +83,7 @@ export function boundary(isInside, inside, outside, steps = 30) {
   return 0.5 * (low + high);
 }
 
-// Where the mode, or the full film without one, changes along increasing places: where, from what, to what.
+// Places at which the mode, or the full film without one, changes: where, from what, to what.
 export function modeChanges(stateAt, places) {
   const modes = places.map((place) => modeText(stateAt(place)));
   return d3.range(1, places.length).flatMap((i) => {

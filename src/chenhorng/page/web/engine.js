@@ -57,8 +57,8 @@ export function placesAlong(name, point, count) {
   return d3.range(count).map((place) => scale.invert(place));
 }
 
-// Run the steps of a generator in slices, between which the page answers, as long as they are wanted; on paper at
-// once. Until they are done, the element that they fill is busy.
+// Run the steps of a generator as long as they are wanted. They run in slices, between which the page answers; on paper
+// they run at once. Until they are done, the element that they fill is busy.
 const waiting = new Map();
 export function inSlices(element, steps, isWanted, pause = 0) {
   element.setAttribute("aria-busy", "true");

@@ -34,8 +34,8 @@ function parameterOf(figure) {
   return best.name === "particle_diameter" && ratios.levels.length < best.levels.length ? ratios : best;
 }
 
-// A figure's curves at the chosen conditions. A condition that all curves have in common is replaced; the one
-// that distinguishes them gets additional curves.
+// A figure's curves at the chosen conditions. A chosen condition replaces one that all curves have in common. For the
+// one that distinguishes them it adds curves.
 function figureCurves(figure, parameter) {
   let curves = figure.curves.map((condition, place) => ({ condition, places: [place], mine: false }));
   const conditions = chosenConditions();
@@ -89,6 +89,14 @@ function labelOf({ name }, condition) {
   return `${level}, ${medium}`;
 }
 
+// The short name at the end of a curve, as in the figures of the workflow.
+function nameOf({ name }, condition, comparesMedia) {
+  if (isTwoBody(condition)) return "two-body";
+  if (name === "viscosity" && condition.viscosity === 0) return "dry";
+  const level = name === "diameter_ratio" ? ratioOf(condition) : condition[name] * (VARIABLES[name].factor ?? 1);
+  return `${comparesMedia && condition.viscosity === 0 ? "dry " : ""}${readable(level, 3)}`;
+}
+
 // Whether the chosen statement refers to a curve, by its conditions in the paper.
 function emphasis(statement, { places, mine }, paper) {
   if (!statement) return {};
@@ -113,6 +121,7 @@ export function figureView() {
     ...styleOf(parameter, curve.condition, curve.mine, hasOil),
     ...emphasis(statement, curve, figure.curves),
     label: labelOf(parameter, curve.condition),
+    name: nameOf(parameter, curve.condition, comparesMedia),
   }));
   const notes = sharedWords(drawn);
   // lubricated curves are seen between the dashes of dry ones
@@ -134,7 +143,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
   const changed = !isCalibrated() || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
-  // at an end of a load percentage the paper names a regime: its bar alone tells all
+  // at an end of a load percentage the paper names a regime, and the bar alone tells all
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
   const printed = marksOf(panel.printed, statement, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
   const ranged = x === "load" && content.quantities.includes(y) ? rangedCurves(curves) : [];
@@ -142,9 +151,10 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
     letter,
-    title: [titleOf(x, y), ...own].join(", "),
+    title: titleOf(x, y, ...own),
     ...{ x, y, least, printed, stars },
     locus: locus ? stars : [],
+    computed: changed ? [] : panel.computed.map(({ at: [atX, atY] }) => ({ x: atX, y: atY })),
     lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: ranges.filter(({ points }) => points),
@@ -154,15 +164,15 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
-  // on a logarithmic axis not those far below the curves, in a full film
+  // a logarithmic axis leaves out ends far below the curves, in a full film
   const lowest = VARIABLES[y].log ? d3.min(spec.lines.flatMap(({ points }) => points.map((point) => point.y))) : -Infinity;
   const outlines = outlinesIn(`${state.figure} ${letter}`, ranges).filter((point) => point[1] >= lowest);
   const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
   return curvesSpec(spec, engine, [...ends, ...outlines]);
 }
 
-// The points that an axis shows of the ranges of a panel: until these are computed those of before, so that the
-// axis stays.
+// The points of the ranges of a panel that its axis shows. Until these are computed, the points of before stay, so
+// that the axis does not move.
 const lastOutlines = new Map();
 function outlinesIn(panel, ranges) {
   const isKnown = ranges.every(({ points }) => points);
@@ -176,10 +186,11 @@ function rangedCurves(curves) {
   return [...withRange(coloured), ...curves.filter(({ mine }) => mine)];
 }
 
-// The title of a panel of y over x.
-function titleOf(x, y) {
+// The title of a panel of y over x, with what it has alone, and whether the paper has it.
+function titleOf(x, y, ...own) {
   const { words, symbol } = VARIABLES[x];
-  return VARIABLES[y].words + (words.includes("load") ? "" : ` over ${symbol}`);
+  const over = words.includes("load") || x === "diameter_ratio" ? "" : ` over ${symbol}`;
+  return [VARIABLES[y].words + over, ...own, content.remarks[y]].filter(Boolean).join(", ");
 }
 
 // The spec of a chart of curves, whose axes also show some places [x, y].
@@ -230,7 +241,7 @@ function windowSpec(figure, panel, engine, surface) {
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
   return specOf({
     letter: panel.letter,
-    title: `${VARIABLES[panel.y].words}, ${label}`,
+    title: titleOf(panel.x, panel.y, label),
     x: axisFor(panel.x, "linear", [...sizes, ...panel.limits.flatMap(({ ends }) => ends.map(([end]) => end))]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color: "none", points }],
@@ -240,8 +251,8 @@ function windowSpec(figure, panel, engine, surface) {
   });
 }
 
-// One entry for each level of the parameter; where dashes distinguish dry and lubricated contact, one
-// for each of these.
+// Each level of the parameter has an entry. Where dashes distinguish dry and lubricated contact, each of these has
+// one too.
 function keyEntries(drawn, parameter, comparesMedia) {
   const byDashes = comparesMedia && parameter.name !== "viscosity";
   const shown = drawn.filter(({ condition }) => !byDashes || condition.viscosity > 0 || isTwoBody(condition));

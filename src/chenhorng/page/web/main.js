@@ -1,11 +1,11 @@
-// The page: tabs, what is drawn, and what changes with the state.
+// The page has tabs. This draws what a tab shows, and draws it again when the state changes.
 
 import { content, defaultInputs } from "./content.js";
-import { CHOICES, change, changedInputs, currentInputs, currentPoint } from "./state.js";
+import { CHOICES, change, changedInputs, currentInputs, currentPoint, memberInputs } from "./state.js";
 import { fromFragment, onChange, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
-import { MAP_KEY, mapTitle, mapView } from "./map.js";
+import { mapTitle, mapView } from "./map.js";
 import { chartIn, sampleOf } from "./chart.js";
 import { showPoint, unusual } from "./point.js";
 import { SHOWN, showStatements } from "./statements.js";
@@ -65,21 +65,22 @@ function showKey(entries) {
   $("key").innerHTML = html.join("");
 }
 
-// Each gives the heading, notes and key of a view, and the specs of its charts, or draws it.
+// Each view gives its heading, notes and key. It gives the specs of its charts, or draws them itself.
 const VIEWS = {
   figures: figureView,
   map() {
     if (!charts.length) $("charts").replaceChildren("Solving all points of the map …");
-    mapView($("charts"), (spec) => {
+    mapView($("charts"), (spec, key) => {
       drawCharts([spec]);
+      showKey(key);
       showChoices();
     });
     const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
-    return { heading: mapTitle(), notes, key: MAP_KEY };
+    return { heading: mapTitle(), notes, key: [] };
   },
 };
 
-// What newtons are: the paper leaves it open.
+// The paper leaves open what newtons are.
 const newtonsText = () =>
   "In newtons F_t = F_t* A_n E_ss. The paper does not print A_n, the nominal area of the contact; " +
   `it is ${readable(currentInputs().apparent_area * 1e6, 3)} mm² here, one of the inputs.`;
@@ -98,7 +99,7 @@ function draw() {
   showKey(key);
   $("heading").innerHTML = typeset(heading);
   $("definition").textContent = definition();
-  $("notes").innerHTML = typeset([...unusual(), ...notes].join("; "));
+  $("notes").innerHTML = [...unusual().map((text) => `<strong>${typeset(text)}</strong>`), ...notes.map(typeset)].join("; ");
   $("caption").innerHTML = typeset(`${caption} ${newtonsText()}`);
   $("damaged").textContent = state.damage;
 }
@@ -166,6 +167,7 @@ fromFragment(location.hash);
 globalThis.thirdbody = {
   inputs: defaultInputs,
   changed: changedInputs,
+  members: memberInputs,
   solve: (inputs, condition, load) => engineOf(inputs).contact(condition).solve(load),
   turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint ?? null,
 };

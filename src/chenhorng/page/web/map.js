@@ -4,15 +4,17 @@ import { currentPoint, state } from "./state.js";
 import { currentEngine, inSlices, shownRange } from "./engine.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./chart.js";
-import { LIMITS, remembered } from "./model.js";
-import { FULL_FILM, MODE_TEXT, VARIABLES, ofCondition, scaleFor, valueText, wordOf } from "./names.js";
+import { remembered } from "./model.js";
+import { FULL_FILM, MODE_TEXT, REGIME_TEXT, VARIABLES, ofCondition, scaleFor, valueText, wordOf } from "./names.js";
 
 const SIZE = 64; // places along each axis, counted from 0; between them, fractions are conditions too
 const STEPS = 7; // of the search for a border between two places
 const PLACES = d3.range(SIZE);
 const CELLS = d3.cross(PLACES, PLACES, (j, i) => [i, j]);
+const AROUND = d3.cross(d3.range(-2, 3), d3.range(-1, 2)); // a name is wider than high
+const LEAST_ROOM = 2; // of a name, in such steps around it
 const FILLS = ["var(--ground)", "var(--surfaces)", "var(--hybrid)", "var(--particles)"]; // by mode
-// Layers and the states that they enclose; there is no border beside states for which this is NaN.
+// Each layer encloses some states. Beside states for which this is NaN there is no border.
 const AREAS = [
   { fill: FILLS[1], encloses: () => true },
   { fill: FILLS[2], encloses: ({ mode }) => mode >= 2 },
@@ -26,7 +28,7 @@ const BORDERS = [{ kind: "regime", encloses: ({ regime }) => (regime < 0 ? NaN :
 export const mapTitle = () =>
   `Contact mode and lubrication regime over ${wordOf(state.map_x).toLowerCase()} and ${wordOf(state.map_y).toLowerCase()}`;
 
-// Calls `done` with the spec of the map when it is computed, unless another is asked for in between.
+// Compute the map, then call `done` with its spec and the entries of its key, unless another map is wanted by then.
 export const mapView = (element, done) => inSlices(element, mapSteps(done), () => state.view === "map");
 
 function* mapSteps(done) {
@@ -62,6 +64,13 @@ function* mapSteps(done) {
     yield;
   }
   const turns = ringsAround(above, 0).map((ring) => ring.map(cornerAt));
+  const [names, unnamed] = [[], []];
+  for (const [text, of] of d3.group(d3.range(cells.length), (k) => nameOf(cells[k]))) {
+    const place = roomIn(of);
+    if (place) names.push({ ...cornerAt(place), lines: text.split(", ") });
+    else unnamed.push({ text, fill: fillOf(cells[of[0]]) });
+    yield;
+  }
   const axisOver = (name, scale) => ({ name: ofCondition(name), log: VARIABLES[name].log, domain: scale.domain() });
   const rangeOf = (name, scale) =>
     `${wordOf(name).toLowerCase()} from ${scale.domain().map((end) => valueText(name, end, 2)).join(" to ")}`;
@@ -77,9 +86,29 @@ function* mapSteps(done) {
     areas: layers.slice(0, AREAS.length),
     borders: [...layers.slice(AREAS.length), { kind: "turning", rings: turns }],
     crosses: [{ x: point[x], y: point[y] }],
+    names,
     rows: PLACES.map((j) => ({ label: "", points: points.slice(j * SIZE, (j + 1) * SIZE) })).reverse(),
   });
-  done(spec);
+  done(spec, [...unnamed, ...LINES_KEY.filter(({ kind }) => kind !== "turning" || turns.length)]);
+}
+
+function nameOf({ mode, regime }) {
+  if (mode < 0) return "no solution";
+  return regime === FULL_FILM ? "full film" : `${MODE_TEXT[mode]}, ${REGIME_TEXT[regime]}`;
+}
+
+const fillOf = (cell) => AREAS.findLast(({ encloses }) => encloses(cell)).fill;
+
+// The cell of a region, numbers of cells, that has the most room for a name; undefined if there is too little room.
+function roomIn(region) {
+  let [kept, room] = [new Set(region), 0];
+  for (;;) {
+    const isInside = ([i, j]) => AROUND.every(([a, b]) => i + a >= 0 && i + a < SIZE && kept.has(i + a + SIZE * (j + b)));
+    const inner = [...kept].filter((k) => isInside(CELLS[k]));
+    if (!inner.length) break;
+    [kept, room] = [new Set(inner), room + 1];
+  }
+  return room < LEAST_ROOM ? undefined : CELLS[[...kept][kept.size >> 1]];
 }
 
 // Rings around the cells whose value is at least `level`; each corner is [i, j, whether it is on a border].
@@ -95,7 +124,7 @@ function ringsAround(values, level) {
   );
 }
 
-// The corner of a ring moved to where, between two cells, the ring's states begin.
+// A corner of a ring lies between two cells. This moves it to where the states of the ring begin.
 function refined([i, j, onBorder], isEnclosed) {
   if (!onBorder) return [i, j, false];
   const cells = [Math.floor, Math.ceil].map((round) => [round(i), round(j)]);
@@ -104,11 +133,8 @@ function refined([i, j, onBorder], isEnclosed) {
   return [...between(boundary((part) => isEnclosed(between(part)), 0, 1, STEPS)), true];
 }
 
-// What the colours and lines of the map mean.
-export const MAP_KEY = [
-  ...MODE_TEXT.map((text, mode) => ({ text, fill: FILLS[mode] })),
-  { text: `full film, L_s below ${100 * LIMITS.full_film} %`, fill: "var(--lubricant)" },
-  { text: `boundary to mixed, L_s = ${100 * LIMITS.boundary} %`, color: "var(--accent)", kind: "regime" },
+// What the lines of the map mean; its regions have names.
+const LINES_KEY = [
   { text: "turning points of the contact area", color: "var(--turning)", kind: "turning" },
   { text: "your conditions", mark: "cross" },
 ];

@@ -7,7 +7,6 @@
 // particle_diameter, roughness, particle_density.
 
 import { content } from "./content.js";
-import { elasticFactor } from "./state.js";
 
 const NODES = content.quadrature; // nodes and weights on the interval from 0 to 1
 const NEGLIGIBLE = 40; // exp(-40) of the largest weight is nothing in float64
@@ -36,8 +35,8 @@ export function remembered(find, most = 600) {
   };
 }
 
-// Smooth functions by cubic pieces between nodes from `first` to `last`, each computed when first needed.
-// `exact(x)` gives value and slope of each function; the result gives the value of the one at place `which`.
+// Smooth functions as cubic pieces between nodes from `first` to `last`. A node is computed when it is first needed.
+// `exact(x)` gives value and slope of each function. The result gives the value of the function at place `which`.
 function tabulated(exact, { step, first, last }) {
   const nodes = Array(Math.ceil((last - first) / step) + 2);
   const node = (index) => (nodes[index] ??= exact(first + index * step));
@@ -52,6 +51,16 @@ function tabulated(exact, { step, first, last }) {
     return value + u * (rise + (1 - u) * bend);
   };
 }
+
+// The factor of elastic particles in Eqs. 4 and 5.
+function elasticFactor(inputs) {
+  const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
+  const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
+  return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
+}
+
+// Whether elastic particles carry no more than plastic ones, so that one separation balances a load.
+export const areHard = (inputs) => elasticFactor(inputs) <= 1;
 
 function surfaceOf(inputs, roughness) {
   const scale = roughness / inputs.reference_roughness;
@@ -170,9 +179,9 @@ function filmOf(inputs, viscosity, roughness) {
   };
 }
 
-// Which load stands in W of Eq. 8: that of the film, or the total load as printed. `total` is F_t* at a
-// separation where solids carry one load and the film in W another (Eq. 1), `fractions` are L_s and L_f
-// (Eq. 9), and `inW` is the load in W.
+// W of Eq. 8 has the load of the film, or the total load as printed. `total` is F_t* at a separation where
+// solids carry one load and the film in W another (Eq. 1). `fractions` are L_s and L_f (Eq. 9). `inW` is the
+// load in W.
 const FILM_LOADS = {
   fluid: {
     total: (solid, film) => solid + film,

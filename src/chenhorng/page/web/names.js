@@ -1,5 +1,5 @@
-// What conditions and variables are called, their units as shown, and their usual scales: from the table of variables
-// and the list of inputs, with what only charts need.
+// Names, units and usual scales of conditions and variables. They come from the library; charts add what only they
+// need.
 
 import { axes, content } from "./content.js";
 import { LIMITS } from "./model.js";
@@ -27,8 +27,8 @@ const NOMINAL = {
   hertz_pressure: { symbol: "F_t/A_H", words: "Mean Hertz pressure", unit: "MPa", factor: 1e-6 },
 };
 
-// Every variable that is shown: its symbol, its words, its scale, and its unit, in which it is shown as `factor`
-// times the value in SI.
+// Every variable that is shown has a symbol, words, a scale and a unit. In this unit a value is `factor` times that
+// in SI.
 const entries = Object.entries(content.variables).map(([name, given]) => {
   const symbol = lettered(given.symbol);
   return [name, { ...given, symbol, ...DRAWN[name] }];

@@ -6,13 +6,14 @@ import { currentEngine, inSlices, memberEngines, placesAlong } from "./engine.js
 import { rangeOf } from "./ranges.js";
 import { modeChanges } from "./curves.js";
 import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
-import { FULL_FILM, modeText, notable, numberText, statusText, valueText, withUnit, wordOf } from "./names.js";
+import { FULL_FILM, modeText, notable, numberText, ofCondition, statusText, valueText, withUnit, wordOf } from "./names.js";
 import { escaped, plain, readable, typeset } from "./text.js";
 
 const DIGITS = 3; // of numbers without an ensemble
 const MOST_DIGITS = 4; // of numbers with one
 const SOLVED = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
 const VALUES = [...SOLVED, "nominal_area", "nominal_pressure", "hertz_area", "hertz_pressure"];
+const ROUNDED = 1e-9; // of an end of the paper's range
 const PAUSE = 120; // milliseconds without a move, after which ranges and changes are computed
 let shownFor = "";
 
@@ -56,12 +57,14 @@ export function showPoint(parent) {
 
 // The state of a point, with the nominal area and pressure and those of the smooth ball on a flat (Hertz).
 function valuesAt(engine, point) {
-  const { apparent_area: area, ball_radius: radius, elastic_modulus_surfaces: modulus } = engine.inputs;
-  const hertz = Math.PI * ((0.75 * point.load * radius) / modulus) ** (2 / 3);
-  return {
-    ...engine.state(point),
-    ...{ nominal_area: area, nominal_pressure: point.load / area, hertz_area: hertz, hertz_pressure: point.load / hertz },
-  };
+  const { apparent_area: area } = engine.inputs;
+  const nominal = { nominal_area: area, nominal_pressure: point.load / area };
+  return { ...engine.state(point), ...nominal, ...hertzOf(engine.inputs, point.load) };
+}
+
+function hertzOf({ ball_radius: radius, elastic_modulus_surfaces: modulus }, load) {
+  const area = Math.PI * ((0.75 * load * radius) / modulus) ** (2 / 3);
+  return { hertz_area: area, hertz_pressure: load / area };
 }
 
 const labelOf = (name) => `${VARIABLES[name].words}, ${VARIABLES[name].symbol}`;
@@ -82,17 +85,24 @@ function supported(name, values) {
   return shown.map((value) => readable(value, Math.max(placeOf(value) - last + 1, 1), ""));
 }
 
-// What of the conditions and of the ball no real interface has, probably because it is in another unit.
+// What the paper does not have, and what no real interface has.
 export function unusual() {
-  const { newtonsPerLoad } = currentEngine();
-  const found = axes.map(({ name, usual }) => {
-    const value = currentPoint()[name];
-    const ends = usual.map((end) => (name === "load" ? end * newtonsPerLoad : end));
-    if (value === 0 || (value >= ends[0] && value <= ends[1])) return "";
-    return `${wordOf(name)} is ${valueText(name, value)}; usual: ${ends.map((end) => valueText(name, end)).join(" to ")}`;
+  const point = currentPoint();
+  const found = axes.map(({ name, range, scale }) => {
+    const [low, high] = range.map((end) => end * scale);
+    const value = point[name];
+    if (value === 0 || (value >= low * (1 - ROUNDED) && value <= high * (1 + ROUNDED))) return "";
+    const ends = withUnit(ofCondition(name), ...range.map((end) => readable(end)));
+    return `${wordOf(name).toLowerCase()} ${valueText(name, value)}: the paper has ${ends}`;
   });
-  const { apparent_area: area, ball_radius: radius } = currentInputs();
-  if (area > Math.PI * radius ** 2) found.push("Aₙ is larger than the cross-section of the ball");
+  const { inputs } = currentEngine();
+  const { hertz_pressure: pressure } = hertzOf(inputs, point.load);
+  const softer = Math.min(inputs.hardness_surface_1, inputs.hardness_surface_2);
+  if (pressure > softer) {
+    const texts = [pressure, softer].map((value) => numberText("hertz_pressure", value, DIGITS));
+    found.push(`mean Hertz pressure ${texts[0]}: above the hardness of the softer surface, ${texts[1]}`);
+  }
+  if (inputs.apparent_area > Math.PI * inputs.ball_radius ** 2) found.push("A_n is larger than the cross-section of the ball");
   return found.filter(Boolean);
 }
 

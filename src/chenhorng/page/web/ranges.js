@@ -1,5 +1,4 @@
-// Ranges over the ensemble of the calibrated inputs. What the reader has changed is known:
-// all members have it. Here their other inputs stay, while in the library they follow.
+// Ranges over the ensemble of the calibrated inputs.
 
 import { content } from "./content.js";
 import { capital } from "./names.js";
@@ -15,7 +14,7 @@ const KEPT = 40; // curves
 export function definition() {
   const { length } = memberInputs();
   if (!length) return "";
-  return `${capital(content.range)}; here of ${length} sets. What you change is known: all sets have it.`;
+  return `${capital(content.range)}; here of ${length} sets. What you change is known: all sets have it, and their other calibrated inputs follow.`;
 }
 
 // Both ends of the range of values, without those that are not solved.

@@ -1,6 +1,8 @@
-// What the page shows, and its text in the fragment of the address: whatever differs from the default.
+// The state is what the page shows. The fragment of the address says where it differs from the default.
 
 import { axes, content, defaultInputs } from "./content.js";
+import { conditioned } from "./conditioning.js";
+import { areHard, remembered } from "./model.js";
 import { GRADES, MATERIALS, materialInputs, oilViscosity, rigInputs } from "./rig.js";
 import { numberIn, significant } from "./text.js";
 
@@ -11,7 +13,7 @@ const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
 export const CHOICES = {
-  view: ["figures", "map"],
+  view: ["map", "figures"],
   figure: figures,
   map_x: names,
   map_y: names,
@@ -61,10 +63,13 @@ export function setCondition(name, value) {
 }
 export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
 
-// All that the reader has changed, which is known: each member of the ensemble has it.
+// All that the reader has changed is known: each member of the ensemble has it. The calibrated inputs follow.
 export const changedInputs = () => chosen({ ...rigInputs(state, state.inputs), ...state.inputs });
-export const currentInputs = () => ({ ...defaultInputs, ...changedInputs() });
-export const memberInputs = () => content.ensemble.map((member) => ({ ...defaultInputs, ...member, ...changedInputs() }));
+const members = content.ensemble.map((member) => ({ ...defaultInputs, ...member }));
+const membersWith = remembered((given) => conditioned(members, given));
+export const memberInputs = () => membersWith(changedInputs());
+// the first member is the best one
+export const currentInputs = () => memberInputs()[0] ?? { ...defaultInputs, ...changedInputs() };
 
 // The conditions that are chosen; the viscosity may be that of an oil.
 export function chosenConditions() {
@@ -76,7 +81,7 @@ export const currentPoint = () => ({ ...startOf(state.figure), ...chosenConditio
 // Whether the inputs are calibrated ones.
 export const isCalibrated = () => Object.keys(changedInputs()).length === 0;
 
-// The conditions of a figure, of several the nearest to the usual one.
+// The conditions of a figure. If it has several values, the nearest to the usual one counts.
 function startOf(figure) {
   const { curves } = content.figures.find(({ name }) => name === figure);
   const start = ([name, usual]) => {
@@ -92,7 +97,8 @@ export const toUnit = (name, value) => value / axisNamed(name).scale;
 
 export function toFragment() {
   const given = new URLSearchParams();
-  for (const name of Object.keys(CHOICES)) if (!isDefault(name)) given.set(name, state[name]);
+  for (const name of Object.keys(CHOICES)) if (name !== "view" && !isDefault(name)) given.set(name, state[name]);
+  if (state.view !== viewOf(given)) given.set("view", state.view);
   for (const name of Object.keys(NUMBERS)) if (!isDefault(name)) given.set(name, significant(state[name], 12));
   for (const [name, value] of Object.entries(state.conditions)) {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
@@ -102,8 +108,11 @@ export function toFragment() {
   return text && `sum=${sumOf(given)}&${text}`;
 }
 
-// A sum of what a link says and of the default from which it differs: a link that was cut, or made with other
-// inputs, has another one.
+// The view of a link that names none: the figure, if it names one.
+const viewOf = (given) => (given.has("figure") ? "figures" : DEFAULTS.view);
+
+// A link has a sum of what it says and of the default from which it differs. If the link was cut, or made with other
+// inputs, the sum is another.
 function sumOf(given) {
   const signs = [...JSON.stringify(defaultInputs), ...given.toString()];
   return signs.reduce((sum, sign) => (Math.imul(31, sum) + sign.codePointAt(0)) >>> 0, 7).toString(36);
@@ -138,6 +147,7 @@ function stateIn(text) {
     else if (Object.hasOwn(content.inputs, name)) wanted.inputs[name] = value;
     else wanted[name] = value;
   }
+  if (!given.has("view")) wanted.view = viewOf(given);
   wanted.conditions = chosen(wanted.conditions);
   wanted.inputs = chosen(wanted.inputs);
   if (!materialInputs(wanted)) throw new RangeError(`particle=${wanted.particle}, which is softer than a surface`);
@@ -174,13 +184,3 @@ export function inputNamed(name, word) {
   const value = numberIn(word);
   return value >= least && value <= most ? value : undefined;
 }
-
-// The factor of elastic particles in Eqs. 4 and 5.
-export function elasticFactor(inputs) {
-  const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
-  const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
-  return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
-}
-
-// Whether elastic particles carry no more than plastic ones, so that one separation balances a load.
-export const areHard = (inputs) => elasticFactor(inputs) <= 1;

@@ -1,5 +1,5 @@
-// The statements of the paper with their verdicts. The workflow has judged them: for the calibrated inputs, and
-// with each departure from the print taken back.
+// The statements of the paper have verdicts. The workflow has judged them for the calibrated inputs, and with each
+// departure from the print taken back.
 
 import { content } from "./content.js";
 import { change, isCalibrated, state } from "./state.js";

@@ -1,8 +1,8 @@
-// Numbers and symbols as text. How a symbol is found in a text is told by the library, in `content`.
+// Numbers and symbols as text. The library tells how a symbol is found in a text, and how HTML writes it.
 
 import { content } from "./content.js";
 
-const { symbol, in_text, power, word, below, greek, superscripts } = content.symbols;
+const { html, symbol, in_text, in_symbol, power, word, below, greek, superscripts } = content.symbols;
 const all = (...sources) => new RegExp(sources.join("|"), "gu");
 export const powerOfTen = (exponent) => `10${String(exponent).replace(/./g, (sign) => superscripts["-0123456789".indexOf(sign)])}`;
 const scientific = (factor, exponent) => (factor === "1" ? "" : `${factor}×`) + powerOfTen(Number(exponent));
@@ -10,21 +10,25 @@ const scientific = (factor, exponent) => (factor === "1" ? "" : `${factor}×`) +
 // text inside of markup
 export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
-// Texts with symbols such as A_sa,t* and powers such as 3e-6 as markup: a letter, its index, and a power.
+// A form such as <sub>{}</sub> with texts in the places of its braces.
+const filled = (form, ...texts) => texts.reduce((text, each) => text.replace("{}", () => each), form);
+
+// Texts have symbols such as A_sa,t* and powers such as 3e-6. Markup has a letter, its index, and a power.
 export const lettered = (text) =>
   text.replace(all(word), (name) => greek[name]).replace(all(below), (index) => `_${index.normalize("NFKC")}`);
-const typesetter = (letterIn, indexIn) => (text) =>
+const typesetter = (form, single = in_text) => (text) =>
   lettered(escaped(text))
-    .replace(all(symbol, in_text), (_, letter, index, single) => letterIn(letter ?? single) + (index ? indexIn(index) : ""))
+    .replace(all(symbol, single), (_, letter, index, alone) => filled(form.symbol, letter ?? alone, index ? filled(form.below, index) : "", ""))
     .replace(all(power), (_, factor, sign, digits) => scientific(factor, sign + digits));
-export const typeset = typesetter((letter) => `<i>${letter}</i>`, (index) => `<sub>${index}</sub>`);
-export const typesetInDrawing = typesetter(
-  (letter) => `<tspan font-style="italic">${letter}</tspan>`,
-  (index) => `<tspan dy="0.3em" font-size="0.8em">${index}</tspan><tspan dy="-0.24em">\u200b</tspan>`,
-);
+export const typeset = typesetter(html);
+export const typesetSymbol = typesetter(html, in_symbol); // any single letter is a symbol
+export const typesetInDrawing = typesetter({
+  symbol: '<tspan font-style="italic">{}</tspan>{}{}',
+  below: '<tspan dy="0.3em" font-size="0.8em">{}</tspan><tspan dy="-0.24em">\u200b</tspan>',
+});
 export const plain = (text) => text.replace(all(symbol), "$1$2");
 
-// The number that a person types, with a decimal point or comma; NaN where it is none, or where a comma
+// The number that a person types, with a decimal point or comma. What is no number gives NaN, and so does a comma that
 // may stand before thousands: 1,000.
 export function numberIn(text) {
   const raised = text.replace(/(?<=10)[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/, (power) => `^${power.normalize("NFKC")}`); // 10¹¹
