@@ -11,11 +11,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.drawing import ONE_COLUMN, empty_panels
 from thirdbody.plotting.keys import add_key, key_height, key_title, text_width
-from thirdbody.plotting.marks import LOOKS, RATIO, TURNING_POINTS
+from thirdbody.plotting.marks import LOOKS, PROMINENCE, RATIO, TURNING_POINTS
 from thirdbody.plotting.panels import Panel
 
 SOLID = "solid_load_fraction"

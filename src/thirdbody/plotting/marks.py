@@ -13,6 +13,7 @@ from thirdbody.plotting.panels import OUTLINE, Curve, Series
 from thirdbody.variables import CONDITION_AXES, STATUS
 
 TURNING_POINTS, SLIGHT, BAND = "turning points", "slight peaks", "band"
+PROMINENCE = 0.02  # of a turning point, as the core has it [1]
 LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
 FROM_ZERO = 0.05  # of a slight peak on a linear axis, in heights of the highest curve
 VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
@@ -34,7 +35,7 @@ LOOKS: dict[str, dict[str, Any]] = {
     | {"label": "turning point (TPCA)", "markerfacecolor": "C1", "markeredgecolor": "black"},
     SLIGHT: PEAK
     | {
-        "label": "peak that rises by less than 0.02",
+        "label": f"peak that rises by less than {PROMINENCE:g}",
         "markerfacecolor": "white",
         "markeredgecolor": "0.45",
     },
