@@ -10,6 +10,8 @@ from collisions import collisions
 from matplotlib.text import Text
 
 import thirdbody as tb
+from thirdbody.core import turning_points
+from thirdbody.plotting import marks
 from thirdbody.plotting.drawing import FORMATS, save_figure
 from thirdbody.plotting.plot import plot_curve
 from thirdbody.plotting.scales import SCALES, axis_label
@@ -337,6 +339,7 @@ def test_the_line_on_a_map_is_that_of_the_turning_points(plane, defaults):
     found = tb.turning_point(viscosity=viscosities, **rest, parameters=defaults)
     np.testing.assert_allclose(loads, found["load_N"], rtol=0.02)
     assert len(axes.figure.legends) == 1
+    assert marks.PROMINENCE == turning_points.PROMINENCE
     assert not tb.plot(plane.isel(load=np.s_[:5]), over=["load_N", "viscosity_cSt"]).legends
 
 

@@ -15,6 +15,7 @@ from matplotlib.pyplot import imread
 
 import thirdbody
 from thirdbody.core.regimes import WITHOUT_VALUES
+from thirdbody.plotting.styles import level_styles
 from thirdbody.variables import FLAGS, STATUS_MEANINGS
 
 ROOT = Path(__file__).parents[2]
@@ -67,7 +68,9 @@ def shifted(picture):
 
 def without_a_curve(picture):
     """All in the colour of one of the oils is white."""
-    curve = np.abs(picture[..., :3] - picture[1000, 600, :3]).max(axis=-1) < 0.2
+    colour = level_styles(6)[4]["color"][:3]
+    curve = np.abs(picture[..., :3] - colour).max(axis=-1) < 0.1
+    assert curve.any()
     return np.where(curve[..., np.newaxis], 1.0, picture)
 
 

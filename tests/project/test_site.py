@@ -30,7 +30,9 @@ def test_every_page_is_reached_from_the_first(site):
         assert (site / f"{page}.html").is_file() and f'href="{page}.html' in first, page
 
 
-@pytest.mark.parametrize(("page", "count"), [("tutorial", 5), ("questions", 1), ("recipes", 1)])
+@pytest.mark.parametrize(
+    ("page", "count"), [("tutorial", 5), ("questions", 1), ("recipes", 1), ("gallery", 20)]
+)
 def test_a_page_shows_the_figures_that_its_examples_draw(site, page, count):
     text = (site / f"{page}.html").read_text(encoding="utf-8")
     assert len(re.findall(r'<img[^>]*src="_images/', text)) == count

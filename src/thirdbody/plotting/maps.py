@@ -11,11 +11,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.drawing import ONE_COLUMN, empty_panels
 from thirdbody.plotting.keys import add_key, key_height, key_title, text_width
-from thirdbody.plotting.marks import LOOKS, RATIO, TURNING_POINTS
+from thirdbody.plotting.marks import LOOKS, PROMINENCE, RATIO, TURNING_POINTS, highest_point
 from thirdbody.plotting.panels import Panel
 
 SOLID = "solid_load_fraction"
@@ -106,9 +105,10 @@ def _turning_points(x, y, ratio, is_load) -> Iterator[tuple[float, float]]:
         return
     load, others, rows = (x, y, ratio) if is_load[0] else (y, x, ratio.T)
     for other, row in zip(others, rows, strict=True):
-        top = int(np.argmax(np.nan_to_num(row)))
-        around = row[top] - max(np.nanmin(row[: top + 1]), np.nanmin(row[top:]))
-        if 0 < top < load.size - 1 and around >= PROMINENCE:
+        if np.isnan(row).all():
+            continue
+        top, rise = highest_point(row)
+        if 0 < top < load.size - 1 and rise >= PROMINENCE:
             parabola = np.polyfit(np.log(load[top - 1 : top + 2]), row[top - 1 : top + 2], 2)
             at = float(np.exp(-parabola[1] / (2.0 * parabola[0])))
             yield (at, float(other)) if is_load[0] else (float(other), at)

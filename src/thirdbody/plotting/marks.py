@@ -13,6 +13,7 @@ from thirdbody.plotting.panels import OUTLINE, Curve, Series
 from thirdbody.variables import CONDITION_AXES, STATUS
 
 TURNING_POINTS, SLIGHT, BAND = "turning points", "slight peaks", "band"
+PROMINENCE = 0.02  # of a turning point, as the core has it [1]
 LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
 FROM_ZERO = 0.05  # of a slight peak on a linear axis, in heights of the highest curve
 VISIBLE_ERROR = 1e-3  # from which a point that has not converged is marked
@@ -34,7 +35,7 @@ LOOKS: dict[str, dict[str, Any]] = {
     | {"label": "turning point (TPCA)", "markerfacecolor": "C1", "markeredgecolor": "black"},
     SLIGHT: PEAK
     | {
-        "label": "peak that rises by less than 0.02",
+        "label": f"peak that rises by less than {PROMINENCE:g}",
         "markerfacecolor": "white",
         "markeredgecolor": "0.45",
     },
@@ -68,6 +69,12 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Se
         yield Series(TURNING_POINTS, "", at_x, at_y, look=LOOKS[TURNING_POINTS])
 
 
+def highest_point(ratio: NDArray) -> tuple[int, float]:
+    """Where A_sa,t* is highest, and by how much it exceeds the least value on either side."""
+    top = int(np.nanargmax(ratio))
+    return top, float(ratio[top] - max(np.nanmin(ratio[: top + 1]), np.nanmin(ratio[top:])))
+
+
 def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
     """Peaks of A_sa,t* that are no turning points, if other curves have turning points.  Without
     ``least`` the axis is linear, and peaks near zero are left out."""
@@ -75,8 +82,7 @@ def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -
     highest = max((np.nanmax(curve.values[RATIO]) for curve in curves), default=0.0)
     for curve in curves if any(curve.turning_point for curve in curves) else ():
         ratio = curve.values[RATIO]
-        top = int(np.nanargmax(ratio))
-        rise = ratio[top] - max(np.nanmin(ratio[: top + 1]), np.nanmin(ratio[top:]))
+        top, rise = highest_point(ratio)
         is_apart = least > 0.0 or ratio[top] > FROM_ZERO * highest
         if not curve.turning_point and rise >= LEAST_RISE and is_apart:
             places.append([curve.values[name][top] for name in (x, y)])
