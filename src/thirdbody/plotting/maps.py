@@ -45,6 +45,7 @@ def plot_map(
     ratio, solid = (data[name].transpose(*dims).values for name in (RATIO, SOLID))
     places = data[x].values, data[y].values
     turning = [*_turning_points(*places, ratio, [name.endswith("load") for name in (x, y)])]
+    turning = turning if len(turning) > 1 else []  # a line
     width = width or ONE_COLUMN
     title = "Contact mode and lubrication regime"
     if not len(axes):
