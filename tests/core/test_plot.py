@@ -340,7 +340,8 @@ def test_the_line_on_a_map_is_that_of_the_turning_points(plane, defaults):
     np.testing.assert_allclose(loads, found["load_N"], rtol=0.02)
     assert len(axes.figure.legends) == 1
     assert marks.PROMINENCE == turning_points.PROMINENCE
-    assert not tb.plot(plane.isel(load=np.s_[:5]), over=["load_N", "viscosity_cSt"]).legends
+    for part in (plane.isel(load=np.s_[:5]), plane.isel(viscosity=[0, -1])):  # no line
+        assert not tb.plot(part, over=["load_N", "viscosity_cSt"]).legends
 
 
 def test_what_has_no_map_is_refused(plane, grid):

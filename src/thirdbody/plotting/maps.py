@@ -1,6 +1,7 @@
 """Maps of contact modes and lubrication regimes over two conditions, with names in the regions."""
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 import scipy  # scipy.ndimage is loaded on first use
@@ -45,6 +46,7 @@ def plot_map(
     ratio, solid = (data[name].transpose(*dims).values for name in (RATIO, SOLID))
     places = data[x].values, data[y].values
     turning = [*_turning_points(*places, ratio, [name.endswith("load") for name in (x, y)])]
+    turning = turning if len(turning) > 1 else []  # a line
     width = width or ONE_COLUMN
     title = "Contact mode and lubrication regime"
     if not len(axes):
@@ -69,8 +71,9 @@ def plot_map(
     one.contourf(*mesh, ratio, [-1.0, SURFACE_LIMIT, PARTICLE_LIMIT, 2.0], colors=COLOURS)
     for level in (SURFACE_LIMIT, PARTICLE_LIMIT):
         _draw_border(one, mesh, ratio, level, colors="0.35", linewidths=0.6)
-    one.contourf(*mesh, solid, [-1.0, FULL_FILM_LIMIT], colors=OF_FILM)
-    _draw_border(one, mesh, solid, FULL_FILM_LIMIT, colors="0.35", linewidths=0.6)
+    above: Any = {"zorder": 2.2}  # a full film has no mode
+    one.contourf(*mesh, solid, [-1.0, FULL_FILM_LIMIT], colors=OF_FILM, **above)
+    _draw_border(one, mesh, solid, FULL_FILM_LIMIT, colors="0.35", linewidths=0.6, **above)
     look = {"colors": OF_REGIME, "linewidths": 1.2, "linestyles": "dashed"}
     _draw_border(one, mesh, solid, BOUNDARY_LIMIT, **look)
     if turning:
