@@ -8,11 +8,6 @@ BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
 STYLE = project_file("src/thirdbody/plotting/paper.mplstyle")
 
 
-def of_panel(path):
-    """The file at ``path`` of the figure that a panel is of."""
-    return lambda wildcards: path.format(PANELS[wildcards.panel][:-1])
-
-
 rule render_figure:
     input:
         dataset="<results>/datasets/{scene}.nc",
