@@ -101,7 +101,8 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
         assert ("not in the paper" in title) == (
             of_panel[0]["y_name"] in ("total_contact_area_over_two_body", "turning_point_ratio")
         )
-    assert explorer.one("#caption").text.startswith("The paper: ")
+    assert "The paper" in explorer.one("#caption").text
+    assert "At the conditions of" not in explorer.one("#caption").text
     entries = [entry.get_attribute("innerHTML") for entry in explorer.all("#key svg")]
     assert len(set(entries)) == len(entries)
     # the clip of each panel cuts off nothing of bars and ranges
@@ -325,7 +326,7 @@ def test_statements_are_those_of_the_paper_at_any_conditions(explorer):
     assert explorer.curve("ν = 100 cSt")
     assert "ν = 100 cSt (yours)" in explorer.one("#key").text
     assert explorer.one("#claims").text == before
-    assert explorer.one("#caption").text.startswith("The paper: ")
+    assert explorer.one("#caption").text.startswith("At the conditions of the paper, with the ")
 
 
 def content_of(explorer):

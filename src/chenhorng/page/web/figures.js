@@ -134,7 +134,13 @@ export function figureView() {
     return panelSpec(panel, shown, engine, { statement, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
-  return { specs, key, notes, heading: figure.title, caption: figure.caption };
+  return { specs, key, notes, heading: figure.title, caption: captionOf(figure) };
+}
+
+// The caption says what curves show at the paper's conditions with the calibrated inputs; at others it says so.
+function captionOf({ caption }) {
+  const isMoved = Object.keys(chosenConditions()).some((name) => name !== "load");
+  return isCalibrated() && !isMoved ? caption : `At the conditions of the paper, with the calibrated inputs: ${caption}`;
 }
 
 function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper } }) {
