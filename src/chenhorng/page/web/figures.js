@@ -161,7 +161,8 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     ...{ x, y, least, printed, stars },
     locus: locus ? stars : [],
     computed: changed ? [] : panel.computed.map(({ at: [atX, atY] }) => ({ x: atX, y: atY })),
-    lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
+    // over the load all curves end at the right edge
+    lines: curves.map((curve) => ({ ...curve, name: x === "load" ? curve.name : "", points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: ranges.filter(({ points }) => points),
     ranged: ranged.map(({ condition }) => condition),
