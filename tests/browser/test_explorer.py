@@ -96,12 +96,13 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
         computed = [row for row in of_panel if row["curve"].startswith("computed")]
         assert len(shown.find_elements("css selector", ".computed")) == len(computed)
         names = [name.text for name in shown.find_elements("css selector", ".end")]
-        assert len(names) == len({*names}) and (over_load or not names)
+        assert len(names) == len({*names}) and (not names or of_panel[0]["x_name"] == "load")
         title = shown.find_element("css selector", "figcaption").text
         assert ("not in the paper" in title) == (
             of_panel[0]["y_name"] in ("total_contact_area_over_two_body", "turning_point_ratio")
         )
-    assert explorer.one("#caption").text.startswith("The paper: ")
+    assert "The paper" in explorer.one("#caption").text
+    assert "At the conditions of" not in explorer.one("#caption").text
     entries = [entry.get_attribute("innerHTML") for entry in explorer.all("#key svg")]
     assert len(set(entries)) == len(entries)
     # the clip of each panel cuts off nothing of bars and ranges
@@ -325,7 +326,7 @@ def test_statements_are_those_of_the_paper_at_any_conditions(explorer):
     assert explorer.curve("ν = 100 cSt")
     assert "ν = 100 cSt (yours)" in explorer.one("#key").text
     assert explorer.one("#claims").text == before
-    assert explorer.one("#caption").text.startswith("The paper: ")
+    assert explorer.one("#caption").text.startswith("At the conditions of the paper, with the ")
 
 
 def content_of(explorer):

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from chenhorng.claims.words import COLOURS
+from chenhorng.findings import judged_findings
 from thirdbody.files import read_yaml
 
 pytestmark = pytest.mark.results
@@ -52,12 +53,22 @@ def test_the_first_screen_and_the_page_of_verdicts_have_one_count_and_one_palett
         (RESULTS / name).read_text(encoding="utf-8")
         for name in ("index.html", "claims/claims.html")
     )
-    first = index[: index.index('id="figures"')]
-    held, of = content["held"], content["judged"]
-    assert f">{held} hold</a>" in first and f">{of - held} fail</a>" in first
-    assert re.findall(r'style="flex: (\d+)"', first) == [str(held), str(of - held)]
-    every = len(content["statements"])
-    assert f"{every}" not in first[first.index("<h1") : first.index("<details")]
+    first = index[index.index("<h1") : index.index("How this is counted")]
+    assert f"<b>{content['held']} of {content['judged']}</b>" in first
+    assert f"{len(content['statements'])}" not in first
+    findings = judged_findings(
+        read_yaml(ROOT / "config" / "findings.yaml", list), content["statements"]
+    )
+    for place, finding in enumerate(findings, start=1):
+        heading = f'{place}. <b aria-hidden="true">{finding["mark"]}</b> '
+        assert heading + finding["outcome"].capitalize() in first
+        assert f"{finding['held']} of {finding['judged']} statements that test it hold" in first
+        assert (RESULTS / "figures" / f"{finding['panel']}.svg").is_file()
+        assert all(f"claims.html#{row['id']}" in first for row in finding["failed"])
+    shares = [part for each in findings for part in (each["held"], each["judged"] - each["held"])]
+    assert [int(part) for part in re.findall(r'style="flex: (\d+)"', first)] == [
+        *filter(None, shares)
+    ]
     for verdict, colour in COLOURS.items():
         assert f"--{verdict.split()[0]}: {colour};" in page
         assert f".share .{verdict.split()[0]} {{ background: {colour}; }}" in index

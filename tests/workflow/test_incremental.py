@@ -13,7 +13,7 @@ from thirdbody.files import read_yaml
 
 DEFAULT = read_yaml(ROOT / "config/config.yaml")["calibrated"]
 FIGURE = ("datasets/{0}.nc", "bands/{0}.nc", "extracted/*/{0}.csv", "figures/{0}[._]*")
-FIGURES = ("figures/fig0[3-9]*", "figures/fig1?*")
+FIGURES = ("figures/fig0[3-9]*", "figures/fig1?*", "figures/panel_*")
 EXTRACTED = ("extracted/tpca_loads/*", "extracted/transitions/*")
 ALL_CURVES = ("datasets/*", "bands/*", *EXTRACTED, *FIGURES)
 GATHERED = ("tables/tpca_loads.*", "tables/transitions.*")

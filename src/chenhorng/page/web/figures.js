@@ -134,7 +134,13 @@ export function figureView() {
     return panelSpec(panel, shown, engine, { statement, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
-  return { specs, key, notes, heading: figure.title, caption: figure.caption };
+  return { specs, key, notes, heading: figure.title, caption: captionOf(figure) };
+}
+
+// The caption says what curves show at the paper's conditions with the calibrated inputs; at others it says so.
+function captionOf({ caption }) {
+  const isMoved = Object.keys(chosenConditions()).some((name) => name !== "load");
+  return isCalibrated() && !isMoved ? caption : `At the conditions of the paper, with the calibrated inputs: ${caption}`;
 }
 
 function panelSpec(panel, curves, engine, { statement, own, figure: { curves: paper } }) {
@@ -155,7 +161,8 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     ...{ x, y, least, printed, stars },
     locus: locus ? stars : [],
     computed: changed ? [] : panel.computed.map(({ at: [atX, atY] }) => ({ x: atX, y: atY })),
-    lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
+    // over the load all curves end at the right edge
+    lines: curves.map((curve) => ({ ...curve, name: x === "load" ? curve.name : "", points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: ranges.filter(({ points }) => points),
     ranged: ranged.map(({ condition }) => condition),
