@@ -22,7 +22,7 @@ def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
     roughness make a group for each roughness.
     """
     axis = scene["load_axis"]
-    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load)
+    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load, digits=12)
     named = [load for load in scene.get("named_loads", []) if first <= load <= last]
     load = np.unique([*np.geomspace(first, last, axis["count"]), *named])
     entries = []

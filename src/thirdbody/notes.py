@@ -35,6 +35,14 @@ def area_note(parameters: Parameters | Ensemble) -> str:
     return f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2"
 
 
+def ratios_note(parameters: Parameters | Ensemble) -> str:
+    """A note on what areas and the film thickness are relative to."""
+    return (
+        f"total_contact_area is over A_n, film_thickness over R_x = "
+        f"{1e3 * parameters.ball_radius:.4g} mm; contact area ratios are over the total"
+    )
+
+
 def speed_notes(ensemble: Ensemble) -> list[str]:
     """A note on the speed in the inputs; none if the density of the oil is unknown."""
     density = ensemble.setup.oil_density_kg_per_m3
