@@ -185,6 +185,9 @@ def test_conditions_are_selected_in_the_units_in_which_they_were_given(every):
     assert near["load_N"] == loads[5] and near["load"] == grid["load"][5]
     _, dataset, *_ = every
     assert dataset.sel(load_N=5, viscosity_cSt=300)["lubrication_regime"] == "mixed"
+    with pytest.raises(ValueError, match="more than one index"):
+        grid.stack(point=["load", "viscosity"])
+    assert grid.drop_indexes(["load_N", "viscosity_cSt"]).stack(point=["load", "viscosity"]).sizes
     assert not {axis.alias for axis in AXES.values()} & {*tb.grid(**POINT).coords}
 
 

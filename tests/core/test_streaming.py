@@ -123,9 +123,17 @@ def test_coordinates_in_a_file_have_no_fill_value(parameters, tmp_path):
     tb.grid(**AXES, parameters=parameters).to_netcdf(tmp_path / "grid.nc")
     line = {name: values if name == "load" else values[-1] for name, values in AXES.items()}
     tb.solve(**line).to_dataset().to_netcdf(tmp_path / "solution.nc")
-    for name in ("grid", "solution"):
+    few = tb.Ensemble(tb.load_parameters().members[:2], tb.load_parameters().setup)
+    given = dict(load_N=[1, 2], viscosity_cSt=90, particle_diameter_nm=300, roughness_nm=300)
+    given |= dict(particle_density_per_m2=1e11, parameters=few)
+    tb.stream(tmp_path / "stream.nc", **given)
+    given |= dict(speed_m_per_s=[1, 2], members=True)
+    tb.grid(**given).to_netcdf(tmp_path / "members.nc")
+    for name in ("grid", "solution", "stream", "members"):
         with netCDF4.Dataset(tmp_path / f"{name}.nc") as file:
-            for each in (*AXES, "normal_load"):
+            aliases = {"load_N", "viscosity_cSt", "speed_m_per_s"} & {*file.variables}
+            assert len(aliases) == {"stream": 2, "members": 3}.get(name, 0)
+            for each in {*AXES, "normal_load", *file.dimensions, *aliases} & {*file.variables}:
                 assert "_FillValue" not in file[each].ncattrs()
 
 

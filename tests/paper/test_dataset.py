@@ -8,6 +8,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
+import xarray as xr
 from numpy.testing import assert_allclose
 from small_release import KEYS
 
@@ -164,3 +165,15 @@ def test_a_figure_holds_what_the_solver_gives_and_elsewhere_the_fill_value(shown
     assert without.any()
     for name in (*NUMBERS, *FLAGS):
         assert np.array_equal(hidden(shown[name]), without), name
+
+
+def test_the_summary_says_how_many_curves_there_are_and_selects_one(shown, dataset, on_disk):
+    summary = shown.attrs["summary"]
+    curves = (~hidden(shown["separation"])).any(axis=0)
+    assert f"shows {curves.sum()} of {curves.size} combinations" in summary
+    (text,) = re.findall(r"(?<=dataset\.)sel\(.*?\)", summary)
+    with xr.open_dataset(on_disk) as read:
+        curve = eval(f"read.{text}")
+        assert curve["separation"].dims == ("load",) and curve["separation"].notnull().all()
+        assert read["separation"].isnull().any()
+    assert "Select" not in dataset.attrs["summary"]  # a grid has all combinations
