@@ -137,6 +137,7 @@ def test_coordinates_in_a_file_have_no_fill_value(parameters, tmp_path):
                 assert "_FillValue" not in file[each].ncattrs()
 
 
+@pytest.mark.filterwarnings("ignore::xarray.SerializationWarning")  # of xarray before 2026.9
 def test_packed_numbers_are_decoded(parameters, tmp_path):
     grid = tb.grid(**AXES, parameters=parameters)
     packed = {"dtype": "int32", "scale_factor": 1e-9, "_FillValue": -2147483647}
