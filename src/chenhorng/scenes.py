@@ -78,9 +78,9 @@ def how_to_select(dataset: PlainDataset) -> str:
     if shown.all():
         return ""
     names = Condition._fields
-    first = ", ".join(f"{name}={value:.10g}" for name, value in zip(names, conditions.T[0]))
+    first = ", ".join(f"{name}={value:.10g}" for name, value in zip(names, conditions.T[-1]))
     return (
         f"Select a curve before you take a mean or plot: the figure shows {shown.sum()} of "
         f"{shown.size} combinations of {', '.join(names)}, and the others are fill, nan in xarray. "
-        f"The first curve is dataset.sel({first}, method='nearest'). "
+        f"The last curve is dataset.sel({first}, method='nearest'). "
     )
