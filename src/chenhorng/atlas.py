@@ -6,14 +6,13 @@ from functools import partial
 from os import PathLike
 from pathlib import Path
 
-import numpy as np
 import xarray as xr
 
 from thirdbody.core.regimes import states_of
+from thirdbody.lazy import TEXT
 from thirdbody.netcdf import described_variable, finished, identity
 from thirdbody.variables import DIMENSIONS, FLAGS
 
-TEXT = np.dtype(object, metadata={"element_type": str})  # which xarray writes chunk by chunk
 CHUNKS = "results/atlas/chunks"
 
 

@@ -25,7 +25,6 @@ from thirdbody.conditions import (
     read_conditions,
 )
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.regimes import with_states
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import type_of
 from thirdbody.core.sweep import is_worthwhile, sweep
@@ -42,7 +41,7 @@ from thirdbody.netcdf import (
     identity,
 )
 from thirdbody.progress import progress_bar
-from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
+from thirdbody.variables import CONDITIONS, FLAGS, STATUS, VARIABLES
 from thirdbody.version import current
 
 if TYPE_CHECKING:
@@ -199,7 +198,10 @@ def _solved_grid(
     """The dataset over five ``axes``; ``request``, the axes of the user, determines its SHA-256."""
     points = prod(axis.size for axis in axes.values())
     with progress_bar(points, progress) as bar:
-        values = with_states(_values(axes, parameters, rtol, names, bar.update))
+        values = _values(axes, parameters, rtol, names, bar.update)
+    from thirdbody.lazy import lazy_states
+
+    values |= {name: lazy_states(name, values[name]) for name in FLAGS.keys() & values.keys()}
     listed = {name: axis.tolist() for name, axis in request.items()}
     described = described_grid(axes, values, parameters, rtol, request=listed)
     return described.to_xarray().assign_attrs(software_version=current().text)

@@ -28,7 +28,6 @@ from thirdbody.core.regimes import (
     STATES,
     codes_to_name,
     states_of,
-    with_states,
 )
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.ensembles import MEMBER, Ensemble, differing
@@ -164,9 +163,10 @@ def solve(
             loaded = read.with_load(inputs, arrays)
             solved_at = ensemble.setup.without_speed(loaded, inputs)
             solved.append(solve_points(solved_at, inputs, rtol, names, bar.update))
-    values: dict[str, Any] = with_states(
-        {name: _stacked([each[name] for each in solved], members) for name in solved[0]}
-    )
+    values: dict[str, Any] = {
+        name: _stacked([each[name] for each in solved], members) for name in solved[0]
+    }
+    values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
     in_si, given = (
         numbers | {name: array.copy(data=numbers[name]) for name, array in read.labelled.items()}
         for numbers in (read.with_load(ensemble.best), read.given)

@@ -191,6 +191,24 @@ def test_conditions_are_selected_in_the_units_in_which_they_were_given(every):
     assert not {axis.alias for axis in AXES.values()} & {*tb.grid(**POINT).coords}
 
 
+def test_names_of_a_grid_are_made_when_they_are_used(every):
+    """They stay right in copies, parts and files of copies, and are text for xarray."""
+    *_, grid = every
+    expected = grid["lubrication_regime"].values
+    assert expected.tolist()[:2] == REGIMES
+    for other in (copy.deepcopy(grid), pickle.loads(pickle.dumps(grid)), grid.load()):
+        np.testing.assert_array_equal(other["lubrication_regime"], expected)
+    chosen = {
+        "load": xr.DataArray([0, 1], dims="pair"),
+        "viscosity": xr.DataArray([2, 1], dims="pair"),
+    }
+    assert grid["lubrication_regime"].isel(chosen).values.tolist() == ["full_film", "boundary"]
+    assert grid["lubrication_regime"].isel(load=[2, 0], viscosity=-1).values.tolist() == [
+        expected[2, -1],
+        expected[0, -1],
+    ]
+
+
 def test_results_carry_the_inputs_and_the_version(parameters):
     """As a grid does: with lists along the roughness, or power laws if it is no axis."""
     few = tb.load_parameters().members[:3]

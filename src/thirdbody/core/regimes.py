@@ -190,14 +190,6 @@ def states_of(name: str, codes: ArrayLike) -> NDArray[np.object_]:
     return np.asarray(_BY_CODE[name][np.asarray(codes)], object)
 
 
-def with_states(variables: Mapping[str, NDArray]) -> dict[str, NDArray]:
-    """The ``variables`` by name, with states instead of the codes of flags."""
-    return {
-        name: states_of(name, values) if name in STATES else values
-        for name, values in variables.items()
-    }
-
-
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
     """Whether points have a separation, loads and areas, for indices into ``SOLUTION_STATUSES``."""
     return ~np.isin(solution_status, [SOLUTION_STATUSES.index(name) for name in WITHOUT_VALUES])
