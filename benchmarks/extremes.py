@@ -8,7 +8,7 @@ import numpy as np
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES, Group, grouped, parameters_on_one_surface, relative_error
-from thirdbody.core.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
+from thirdbody.core.regimes import WITHOUT_VALUES
 
 
 def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str, Any]]:
@@ -47,7 +47,7 @@ def _judge_group(group: Group, rtol: float) -> Iterator[tuple[str, float, str, s
             return
     errors = {v: relative_error(getattr(found, v), group.expected[v]) for v in VARIABLES}
     for index, row in enumerate(group.rows):
-        status = SOLUTION_STATUSES[found.solution_status[index]]
+        status = str(found.solution_status[index])
         worst = max(VARIABLES, key=lambda name: errors[name][index])
         error = float(errors[worst][index])
         if row["status"] in WITHOUT_VALUES:

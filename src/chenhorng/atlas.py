@@ -2,12 +2,16 @@
 ``tb.stream``."""
 
 import json
+from functools import partial
 from os import PathLike
 from pathlib import Path
 
 import xarray as xr
 
-from thirdbody.netcdf import identity
+from thirdbody.core.regimes import states_of
+from thirdbody.lazy import TEXT
+from thirdbody.netcdf import described_variable, finished, identity
+from thirdbody.variables import DIMENSIONS, FLAGS
 
 CHUNKS = "results/atlas/chunks"
 
@@ -67,9 +71,10 @@ def open_atlas(folder: str | PathLike = CHUNKS) -> xr.Dataset:
         join="exact",
         combine_attrs="drop_conflicts",
     )
-    for name in atlas.coords:
-        atlas[name].encoding["_FillValue"] = None  # no value of an axis is missing
-    return atlas.assign_attrs(
+    for name in FLAGS.keys() & atlas.keys():
+        states = atlas[name].data.map_blocks(partial(states_of, name), dtype=TEXT)
+        atlas[name] = described_variable(name, DIMENSIONS, states)
+    return finished(atlas).assign_attrs(
         title="Atlas of three-body contact",
         model_parameters=json.dumps(inputs),
         **identity(" ".join(chunk.attrs["configuration_sha256"] for chunk in chunks)),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from chenhorng.scenes import how_to_select
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition
@@ -65,6 +66,7 @@ def ensemble_range(
         **dataset.attrs,
         "title": f"{dataset.attrs['title']}: range of the ensemble",
         **ATTRIBUTES,
+        "summary": f"{how_to_select(dataset)}{ATTRIBUTES['summary']}",
         **identity(origin),
         "rtol": MEMBER_RTOL,
         "ensemble": members,

@@ -1,6 +1,7 @@
 """The dataset of a figure, which has the curves of a scene."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -8,7 +9,7 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.curves import Condition
 from thirdbody.grids import Axes, crossed
-from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, described_grid
+from thirdbody.netcdf import FILL_FLAG, FILL_FLOAT, PlainDataset, curves_of, described_grid
 from thirdbody.variables import CONDITION_AXES, DIMENSIONS, FLAGS, NUMBERS, decimal
 
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # this key may replace the diameter
@@ -22,7 +23,7 @@ def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
     roughness make a group for each roughness.
     """
     axis = scene["load_axis"]
-    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load)
+    first, last = decimal(np.array(axis["load_N"]) / newtons_per_load, digits=12)
     named = [load for load in scene.get("named_loads", []) if first <= load <= last]
     load = np.unique([*np.geomspace(first, last, axis["count"]), *named])
     entries = []
@@ -63,4 +64,23 @@ def scene_dataset(
         "load": axes["load"].tolist(),
         "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
     }
-    return described_grid(axes, values, parameters, rtol, scene["title"], request)
+    dataset = described_grid(axes, values, parameters, rtol, scene["title"], request)
+    summary = f"{how_to_select(dataset)}{dataset.attrs['summary']}"
+    return replace(dataset, attrs={**dataset.attrs, "summary": summary})
+
+
+def how_to_select(dataset: PlainDataset) -> str:
+    """Sentences on the curves among all combinations of their conditions; empty if all are shown.
+
+    A mean over all combinations, or a plot of them, would meet fill values.
+    """
+    conditions, shown = curves_of(dataset)
+    if shown.all():
+        return ""
+    names = Condition._fields
+    first = ", ".join(f"{name}={value:.10g}" for name, value in zip(names, conditions.T[-1]))
+    return (
+        f"Select a curve before you take a mean or plot: the figure shows {shown.sum()} of "
+        f"{shown.size} combinations of {', '.join(names)}, and the others are fill, nan in xarray. "
+        f"The last curve is dataset.sel({first}, method='nearest'). "
+    )

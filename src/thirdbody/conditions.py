@@ -79,6 +79,8 @@ class Conditions:
         Whether the load is in newtons.  F_t* then depends on the inputs of the model.
     keys : dict of str
         The name of each condition in tables: the name in the call, for a quantity the alias.
+    given : dict of arrays
+        The values in the units of ``keys``.
     labelled : dict of xarray.DataArray
         The conditions with named dimensions.
     index : pandas.Index or None
@@ -88,6 +90,7 @@ class Conditions:
     arrays: dict[str, NDArray]
     is_force: bool
     keys: dict[str, str]
+    given: dict[str, NDArray]
     labelled: dict[str, "xr.DataArray"]
     index: "pd.Index | None"
 
@@ -140,18 +143,15 @@ def read_conditions(
     if missing:
         names = f"{missing[0].name} or {missing[0].alias}"
         raise ValueError(f"{missing[0].name} is missing; allowed: {names}")
-    arrays, keys, labelled, unusual, is_force = {}, {}, {}, [], False
-    for name, axis in CONDITIONS.items():
+    arrays, keys, given, labelled, unusual, is_force = {}, {}, {}, {}, [], False
+    for name in CONDITIONS:
         if name in values:
             key, value = values[name]
             typed = _Typed.of(key, value)
             arrays[name] = typed.checked_si(parameters.newtons_per_load)
             unusual += typed.unusual(parameters.newtons_per_load)
             is_force |= typed.is_force
-            in_engineering_unit = typed.is_force or name != "load"
-            keys[name] = (
-                key if not typed.is_quantity else axis.alias if in_engineering_unit else name
-            )
+            keys[name], given[name] = typed.column, typed.numbers
             if _is_a(value, "xarray", "DataArray", "Variable"):
                 labelled[name] = _with_values(value, arrays[name])
     _warn(unusual, stacklevel=4)
@@ -159,6 +159,7 @@ def read_conditions(
         arrays=arrays,
         is_force=is_force,
         keys=keys,
+        given=given,
         labelled=labelled,
         index=common_index(arguments),
     )
@@ -228,47 +229,43 @@ class Ends(NamedTuple):
 
 
 class _Typed(NamedTuple):
-    """Numbers of a condition in the unit of the user.
+    """Numbers of a condition in the unit of ``column``, its name in tables.
 
-    ``scale`` is this unit in SI, or in newtons for a load that ``is_force``.  ``text`` is its name.
+    This is the ``key`` of the call; of a quantity it is the alias, or the name of a load F_t*.
     """
 
     key: str
     axis: Axis
+    column: str
     numbers: NDArray
-    text: str
-    scale: float
-    is_force: bool
-    is_quantity: bool
 
     @classmethod
     def of(cls, key: str, value: Any) -> "_Typed":
-        """The numbers and the unit of a ``value`` for the name or alias ``key``."""
+        """The numbers of a ``value`` for the name or alias ``key``."""
         axis = axis_of(key)
         numbers, unit = _numbers_and_unit(key, value)
         if unit is None:
-            is_alias = key == axis.alias
-            text, scale = unit_text(key), axis.scale if is_alias else 1.0
-            is_force = is_alias and axis.name == "load"
-        else:
-            is_force = axis.name == "load" and unit.is_compatible_with("N")
-            expected = "N" if is_force else str(unit_of(key, axis.unit))
-            if not unit.is_compatible_with(expected):
-                allowed = (
-                    f"{expected} or N"
-                    if axis.name == "load"
-                    else f"a unit such as {axis.alias_unit}"
-                )
-                raise ValueError(f"{key} is in {unit:~}; allowed: {allowed}")
-            text, scale = f"{unit:~}" or "1", float((1.0 * unit).to(expected).magnitude)
-        return cls(key, axis, numbers, text, scale, is_force, unit is not None)
+            return cls(key, axis, key, numbers)
+        in_alias = axis.name != "load" or unit.is_compatible_with("N")
+        column = axis.alias if in_alias else axis.name
+        wanted = unit_of(key, unit_text(column))
+        if not unit.is_compatible_with(wanted):
+            such = f"a unit such as {axis.alias_unit}"
+            raise ValueError(f"{key} is in {unit:~}; allowed: {such if in_alias else '1 or N'}")
+        return cls(key, axis, column, decimal((numbers * unit).to(wanted).magnitude))
+
+    @property
+    def is_force(self) -> bool:
+        """Whether this is a load in newtons."""
+        return self.column == "load_N"
 
     def checked_si(self, newtons_per_load: float) -> NDArray:
         """The numbers in SI, a load that ``is_force`` in newtons.
 
         Raises ``ValueError`` for a number that no interface has.
         """
-        si = np.array(self.numbers if self.scale == 1.0 else decimal(self.numbers, self.scale))
+        is_alias = self.column == self.axis.alias
+        si = np.asarray(self.axis.to_si(self.numbers) if is_alias else self.numbers)
         number = si * (1.0 / newtons_per_load) if self.is_force else si
         never_zero = self.axis.name in NEVER_ZERO
         allowed = ((number > 0.0) if never_zero else (number >= 0.0)) & np.isfinite(number)
@@ -283,9 +280,8 @@ class _Typed(NamedTuple):
 
     def unusual(self, newtons_per_load: float) -> list[str]:
         """A message on the first number outside the usual range; empty if all are inside."""
-        force = newtons_per_load if self.is_force else 1.0
-        least, most = (end * force / self.scale for end in self.axis.usual)
-        return unusual_text(self.key, self.numbers, least, most, self.text)
+        least, most = from_si(self.column, self.axis.usual, newtons_per_load)
+        return unusual_text(self.key, self.numbers, least, most, unit_text(self.column))
 
 
 def _with_values(labelled: Any, values: NDArray) -> "xr.DataArray":
@@ -359,7 +355,7 @@ def _numbers_and_unit(name: str, value: Any) -> tuple[NDArray, Any]:
         package = type(dtype).__module__.partition(".")[0]  # types of other packages may have units
         if package not in ("numpy", "pandas") or dtype.kind not in "iuf":
             raise ValueError(f"{name} is a column of {dtype}; allowed: {TYPES}")
-        return value.to_numpy(float, na_value=np.nan), None
+        return value.to_numpy(float, copy=True, na_value=np.nan), None
     return _numbers(name, value), None
 
 

@@ -5,6 +5,7 @@ The best set gives the answer to a question.  The answers of all sets give its r
 
 from __future__ import annotations
 
+import json
 import math
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
@@ -317,6 +318,16 @@ class Ensemble:
             if all(getattr(member, name) == value for member in self.members)
         }
         return {**inputs, "setup": self.setup.as_dict()}
+
+
+def differing(ensemble: Ensemble) -> dict[str, str]:
+    """The attribute of results of all members: the inputs of each that differ from the best."""
+    usual = ensemble.best.as_dict()
+    others = [
+        {name: value for name, value in member.as_dict().items() if value != usual[name]}
+        for member in ensemble.members
+    ]
+    return {"ensemble": json.dumps(others)}
 
 
 def as_ensemble(parameters: Parameters | Ensemble) -> Ensemble:

@@ -3,8 +3,8 @@ file."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from itertools import product
 from math import prod
 from numbers import Integral
@@ -28,12 +28,20 @@ from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.core.state import type_of
 from thirdbody.core.sweep import is_worthwhile, sweep
-from thirdbody.ensembles import MEMBER, Ensemble
+from thirdbody.ensembles import MEMBER, Ensemble, differing
 from thirdbody.files import atomic_write, format_path, format_value
 from thirdbody.inputs import or_calibrated
-from thirdbody.netcdf import coordinate_attributes, declare, described_grid, identity
+from thirdbody.netcdf import (
+    PlainVariable,
+    alias_attributes,
+    coordinate_attributes,
+    declare,
+    described_grid,
+    finished,
+    identity,
+)
 from thirdbody.progress import progress_bar
-from thirdbody.variables import CONDITIONS, STATUS, VARIABLES
+from thirdbody.variables import CONDITIONS, FLAGS, STATUS, VARIABLES
 from thirdbody.version import current
 
 if TYPE_CHECKING:
@@ -41,7 +49,6 @@ if TYPE_CHECKING:
 
 POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
 SOLIDS = "roughness", "particle_density", "particle_diameter"
-MEMBERS = "ensemble"  # attribute of grids of members: the inputs of each that differ from the best
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache, enough to write each chunk only once
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
@@ -79,9 +86,11 @@ def grid(
     Returns
     -------
     xarray.Dataset
-        The axes are the dimensions.  ``solution_status`` is the status of each point, and points
-        without values are nan.  With ``members`` the first dimension is ``member``, the best first.
-        For loads in newtons, the coordinate ``load`` is F_t* of the best.
+        The axes [SI] are the dimensions.  An axis given under an alias is also a coordinate under
+        it, for ``sel``.  Regime, mode and status are names; ``solution_status`` is the status of
+        each point, and points without values are nan.  With ``members`` the first dimension is
+        ``member``, the best first.  For loads in newtons, the coordinate ``load`` is F_t* of the
+        best.
 
     Raises
     ------
@@ -102,18 +111,29 @@ def grid(
     >>> points = tb.grid(load_N=[1, 10], **oil, **debris, variables=["solid_load_fraction"])
     >>> points["solid_load_fraction"].squeeze().shape
     (2, 2)
-    >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
-    array([1., 1.])
+    >>> points["solid_load_fraction"].sel(viscosity_cSt=90, load_N=10).round(4).item()
+    0.6543
     """
     ensemble = or_calibrated(parameters)
     check_rtol(rtol)
     names = _names(variables)
     read = read_conditions(conditions, ensemble.best)
     axes = _axes(read)
-    if not members:
-        return _grid_of(ensemble, read, axes, rtol, names, progress)
-    grids = [_grid_of(member, read, axes, rtol, names, progress) for member in ensemble]
-    return _along_members(grids, ensemble, read)
+    sets = ensemble if members else (ensemble,)
+    grids = [_grid_of(each, read, axes, rtol, names, progress) for each in sets]
+    dataset = _along_members(grids, ensemble, read) if members else grids[0]
+    return finished(dataset.assign_coords(_under_aliases(read, ensemble.best)))
+
+
+def _under_aliases(read: Conditions, parameters: Parameters) -> dict[str, PlainVariable]:
+    """The axes that were given under an alias, by it: coordinates beside those in SI."""
+    return {
+        key: PlainVariable(
+            (name,), np.atleast_1d(read.given[name]), alias_attributes(CONDITIONS[name], parameters)
+        )
+        for name, key in read.keys.items()
+        if key != name
+    }
 
 
 def _along_members(grids: list[xr.Dataset], ensemble: Ensemble, read: Conditions) -> xr.Dataset:
@@ -130,10 +150,8 @@ def _along_members(grids: list[xr.Dataset], ensemble: Ensemble, read: Conditions
         compat="override",
         combine_attrs="override",
     )
-    usual = ensemble.best.as_dict()
-    differing = [dict(member.as_dict().items() - usual.items()) for member in ensemble.members]
     origin = " ".join(each.attrs["configuration_sha256"] for each in grids)
-    return joined.assign_attrs({**identity(origin), MEMBERS: json.dumps(differing)})
+    return joined.assign_attrs(identity(origin) | differing(ensemble))
 
 
 def _grid_of(
@@ -145,11 +163,11 @@ def _grid_of(
     progress: bool,
 ) -> xr.Dataset:
     """The dataset of the best of an ensemble, over five axes, or six with the speed."""
-    parameters, load_key = ensemble.best, read.keys["load"]
+    parameters = ensemble.best
     axes = read.with_load(parameters, axes)
     speeds = axes.pop("speed", None)
     if speeds is None:
-        return _solved_grid(axes, axes, parameters, rtol, names, load_key, progress)
+        return _solved_grid(axes, axes, parameters, rtol, names, progress)
     import xarray as xr
 
     films = {"viscosity": axes["viscosity"][:, None], "speed": speeds}
@@ -157,7 +175,7 @@ def _grid_of(
     viscosities, places = np.unique(films["viscosity"], return_inverse=True)
     films = axes | {"viscosity": viscosities}
     request = axes | {"speed": speeds}
-    solved = _solved_grid(films, request, parameters, rtol, names, load_key, progress)
+    solved = _solved_grid(films, request, parameters, rtol, names, progress)
     shape = axes["viscosity"].size, speeds.size
     films_of = xr.DataArray(places.reshape(shape), dims=("film", "speed"))
     placed = solved.isel(viscosity=films_of).drop_vars("viscosity").rename(film="viscosity")
@@ -175,15 +193,17 @@ def _solved_grid(
     parameters: Parameters,
     rtol: float,
     names: Collection[str],
-    load_key: str,
     progress: bool,
 ) -> xr.Dataset:
     """The dataset over five ``axes``; ``request``, the axes of the user, determines its SHA-256."""
     points = prod(axis.size for axis in axes.values())
     with progress_bar(points, progress) as bar:
         values = _values(axes, parameters, rtol, names, bar.update)
+    from thirdbody.lazy import lazy_states
+
+    values |= {name: lazy_states(name, values[name]) for name in FLAGS.keys() & values.keys()}
     listed = {name: axis.tolist() for name, axis in request.items()}
-    described = described_grid(axes, values, parameters, rtol, request=listed, load_key=load_key)
+    described = described_grid(axes, values, parameters, rtol, request=listed)
     return described.to_xarray().assign_attrs(software_version=current().text)
 
 
@@ -212,7 +232,8 @@ def stream(
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
-    The file contains the dataset that ``grid`` returns.  Only one block is in memory at a time.
+    The file contains the dataset that ``grid`` returns, with CF flags (``flag_values``,
+    ``flag_meanings``) instead of names.  Only one block is in memory at a time.
 
     Parameters
     ----------
@@ -263,7 +284,8 @@ def stream(
     lengths = _block_lengths(axes)
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
-    described = described_grid(axes, empty, inputs, rtol, load_key=read.keys["load"])
+    described = described_grid(axes, empty, inputs, rtol)
+    described = replace(described, coords={**described.coords, **_under_aliases(read, inputs)})
     with atomic_write(path) as (part,):
         size = prod(shape) * sum(kind.itemsize for kind in types.values())
         free = disk_usage(Path(path).parent).free

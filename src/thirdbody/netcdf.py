@@ -26,11 +26,12 @@ from thirdbody.files import unreadable
 from thirdbody.variables import (
     AXES,
     CONDITION_AXES,
+    CONDITIONS,
     DIMENSIONS,
     NORMAL_LOAD,
-    NUMBERS,
     STATUS,
     VARIABLES,
+    Axis,
     Variable,
 )
 
@@ -49,8 +50,6 @@ OF_THE_FILE = "_FillValue", "missing_value", "scale_factor", "add_offset", "_Uns
 EVERYWHERE = json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8"))
 # keys of the attribute model_parameters, by the fields of ``Parameters`` and of ``Surface``
 KEYS = EVERYWHERE["model_parameters"]
-# attribute of a load that a user gave in newtons: its name in ``thirdbody.solve``
-GIVEN_AS = "given_as"
 
 
 class PlainVariable(NamedTuple):
@@ -90,11 +89,17 @@ class PlainDataset:
     def to_xarray(self) -> "xr.Dataset":
         import xarray as xr
 
-        return with_full_coordinates(xr.Dataset(self.data_vars, self.coords, self.attrs))
+        return xr.Dataset(self.data_vars, self.coords, self.attrs)
 
 
-def with_full_coordinates(dataset: "xr.Dataset") -> "xr.Dataset":
-    """The same ``dataset``, whose coordinates get no fill value in a file (CF 2.5.1)."""
+def finished(dataset: "xr.Dataset") -> "xr.Dataset":
+    """The ``dataset`` as users get it: ``sel`` also takes conditions under their alias.
+
+    Coordinates get no fill value in a file (CF 2.5.1).
+    """
+    for name, axis in CONDITIONS.items():
+        if axis.alias in dataset.coords and dataset[axis.alias].dims == (name,):
+            dataset = dataset.set_xindex(axis.alias)
     for coordinate in dataset.coords.values():
         coordinate.encoding["_FillValue"] = None
     return dataset
@@ -187,9 +192,9 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
 
 
 def coordinate_attributes(
-    described: Variable, key: str = "", parameters: Parameters | None = None
+    described: Variable, parameters: Parameters | None = None
 ) -> dict[str, str]:
-    """Attributes of a coordinate: the normal load, or an axis for which the user wrote ``key``.
+    """Attributes of a coordinate: the normal load, or a condition.
 
     With the ``parameters`` that were solved, the particle size has the mean and the largest.
     """
@@ -204,14 +209,29 @@ def coordinate_attributes(
             f"with these inputs the mean of the sizes is {mean:.3g} x_a, "
             f"the largest, X_max, {largest:.3g} x_a"
         )
-    return attributes | ({GIVEN_AS: key} if key == "load_N" else {})
+    return attributes
 
 
-def variable_attributes(quantity: Variable) -> dict:
-    """Attributes of a variable."""
+def alias_attributes(axis: Axis, parameters: Parameters | None = None) -> dict[str, str]:
+    """Attributes of a condition under its alias."""
+    described = NORMAL_LOAD if axis.name == "load" else axis
+    return coordinate_attributes(described, parameters) | {"units": axis.alias_unit}
+
+
+def described_variable(name: str, dims: Iterable[Any], values: NDArray) -> PlainVariable:
+    """The variable ``name`` of a dataset.
+
+    A flag has codes and their meanings, as in files of ``stream`` and of the workflow, or names.
+    A point that a figure does not show has a fill value in a file.
+    """
+    quantity = VARIABLES[name]
     attributes: dict[str, Any] = coordinate_attributes(quantity)
     attributes |= {"equation": quantity.equation}
-    if quantity.meanings:
+    encoding: dict[str, Any] = {}
+    if values.dtype == object:
+        del attributes["units"]
+        attributes["coverage_content_type"] = "qualityInformation"
+    elif quantity.meanings:
         named = dict(enumerate(quantity.meanings))
         named |= {} if quantity.name == STATUS else {int(NO_FLAG): "without_values"}
         named |= {int(FILL_FLAG): "not_shown"}
@@ -221,14 +241,10 @@ def variable_attributes(quantity: Variable) -> dict:
     else:
         attributes["ancillary_variables"] = STATUS
         attributes["coverage_content_type"] = "modelResult"
+        encoding["_FillValue"] = FILL_FLOAT
     if quantity.comment:
         attributes["comment"] = quantity.comment
-    return attributes
-
-
-def variable_encoding(quantity: Variable) -> dict:
-    """The encoding of a variable in files: the fill value of points that a figure does not show."""
-    return {"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {}
+    return PlainVariable(tuple(dims), values, attributes, encoding)
 
 
 def identity(origin: str) -> dict[str, str]:
@@ -237,18 +253,32 @@ def identity(origin: str) -> dict[str, str]:
     return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
 
 
-def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
+def model_attribute(parameters: Parameters, roughness: Iterable[float] | None) -> str:
     """The attribute ``model_parameters`` of a dataset with the coordinate ``roughness`` [m].
 
-    It is a flat JSON object in SI.  Values that depend on the roughness are lists.
+    It is a flat JSON object in SI.  Values that depend on the roughness are lists.  If the
+    roughness is None, no axis of the dataset, their power laws replace them: inputs by their names.
     """
-    surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
     model = {key: getattr(parameters, name) for name, key in KEYS["body"].items()}
-    for name, key in KEYS["surface"].items():
-        model[key] = [getattr(surface, name) for surface in surfaces]
+    if roughness is None:
+        others = KEYS["body"] | KEYS["particles"]
+        model |= {name: it for name, it in parameters.as_dict().items() if name not in others}
+    else:
+        surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
+        for name, key in KEYS["surface"].items():
+            model[key] = [getattr(surface, name) for surface in surfaces]
     model["phi_a"] = "centred" if parameters.mean_ratio > 0.0 else "uncentred"
     model |= {key: getattr(parameters, name) for name, key in KEYS["particles"].items()}
     return json.dumps(model)
+
+
+def attributes_of(
+    parameters: Parameters, roughness: Iterable[float] | None, **known: Any
+) -> dict[str, Any]:
+    """Attributes of a dataset: those of every dataset, the ``known`` ones and the inputs."""
+    inputs = {"model_parameters": model_attribute(parameters, roughness)}
+    attributes = {**EVERYWHERE, **known, **inputs}
+    return {name: value for name, value in attributes.items() if value is not None}
 
 
 def described_grid(
@@ -258,27 +288,19 @@ def described_grid(
     rtol: float,
     title: str = "Three-body contact on a grid",
     request: Mapping | None = None,
-    load_key: str = "load",
 ) -> PlainDataset:
     """The dataset of ``values`` with coordinates and attributes.
 
-    ``values`` has an array over all ``axes`` for each variable, and ``load_key`` is the name under
-    which the user gave the load.  The SHA-256 in the attributes depends on the parameters, ``rtol``
-    and ``request``, which by default are the axes.
+    ``values`` has an array over all ``axes`` for each variable.  The SHA-256 in the attributes
+    depends on the parameters, ``rtol`` and ``request``, which by default are the axes.
     """
     variables = {
-        name: PlainVariable(
-            DIMENSIONS, values[name], variable_attributes(quantity), variable_encoding(quantity)
-        )
-        for name, quantity in VARIABLES.items()
+        name: described_variable(name, DIMENSIONS, values[name])
+        for name in VARIABLES
         if name in values
     }
     coordinates = {
-        name: PlainVariable(
-            (name,),
-            axis,
-            coordinate_attributes(AXES[name], load_key if name == "load" else name, parameters),
-        )
+        name: PlainVariable((name,), axis, coordinate_attributes(AXES[name], parameters))
         for name, axis in axes.items()
     }
     newtons = axes["load"] * parameters.newtons_per_load
@@ -287,15 +309,9 @@ def described_grid(
     )
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol}
     configuration["request"] = request or {name: axis.tolist() for name, axis in axes.items()}
-    attributes = {
-        **EVERYWHERE,
-        **identity(json.dumps(configuration, sort_keys=True)),
-        "title": title,
-        "rtol": rtol,
-        "model_parameters": model_attribute(parameters, axes["roughness"]),
-    }
-    known = {name: value for name, value in attributes.items() if value is not None}
-    return PlainDataset(variables, coordinates, known)
+    known = identity(json.dumps(configuration, sort_keys=True)) | {"title": title, "rtol": rtol}
+    attributes = attributes_of(parameters, axes["roughness"], **known)
+    return PlainDataset(variables, coordinates, attributes)
 
 
 def curves_of(dataset: Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
@@ -305,9 +321,7 @@ def curves_of(dataset: Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]
     ``CONDITION_AXES``, of shape (4, curves).  The index comes after the load axis:
     ``values[:, index]``.
     """
-    status = dataset[STATUS].values
-    # xarray converts a status with masked points to floats, with nan for these points
-    shown = (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
+    shown = np.logical_or.reduce(dataset[STATUS].values >= 0)
     axes = [dataset[axis.name].values for axis in CONDITION_AXES]
     conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
     return conditions, shown

@@ -22,7 +22,7 @@ def outside_notes(conditions: Mapping[str, ArrayLike]) -> list[str]:
         values = np.asarray(conditions.get(axis.alias, ()), float)
         if values.any():
             least = np.min(values, initial=np.inf, where=values != 0.0)
-            ends = decimal(np.array([least, np.max(values)]))  # 80 N as F_t* and back is 80 N again
+            ends = decimal([least, np.max(values)], 12)  # 80 N as F_t* and back is 80 N again
             if ends[0] < axis.paper[0] or ends[1] > axis.paper[1]:
                 texts = [f"{float(f'{end:.4g}'):g}" for end in ends]
                 given = " to ".join(dict.fromkeys(texts))
@@ -78,6 +78,14 @@ def few_notes(per_m2: float, area: float) -> list[str]:
 def area_note(parameters: Parameters | Ensemble) -> str:
     """A note on the nominal area A_n, to which loads refer."""
     return f"the nominal area A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2"
+
+
+def ratios_note(parameters: Parameters | Ensemble) -> str:
+    """A note on what areas and the film thickness are relative to."""
+    return (
+        f"total_contact_area is over A_n, film_thickness over R_x = "
+        f"{1e3 * parameters.ball_radius:.4g} mm; contact area ratios are over the total"
+    )
 
 
 def speed_notes(ensemble: Ensemble) -> list[str]:

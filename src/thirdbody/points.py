@@ -19,16 +19,21 @@ from thirdbody.conditions import (
     broadcast_by_name,
     check_rtol,
     checked_variables,
-    from_si,
     indexed,
     read_conditions,
 )
 from thirdbody.core.parameters import Parameters
-from thirdbody.core.regimes import FLAG_MEANINGS, NO_FLAG, STATES, codes_to_name, states_of
+from thirdbody.core.regimes import (
+    FLAG_MEANINGS,
+    NO_FLAG,
+    STATES,
+    codes_to_name,
+    states_of,
+)
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
-from thirdbody.ensembles import MEMBER, Ensemble
+from thirdbody.ensembles import MEMBER, Ensemble, differing
 from thirdbody.inputs import or_calibrated
-from thirdbody.notes import area_note, outside_notes
+from thirdbody.notes import area_note, outside_notes, ratios_note
 from thirdbody.progress import progress_bar
 from thirdbody.variables import (
     CONDITIONS,
@@ -37,9 +42,9 @@ from thirdbody.variables import (
     NORMAL_LOAD,
     QUANTITIES,
     VARIABLES,
-    decimal,
     with_table,
 )
+from thirdbody.version import current
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -161,15 +166,18 @@ def solve(
         name: _stacked([each[name] for each in solved], members) for name in solved[0]
     }
     values |= {name: states_of(name, values[name]) for name in STATES.keys() & values.keys()}
-    given: dict[str, Any] = dict(read.with_load(ensemble.best))
-    given |= {name: array.copy(data=given[name]) for name, array in read.labelled.items()}
+    in_si, given = (
+        numbers | {name: array.copy(data=numbers[name]) for name, array in read.labelled.items()}
+        for numbers in (read.with_load(ensemble.best), read.given)
+    )
     if pattern is not None:
         stacked = pattern.expand_dims({MEMBER: len(sets)}) if members else pattern
         values |= {name: stacked.copy(data=array).rename(name) for name, array in values.items()}
     return Solution(
         variables=values,
-        conditions=given,
+        conditions=in_si,
         keys=read.keys,
+        given=given,
         parameters=ensemble,
         has_members=members,
         index=read.index,
@@ -208,11 +216,12 @@ class Solution(Variables):
     In a full film hardly anything touches, and the mode says little: tables and the printed form
     show no mode.
 
-    Regime, mode and status are ``LubricationRegime``, ``ContactMode`` and ``SolutionStatus`` of
-    ``thirdbody.core.regimes``.  These integers are equal to their names:
-    ``solution.contact_mode == "hybrid"``.  ``error_bound`` is the change of loads and areas between
-    two separations, at which the forces are too large and too small, plus rounding.  If it is above
-    the requested ``rtol``, the status is ``not_converged``, and the values are kept.
+    Regime, mode and status are texts, ``LubricationRegime``, ``ContactMode`` and ``SolutionStatus``
+    of ``thirdbody.core.regimes``: ``solution.contact_mode == "hybrid"``.  Comparison with what is
+    no name raises ``ValueError``; ``int`` gives the code in files.  ``error_bound`` is the change
+    of loads and areas between two separations, at which the forces are too large and too small,
+    plus rounding.  If it is above the requested ``rtol``, the status is ``not_converged``, and the
+    values are kept.
 
     Attributes
     ----------
@@ -225,6 +234,8 @@ class Solution(Variables):
     keys : mapping
         The name of each condition in tables: the name in the call, for a quantity the name with an
         engineering unit.
+    given : mapping
+        The conditions in the units of ``keys``, as they were given.
     parameters : Ensemble
         The inputs.
     has_members : bool
@@ -236,6 +247,7 @@ class Solution(Variables):
     variables: Mapping[str, Any]
     conditions: Mapping[str, Any]
     keys: Mapping[str, str]
+    given: Mapping[str, Any]
     parameters: Ensemble
     has_members: bool = False
     index: pd.Index | None = None
@@ -257,12 +269,14 @@ class Solution(Variables):
         Returns
         -------
         xarray.Dataset
-            The requested variables.  Flags are integers with ``flag_values`` and ``flag_meanings``.
-            The conditions and ``normal_load`` [N] are coordinates.  A dimension along which a
-            single condition varies has the name of this condition, others are called ``point``.
-            Arrays of xarray keep their dimensions and coordinates.  The index of columns of pandas
-            becomes a coordinate with its name, or ``row``.  With members the first dimension is
-            ``member``; for loads in newtons, the coordinate ``load`` is then F_t* of the best.
+            The requested variables; regime, mode and status are names.  The conditions [SI] and
+            ``normal_load`` [N] are coordinates, and conditions under the alias by which they were
+            given: ``dataset.sel(load_N=10)``.  A dimension along which a single condition varies
+            has the name of this condition, others are called ``point``.  Arrays of xarray keep
+            their dimensions, and coordinates that no condition has the name of.  The index of
+            columns of pandas becomes a coordinate with its name, or ``row``.  With members the
+            first dimension is ``member``; for loads in newtons, the coordinate ``load`` is then
+            F_t* of the best.  Attributes have the version and the inputs: ``model_parameters``.
 
         Examples
         --------
@@ -291,10 +305,11 @@ class Solution(Variables):
         -------
         pandas.DataFrame
             Conditions have the names in the call, such as ``load_N``.  Variables have the names in
-            ``Solution``, with the SI unit at the end if there is one: ``separation_m``.  Flags are
-            categories by name, nan where a point has no state.  ``attrs["notes"]`` has A_n, and
-            which conditions the paper has not.  The index is that of the columns of pandas, if
-            conditions are such columns.
+            ``Solution``, with the SI unit at the end if there is one: ``separation_m``.  Others are
+            ratios [1].  ``attrs["notes"]`` says to what: areas to A_n, the film thickness to R_x;
+            and which conditions the paper has not.  Flags are categories by name, nan where a point
+            has no state.  The index is that of the columns of pandas, if conditions are such
+            columns.
 
         Examples
         --------
@@ -327,11 +342,11 @@ class Solution(Variables):
 def _in_words(name: str, values: NDArray) -> str:
     """The text of a number or of the range of numbers; of a flag the names with their counts."""
     if name in STATES:
-        states, counts = np.unique(values.astype(int), return_counts=True)
-        names = ["none" if state == NO_FLAG else str(state) for state in states_of(name, states)]
+        codes, counts = np.unique(values, return_counts=True)
+        states = np.where(codes == NO_FLAG, "none", states_of(name, codes))
         if values.size == 1:
-            return names[0]
-        return ", ".join(f"{state} ({count})" for state, count in zip(names, counts, strict=True))
+            return states[0]
+        return ", ".join(f"{state} ({count})" for state, count in zip(states, counts, strict=True))
     numbers = values[~np.isnan(values)]
     if numbers.size == 0:
         return "none"
@@ -352,20 +367,28 @@ def _notes(solution: Solution) -> list[str]:
         *outside_notes(given),
         *hardness_notes(given["load_N"], parameters),
         area_note(parameters),
+        ratios_note(parameters),
     ]
 
 
 def labelled_dataset(solution: Solution) -> xr.Dataset:
     """The dataset of a solution, as in ``Solution.to_dataset``."""
-    from thirdbody.netcdf import with_full_coordinates
+    from thirdbody.netcdf import attributes_of, finished
 
-    return with_full_coordinates(_with_rows(_labelled(solution), solution.index))
+    dataset = _with_rows(_labelled(solution), solution.index)
+    roughness = dataset["roughness"]
+    is_axis = roughness.dims in ((), ("roughness",))
+    surfaces = np.atleast_1d(roughness.values) if is_axis else None
+    ensemble = solution.parameters
+    known = differing(ensemble) if solution.has_members else {}
+    known |= {"title": "Three-body contact at points", "software_version": current().text}
+    return finished(dataset.assign_attrs(attributes_of(ensemble.best, surfaces, **known)))
 
 
 def _labelled(solution: Solution) -> xr.Dataset:
     import xarray as xr
 
-    from thirdbody.netcdf import coordinate_attributes, variable_attributes
+    from thirdbody.netcdf import alias_attributes, coordinate_attributes, described_variable
 
     variables, conditions = solution.variables, solution.conditions
     first = next(iter(variables.values()), None)
@@ -382,13 +405,16 @@ def _labelled(solution: Solution) -> xr.Dataset:
     if solution.has_members:
         coordinates[MEMBER] = MEMBER, np.arange(len(ensemble.members))
     for name, values in conditions.items():
-        if name not in coordinates:
-            attributes = coordinate_attributes(CONDITIONS[name], solution.keys[name], single)
-            coordinates[name] = *_placed(values, dimensions, shape), attributes
-    described = {}
-    for name, values in variables.items():
-        array = np.asarray(values).astype(np.int8 if name in STATES else float)
-        described[name] = dimensions, array, variable_attributes(VARIABLES[name])
+        key, axis = solution.keys[name], CONDITIONS[name]
+        attributes = coordinate_attributes(axis, single)
+        coordinates[name] = *_placed(values, dimensions, shape), attributes
+        if key != name:
+            given = _placed(solution.given[name], dimensions, shape)
+            coordinates[key] = *given, alias_attributes(axis, single)
+    described = {
+        name: described_variable(name, dimensions, np.asarray(values))
+        for name, values in variables.items()
+    }
     dataset = xr.Dataset(described, coordinates)
     newtons = dataset["load"].variable * ensemble.newtons_per_load
     if solution.has_members and solution.keys["load"] != "load_N":  # newtons differ by member
@@ -404,15 +430,18 @@ def labelled_frame(solution: Solution) -> pd.DataFrame:
 
     dataset = _labelled(solution)
     flat = dataset if dataset.sizes else dataset.expand_dims(POINT)
+    codes = codes_to_name({name: flat[name] for name in solution.variables})
+    flat = flat.assign({name: flat[name].copy(data=values) for name, values in codes.items()})
     labels = [name for name in flat.dims if name in flat.coords]
     others = [name for name in flat.coords if name not in labels]
     frame = flat.to_dataframe().reset_index()[[*labels, *others, *solution.variables]]
-    for name, codes in codes_to_name({name: frame[name] for name in solution.variables}).items():
-        frame[name] = pd.Categorical.from_codes(codes, FLAG_MEANINGS[name])
+    for name in codes:
+        frame[name] = pd.Categorical.from_codes(frame[name], FLAG_MEANINGS[name])
     headings = {name: column_name(name) for name in solution.variables}
     headings |= solution.keys
     for name, key in solution.keys.items():
-        frame[name] = decimal(from_si(key, frame[name], solution.parameters.newtons_per_load))
+        if key != name:
+            frame[name] = frame.pop(key)
     headings[NORMAL_LOAD.name] = "load_N"
     if solution.keys["load"] == "load_N":
         frame = frame.drop(columns=NORMAL_LOAD.name)

@@ -38,7 +38,7 @@ from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
 from thirdbody.progress import progress_bar
-from thirdbody.variables import AXES, CONDITIONS, QUANTITIES, decimal
+from thirdbody.variables import AXES, CONDITIONS, QUANTITIES
 
 LOADS = AXES["load"].paper  # first and last [N] of a curve
 SWEEP = 32  # values along the axis
@@ -138,7 +138,7 @@ def find(
         queries = replace(Queries.of(read, inputs.best, level=levels), index=index)
         limits = [(variable, queries.columns["level"])]
         crossed = _crossings(queries, along, limits, samples, inputs, rtol, progress)
-        table = queries.table(crossed.query, inputs.best) | _columns(crossed, along, inputs.best)
+        table = queries.table(crossed.query) | _columns(crossed, along, inputs.best)
         table |= {
             "rises": crossed.rises,
             "solution_status": _names("solution_status", crossed.solution_status),
@@ -199,9 +199,9 @@ def transitions(
         points = {name: column[crossed.query] for name, column in queries.columns.items()}
         points = inputs.setup.without_speed(points | {axis.name: crossed.value}, inputs.best)
         solved = solve_points(points, inputs.best, rtol, ["lubrication_regime"])
-        is_full = solved["lubrication_regime"] == LubricationRegime.full_film
+        is_full = solved["lubrication_regime"] == LubricationRegime.full_film.code
         _, _, flag, below, above = np.array(LIMITS, object)[crossed.limit].T.reshape(5, -1)
-        table = queries.table(crossed.query, inputs.best)
+        table = queries.table(crossed.query)
         table |= {
             "flag": flag,
             "before": np.where(crossed.rises, below, above),
@@ -278,7 +278,7 @@ def turning_point(
         ratio = solved["particle_contact_area_ratio"]
         rise = np.fmax.reduce(ratio - np.fmin.accumulate(ratio))
         every = np.arange(queries.size)
-        table = queries.table(every, best)
+        table = queries.table(every)
         table |= {
             "exists": maxima.exists,
             "load_N": maxima.load * best.newtons_per_load,
@@ -343,7 +343,7 @@ def turning_window(
                 [getattr(window, name) for name in WINDOW_COLUMNS] for window in windows
             ]
         every = np.arange(queries.size)
-        table = queries.table(every, best)
+        table = queries.table(every)
         table = {key: column for key, column in table.items() if key not in DRY}
         return _indexed(table | ends.to_dict("series"), queries, every)
 
@@ -358,11 +358,13 @@ class Queries:
     """Combinations of the fixed conditions, with a search along the remaining axis for each.
 
     ``columns`` are 1-D arrays of conditions [SI] and other numbers by name.  ``keys`` are the names
-    of the conditions in tables, and ``index`` is that of columns of pandas.
+    of the conditions in tables, ``given`` their values there, and ``index`` is that of columns of
+    pandas.
     """
 
     columns: dict[str, NDArray]
     keys: dict[str, str]
+    given: dict[str, NDArray]
     index: pd.Index | None
 
     @classmethod
@@ -372,24 +374,24 @@ class Queries:
             names = ", ".join(read.labelled)
             raise ValueError(f"{names} have named dimensions; allowed: their .values")
         arrays = read.with_load(parameters) | others
-        columns = map(np.ravel, np.broadcast_arrays(*arrays.values()))
-        flat = dict(zip(arrays, columns, strict=True))
-        return cls(columns=flat, keys=read.keys, index=read.index)
+        every = [*arrays.values(), *read.given.values()]
+        flat = [*map(np.ravel, np.broadcast_arrays(*every))]
+        return cls(
+            columns=dict(zip(arrays, flat)),
+            keys=read.keys,
+            given=dict(zip(read.given, flat[len(arrays) :])),
+            index=read.index,
+        )
 
     @property
     def size(self) -> int:
         """The number of combinations."""
         return next(iter(self.columns.values())).size
 
-    def table(self, rows: NDArray, parameters: Parameters) -> dict[str, NDArray]:
+    def table(self, rows: NDArray) -> dict[str, NDArray]:
         """The columns at ``rows``; conditions have the names and units of tables."""
-        newtons = parameters.newtons_per_load
-        return {
-            self.keys.get(name, name): decimal(from_si(self.keys[name], column[rows], newtons))
-            if name in CONDITIONS
-            else column[rows]
-            for name, column in self.columns.items()
-        }
+        columns = self.columns | self.given
+        return {self.keys.get(name, name): column[rows] for name, column in columns.items()}
 
 
 def _of_members(

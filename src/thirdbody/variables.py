@@ -69,10 +69,15 @@ class Variable:
     def to_si(self, values: ArrayLike) -> NDArray | float:
         """``values`` [``shown_unit``] in SI; a single number as a float.
 
-        Results are the floats nearest to the decimal numbers: 300 nm is 3e-07 m.
+        Results are the floats nearest to decimal numbers, 300.1 nm is 3.001e-07 m, and where there
+        are more than nine decimals, to the quotient of floats.
         """
-        numbers = np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
-        return numbers if numbers.ndim else numbers.item()
+        numbers, per_unit = np.asarray(values, float), round(1.0 / self.scale)
+        with np.errstate(over="ignore"):
+            billionths = np.rint(1e9 * numbers)
+        is_decimal = (billionths / 1e9 == numbers) & (np.abs(billionths) < 2.0**53)
+        si = np.where(is_decimal, billionths / (1e9 * per_unit), numbers / per_unit)
+        return si if si.ndim else si.item()
 
     def from_si(self, values: ArrayLike) -> NDArray:
         """``values`` [SI] in ``shown_unit``; the last digit may be wrong."""
@@ -115,12 +120,12 @@ class Axis(Variable):
 
     def values(self, numbers: Iterable[float]) -> NDArray[np.float64]:
         """``numbers`` [``alias_unit``] in SI, shape (n,), sorted and without duplicates."""
-        return np.unique(decimal(np.array([*numbers], float), self.scale))
+        return np.unique(self.to_si(decimal([*numbers])))
 
 
-def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:
-    """``scale`` times ``values``, rounded to ``digits`` significant digits."""
-    return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)
+def decimal(values: ArrayLike, digits: int = 15) -> NDArray:
+    """``values`` rounded to ``digits`` significant digits: without the noise of a conversion."""
+    return np.vectorize(lambda value: float(f"{value:.{digits}g}"), otypes=[float])(values)
 
 
 AnyVariable = TypeVar("AnyVariable", bound=Variable)

@@ -9,7 +9,6 @@ import pytest
 from chenhorng.home import config_directory
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.core.parameters import BOUNDS, WORDS
-from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.core.solve import DEFAULT_RTOL
 from thirdbody.files import read_yaml
 from thirdbody.points import solve
@@ -88,7 +87,7 @@ def solved_by_the_library(inputs, conditions, load):
     solution = solve(load=load, **conditions, parameters=inputs, rtol=DEFAULT_RTOL)
     flags = solution.solution_status, solution.lubrication_regime, solution.contact_mode
     values = [float(getattr(solution, name)) for name in QUANTITIES]
-    return SOLUTION_STATUSES[int(flags[0])], int(flags[1]), int(flags[2]), *values
+    return str(flags[0]), int(flags[1]), int(flags[2]), *values
 
 
 def solved_by_the_page(explorer, points, names=(*QUANTITIES,)):
@@ -138,7 +137,7 @@ def test_each_status_is_that_of_both(explorer, parameters, status):
     point = usual | conditions
     loads = np.geomspace(*loads, 60)
     library = solve(load=loads, **point, parameters=inputs)
-    expected = [SOLUTION_STATUSES[index] for index in library.solution_status]
+    expected = [*library.solution_status]
     assert status.split()[0] in expected
     points = [(inputs, point, load) for load in loads.tolist()]
     found = solved_by_the_page(explorer, points, ["separation"])

@@ -331,7 +331,7 @@ def test_the_warning_is_for_the_line_of_the_call(solve):
 
 def test_all_that_is_outside_is_named_in_one_warning(solve):
     assert warning(solve, load=10.0, viscosity=90.0).count("; usual: ") == 2
-    assert warning(solve, load=[10.0, 20.0] * UNIT.MN).startswith("load is 10 MN; usual: ")
+    assert warning(solve, load=[10.0, 20.0] * UNIT.MN).startswith("load is 1e+07 N; usual: ")
 
 
 def test_so_is_a_bearing_in_another_unit(parameters):

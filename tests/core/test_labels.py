@@ -1,5 +1,9 @@
 """Results as datasets and as tables: nothing loses its name, its unit or its meaning."""
 
+import copy
+import json
+import operator
+import pickle
 import re
 from pathlib import Path
 
@@ -10,8 +14,10 @@ import xarray as xr
 from methods import ENGINEERING, POINT
 
 import thirdbody as tb
+from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import mean_and_largest
-from thirdbody.variables import AXES, VARIABLES
+from thirdbody.core.regimes import FLAG_MEANINGS
+from thirdbody.variables import AXES, FLAGS, VARIABLES
 
 LOADS = np.array([1e-6, 1e-5, 1e-4])
 OILS = np.array([0.0, 9e-5])
@@ -29,7 +35,11 @@ def test_each_variable_has_the_labels_of_the_data_contract(solved, parameters):
     grid = tb.grid(**axes, parameters=parameters, variables=VARIABLES)
     assert set(dataset.data_vars) == set(grid.data_vars)
     for name, variable in grid.data_vars.items():
-        np.testing.assert_allclose(dataset[name].values, variable.values.squeeze(), rtol=1e-9)
+        expected = variable.values.squeeze()
+        if name in FLAGS:
+            assert (dataset[name].values == expected).all()
+        else:
+            np.testing.assert_allclose(dataset[name].values, expected, rtol=1e-9)
         np.testing.assert_equal(dataset[name].attrs, variable.attrs)
     for name in AXES:
         np.testing.assert_array_equal(dataset[name].values, grid[name].values.squeeze())
@@ -95,23 +105,146 @@ def test_where_people_read_a_full_film_has_no_contact_mode(solved):
     assert solution.lubrication_regime[1] == "full_film"
     assert solution.to_dataframe()["contact_mode"].isna().tolist() == [False, True]
     assert re.search(r"^contact_mode +none \(1\), \w+ \(1\)$", str(solution), re.MULTILINE)
-    assert (solution.to_dataset()["contact_mode"] >= 0).all()
+    assert (solution.to_dataset()["contact_mode"] != "without_values").all()
 
 
-def test_states_compare_with_their_names_and_codes(solved):
-    solution = solved(load=[1e-6, 1e-5], viscosity=0.0)
-    codes = solution.to_dataset()
-    for name in ("lubrication_regime", "contact_mode", "solution_status"):
-        states = getattr(solution, name)
-        names = [str(state) for state in states]
-        assert (states == codes[name].values).all()
-        assert [(states == name).tolist() for name in names] == [
-            [name == other for other in names] for name in names
-        ]
-    point = solved()
-    assert point.solution_status == "converged" and point.solution_status != "load_exceeded"
-    with pytest.raises(ValueError, match="'surface surface'; allowed: two_body, surface_surface"):
-        point.contact_mode == "surface surface"  # noqa: B015
+# loads and oils with each regime, three modes and a point without values
+EVERY = {"load_N": [0.5, 5.0, 50.0, 1e6], "viscosity_cSt": [0.0, 90.0, 300.0]}
+REGIMES = [["boundary", "boundary", "full_film"], ["boundary", "boundary", "mixed"]]
+
+
+@pytest.fixture
+def every():
+    """All combinations of the loads and oils: a solution, its dataset and table, and a grid."""
+    loads, oils = EVERY.values()
+    with pytest.warns(tb.OutOfRangeWarning):
+        solution = tb.solve(load_N=np.array(loads)[:, None], viscosity_cSt=oils, **REST)
+        grid = tb.grid(**EVERY, **REST).squeeze()
+    return solution, solution.to_dataset(), solution.to_dataframe(), grid
+
+
+def test_states_are_names_behind_every_door(every, tmp_path):
+    solution, dataset, table, grid = every
+    grid.to_netcdf(tmp_path / "grid.nc")
+    read = xr.load_dataset(tmp_path / "grid.nc")
+    assert solution.lubrication_regime[:2].tolist() == REGIMES
+    for flag, meanings in FLAG_MEANINGS.items():
+        for name in meanings:
+            expected = [str(state) == name for state in getattr(solution, flag).ravel()]
+            for states in (getattr(solution, flag), dataset[flag], grid[flag], read[flag]):
+                assert np.ravel(states == name).tolist() == expected
+                assert pd.Series(np.ravel(states)).isin([name]).tolist() == expected
+                assert [state in {name} for state in np.ravel(states)] == expected
+            assert pd.Series(np.ravel(solution.variables[flag])).map({name: 1.0}).sum() == sum(
+                expected
+            )
+            if flag != "contact_mode":  # which tables do not show in a full film
+                assert (table[flag] == name).tolist() == expected
+    assert {*np.ravel(grid["contact_mode"])} >= {"surface_surface", "hybrid", "without_values"}
+
+
+def test_states_have_the_codes_of_files(every, tmp_path):
+    solution, dataset, *_ = every
+    with pytest.warns(tb.OutOfRangeWarning):
+        tb.stream(tmp_path / "grid.nc", **EVERY, **REST)
+    for flag, codes in xr.load_dataset(tmp_path / "grid.nc")[[*FLAGS]].items():
+        assert codes.dtype == np.int8
+        for states in (getattr(solution, flag), dataset[flag].values):
+            np.testing.assert_array_equal(states.astype(int), codes.values.squeeze())
+
+
+def test_what_is_no_name_of_a_state_is_not_compared(every):
+    solution, dataset, _, grid = every
+    point = solution.contact_mode[0, 0]
+    assert pickle.loads(pickle.dumps(point)) is copy.deepcopy(point) is point
+    for other in ("surface surface", "mixed", 2, np.int8(2)):
+        for states in (point, solution.contact_mode, dataset["contact_mode"], grid.contact_mode):
+            for compare in (operator.eq, operator.ne):
+                with pytest.raises(ValueError, match=r"ContactMode is .*; allowed: two_body, surf"):
+                    compare(states, other)
+    masked = grid.where(grid.normal_load > 1.0)  # with nan
+    assert (masked["lubrication_regime"] == "mixed").values[:2].tolist() == [
+        [False] * 3,
+        [name == "mixed" for name in REGIMES[1]],
+    ]
+
+
+def test_conditions_are_selected_in_the_units_in_which_they_were_given(every):
+    loads = np.geomspace(0.04, 80.0, 7)  # numbers of 17 digits
+    names = [axis.alias for axis in AXES.values() if axis.name not in ("load", "viscosity")]
+    rest = dict(zip(names, ([100.0, 300.0], [200.0, 300.0], [1e10, 1e11]), strict=True))
+    grid = tb.grid(load_N=loads, viscosity_cSt=[0.0, 0.3, 90.0], **rest)
+    place = {"load_N": loads[3], "viscosity_cSt": 0.3} | {key: rest[key][0] for key in rest}
+    chosen, point = grid.sel(place), tb.solve(**place)
+    assert chosen["separation"].item() == pytest.approx(float(point.separation), rel=1e-9)
+    assert chosen["lubrication_regime"] == point.lubrication_regime
+    assert grid["viscosity_cSt"].attrs["units"] == "cSt" and grid["load_N"].attrs["units"] == "N"
+    with pytest.raises(KeyError):
+        grid.sel(load_N=10)
+    near = grid.sel(load_N=loads[5] * 1.01, method="nearest")
+    assert near["load_N"] == loads[5] and near["load"] == grid["load"][5]
+    _, dataset, *_ = every
+    assert dataset.sel(load_N=5, viscosity_cSt=300)["lubrication_regime"] == "mixed"
+    with pytest.raises(ValueError, match="more than one index"):
+        grid.stack(point=["load", "viscosity"])
+    assert grid.drop_indexes(["load_N", "viscosity_cSt"]).stack(point=["load", "viscosity"]).sizes
+    assert not {axis.alias for axis in AXES.values()} & {*tb.grid(**POINT).coords}
+
+
+def test_names_of_a_grid_are_made_when_they_are_used(every):
+    """They stay right in copies, parts and files of copies, and are text for xarray."""
+    *_, grid = every
+    expected = grid["lubrication_regime"].values
+    assert expected.tolist()[:2] == REGIMES
+    for other in (copy.deepcopy(grid), pickle.loads(pickle.dumps(grid)), grid.load()):
+        np.testing.assert_array_equal(other["lubrication_regime"], expected)
+    chosen = {
+        "load": xr.DataArray([0, 1], dims="pair"),
+        "viscosity": xr.DataArray([2, 1], dims="pair"),
+    }
+    assert grid["lubrication_regime"].isel(chosen).values.tolist() == ["full_film", "boundary"]
+    assert grid["lubrication_regime"].isel(load=[2, 0], viscosity=-1).values.tolist() == [
+        expected[2, -1],
+        expected[0, -1],
+    ]
+
+
+def test_results_carry_the_inputs_and_the_version(parameters):
+    """As a grid does: with lists along the roughness, or power laws if it is no axis."""
+    few = tb.load_parameters().members[:3]
+    ensemble = tb.Ensemble(few, tb.load_parameters().setup)
+    given = ENGINEERING | {"roughness_nm": [100, 300], "parameters": ensemble}
+    for members in (False, True):
+        grid = tb.grid(**given, members=members).attrs
+        found = tb.solve(**given, members=members).to_dataset().attrs
+        assert found["software_version"] == tb.__version__
+        for name in ("model_parameters", "Conventions", *(["ensemble"] if members else [])):
+            assert found[name] == grid[name]
+    pairs = tb.solve(**given | {"load_N": [1.0, 10.0]}).to_dataset().attrs["model_parameters"]
+    model = json.loads(pairs)
+    again = {name: model[name] for name in Parameters.names() if name in model}
+    assert {"summit_radius", "summit_parameter_exponent", "summit_deviation_ratio"} <= {*again}
+    assert again.items() <= few[0].as_dict().items()
+    listed = json.loads(grid["model_parameters"])
+    assert {*listed} - {*model} == {"eta_s", "R", "sigma_s", "y_s"}
+
+
+def test_a_coordinate_called_like_a_condition_is_the_condition():
+    """xarrays of loads in newtons, labelled by themselves: ``load`` is F_t* all the same."""
+    loads = xr.DataArray([5.0, 10.0], dims="load", coords={"load": [5.0, 10.0]})
+    dataset = tb.solve(load_N=loads, **OIL, **REST).to_dataset()
+    expected = tb.solve(load_N=[5.0, 10.0], **OIL, **REST).to_dataset()
+    xr.testing.assert_identical(dataset, expected)
+    np.testing.assert_allclose(dataset["normal_load"], [5.0, 10.0])
+
+
+def test_a_table_says_what_areas_and_films_are_relative_to(parameters):
+    table = tb.solve(**ENGINEERING, parameters=parameters).to_dataframe()
+    area, ratios = table.attrs["notes"]
+    assert f"A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2" in area
+    assert f"film_thickness over R_x = {1e3 * parameters.ball_radius:.4g} mm" in ratios
+    height = table["film_thickness"] * parameters.ball_radius
+    np.testing.assert_allclose(height, table["separation_m"])
 
 
 SURFACE = dict(roughness_nm=300, particle_density_per_m2=1e11)

@@ -10,9 +10,8 @@ from methods import solved_by
 import thirdbody as tb
 from thirdbody.core.contact import Contact
 from thirdbody.core.film import Film, log_load_parameter
-from thirdbody.core.regimes import SOLUTION_STATUSES
 
-NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
+NOT_CONVERGED = "not_converged"
 DIAMETER, ROUGHNESS, DENSITY = 3e-6, 100e-9, 1e9
 GIVEN = {"particle_diameter": DIAMETER, "roughness": ROUGHNESS, "particle_density": DENSITY}
 SPREAD = 3e-5  # of a diameter

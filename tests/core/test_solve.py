@@ -10,7 +10,6 @@ from methods import POINT
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.variables import FLAGS, QUANTITIES, VARIABLES
 
 pytestmark = [
@@ -19,9 +18,7 @@ pytestmark = [
 ]
 
 RTOL, TINY = 1e-9, np.finfo(float).tiny
-CONVERGED, OUTSIDE, EXCEEDED = map(
-    SOLUTION_STATUSES.index, ("converged", "outside_film_formula", "load_exceeded")
-)
+CONVERGED, OUTSIDE, EXCEEDED = "converged", "outside_film_formula", "load_exceeded"
 
 
 def solve(parameters, rtol=RTOL, **given):

@@ -8,6 +8,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
+import xarray as xr
 from numpy.testing import assert_allclose
 from small_release import KEYS
 
@@ -62,10 +63,10 @@ def on_disk(shown, tmp_path):
 
 
 def test_files_have_the_names_types_units_and_attributes_of_the_contract(
-    on_disk, dataset, tmp_path
+    on_disk, parameters, tmp_path
 ):
     contract = runpy.run_path(str(ROOT / "verification" / "contract.py"))
-    write_dataset(dataset, tmp_path / "grid.nc")
+    tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
     # products of the workflow name no version, so the contract does not know that of a grid
     of_grid = ["unknown attribute software_version"]
     for path, findings in ((on_disk, []), (tmp_path / "grid.nc", of_grid)):
@@ -102,7 +103,7 @@ def test_an_axis_that_is_not_one_increasing_dimension_is_refused_by_name(paramet
 
 def test_a_dataset_survives_the_file(shown, on_disk, dataset, tmp_path):
     path = tmp_path / "grid.nc"
-    write_dataset(dataset, path)
+    dataset.to_netcdf(path)
     assert read_plain(path).to_xarray().equals(dataset)
     assert read_plain(path).to_xarray().attrs == dataset.attrs
     again = read_plain(on_disk).to_xarray()
@@ -116,8 +117,7 @@ def test_a_dataset_survives_the_file(shown, on_disk, dataset, tmp_path):
 def test_unsolved_points_of_a_grid_do_not_hold_the_fill_value(parameters, tmp_path):
     path = tmp_path / "grid.nc"
     with pytest.warns(tb.OutOfRangeWarning, match="load is 1;"):
-        unsolved = grid(parameters, load=[1e-5, 1.0])
-    write_dataset(unsolved, path)
+        tb.stream(path, **AXES | {"load": [1e-5, 1.0]}, parameters=parameters)
     with netCDF4.Dataset(path) as stored:
         for name in (*NUMBERS, *FLAGS):
             # what a reader that knows the convention takes for missing
@@ -160,7 +160,20 @@ def test_a_figure_holds_what_the_solver_gives_and_elsewhere_the_fill_value(shown
         without[place] = False
         solution = tb.solve(**crossed(group), parameters=parameters)
         for name in (*NUMBERS, *FLAGS):
-            assert np.array_equal(shown[name].values[place], getattr(solution, name)), name
+            expected = getattr(solution, name).astype(shown[name].dtype)  # of states the codes
+            assert np.array_equal(shown[name].values[place], expected), name
     assert without.any()
     for name in (*NUMBERS, *FLAGS):
         assert np.array_equal(hidden(shown[name]), without), name
+
+
+def test_the_summary_says_how_many_curves_there_are_and_selects_one(shown, dataset, on_disk):
+    summary = shown.attrs["summary"]
+    curves = (~hidden(shown["separation"])).any(axis=0)
+    assert f"shows {curves.sum()} of {curves.size} combinations" in summary
+    (text,) = re.findall(r"(?<=dataset\.)sel\(.*?\)", summary)
+    with xr.open_dataset(on_disk) as read:
+        curve = eval(f"read.{text}")
+        assert curve["separation"].dims == ("load",) and curve["separation"].notnull().all()
+        assert read["separation"].isnull().any()
+    assert "Select" not in dataset.attrs["summary"]  # a grid has all combinations

@@ -110,6 +110,9 @@ def test_a_band_lies_around_the_shown_points_and_keeps_their_units(dataset, arou
             assert variable.dims == DIMENSIONS
             assert variable.attrs["units"] == dataset[name].attrs["units"]
             assert_array_equal(np.isfinite(variable.values), shown)
+    sentences = dataset.attrs["summary"].split(". ")[0], "For each quantity, at the points of"
+    assert [again.attrs["summary"].find(each) == 0 for each in sentences] == [True, False]
+    assert sentences[1] in again.attrs["summary"]
     assert "0.05 quantile" in again["separation_low"].attrs["long_name"]
     assert "0.95 quantile" in again["separation_high"].attrs["long_name"]
     assert json.loads(again.attrs["ensemble"]) == MEMBERS

@@ -7,8 +7,8 @@ import pytest
 
 import thirdbody as tb
 from chenhorng.extraction import tpca_rows, transition_rows
-from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.curves import Condition
+from thirdbody.netcdf import read_plain
 from thirdbody.variables import CONDITION_AXES
 
 AXES = {
@@ -24,18 +24,18 @@ SOFT = {"hardness_surface_1": 3e7, "hardness_surface_2": 3e7}
 
 @pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning")
 @pytest.mark.parametrize("rows_of", [tpca_rows, transition_rows])
-def test_each_row_has_the_values_and_the_status_of_its_point(parameters, rows_of):
+def test_each_row_has_the_values_and_the_status_of_its_point(parameters, rows_of, tmp_path):
     statuses = set()
     for changes in ({}, SOFT):
         inputs = replace(parameters, **changes)
-        rows = rows_of("mine", tb.grid(**AXES, parameters=inputs), inputs)
+        tb.stream(tmp_path / "mine.nc", **AXES, parameters=inputs)
+        rows = rows_of("mine", read_plain(tmp_path / "mine.nc"), inputs)
         assert rows
         columns = [axis.column for axis in CONDITION_AXES]
         given = Condition(*np.array([[row[name] for name in columns] for row in rows]).T)
         load = np.array([row["load"] for row in rows])
         solution = tb.solve(load=load, **given._asdict(), parameters=inputs)
-        named = [SOLUTION_STATUSES[index] for index in solution.solution_status]
-        assert [row["solution_status"] for row in rows] == named
+        assert [row["solution_status"] for row in rows] == [*solution.solution_status]
         newtons = load * inputs.newtons_per_load
         assert [row["normal_load_N"] for row in rows] == pytest.approx(newtons)
         beside = np.multiply.outer([1.0 - 1e-6, 1.0 + 1e-6], load)
@@ -46,5 +46,5 @@ def test_each_row_has_the_values_and_the_status_of_its_point(parameters, rows_of
                 assert values.min() <= row["level"] <= values.max(), row
             else:
                 assert values == pytest.approx(row["peak_ratio"], rel=1e-6), row
-        statuses |= set(named)
+        statuses |= set(solution.solution_status)
     assert "converged" in statuses and len(statuses) > 1

@@ -35,7 +35,7 @@ FOLDERS = (
 OTHER_PRODUCTS = r"fig.*|claims|sensitivity|.*_(wide|tpca_loads|transitions)"
 LONGEST = 60  # characters of a value in a message
 # the least usual value of each condition [``alias_unit``]: a smaller one is in another unit
-LEAST = {axis.name: float(decimal(axis.usual[0], 1.0 / axis.scale)) for axis in CONDITION_AXES}
+LEAST = {axis.name: float(decimal(axis.from_si(axis.usual[0]), 12)) for axis in CONDITION_AXES}
 
 
 @dataclass(frozen=True)

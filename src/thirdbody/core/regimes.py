@@ -3,7 +3,7 @@ solution.
 """
 
 from collections.abc import Mapping
-from enum import IntEnum
+from enum import StrEnum, auto
 from typing import Any
 
 import numpy as np
@@ -23,63 +23,59 @@ PARTICLE_LIMIT = 0.95  # of A_sa,t*
 SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 
-class State(IntEnum):
-    """A state, equal to its code in data files and to its name.
+class State(StrEnum):
+    """A state: its name, with the ``code`` that it has in data files.
 
-    Comparison with a text that is no name raises ``ValueError``.
+    Comparison with a code, or with a text that is no name, raises ``ValueError``.
 
     Examples
     --------
-    >>> ContactMode.hybrid == "hybrid", ContactMode.hybrid == 2
-    (True, True)
+    >>> ContactMode.hybrid == "hybrid", ContactMode.hybrid in {"hybrid"}, int(ContactMode.hybrid)
+    (True, True, 2)
     """
 
+    code: int
+
+    def __new__(cls, name: str) -> "State":
+        state = str.__new__(cls, name)
+        state._value_ = name
+        state.code = -1 if name == "without_values" else len(cls.__members__)
+        return state
+
     def __eq__(self, other: object) -> bool:
-        if isinstance(other, str):
-            return int(self) == int(type(self).of(other))
-        return int(self) == other
+        is_text_or_code = isinstance(other, (str, int, np.integer))
+        if is_text_or_code and other not in type(self)._value2member_map_:
+            allowed = ", ".join(type(self))
+            raise ValueError(f"{type(self).__name__} is {other!r}; allowed: {allowed}")
+        return str.__eq__(self, other)
 
     def __ne__(self, other: object) -> bool:
         return not self == other
 
-    def __hash__(self) -> int:
-        return hash(int(self))
+    def __int__(self) -> int:
+        return self.code
 
-    def __str__(self) -> str:
-        return self.name
-
-    __repr__ = __str__
-
-    @classmethod
-    def of(cls, name: str) -> "State":
-        """The state called ``name``."""
-        if name not in cls.__members__:
-            raise ValueError(f"{cls.__name__} is {name!r}; allowed: {', '.join(cls.__members__)}")
-        return cls[name]
-
-    @classmethod
-    def names(cls) -> tuple[str, ...]:
-        """The names of the codes 0, 1, ..."""
-        return tuple(state.name for state in cls if state >= 0)
+    __hash__ = str.__hash__
+    __repr__ = str.__repr__
 
 
 class LubricationRegime(State):
     """Regime of lubrication, by the fraction of the load that the solids carry."""
 
-    boundary = 0
-    mixed = 1
-    full_film = 2
-    without_values = -1
+    boundary = auto()
+    mixed = auto()
+    full_film = auto()
+    without_values = auto()
 
 
 class ContactMode(State):
     """Mode of contact, by the fraction of the contact area that the particles have."""
 
-    two_body = 0
-    surface_surface = 1
-    hybrid = 2
-    particle_surface = 3
-    without_values = -1
+    two_body = auto()
+    surface_surface = auto()
+    hybrid = auto()
+    particle_surface = auto()
+    without_values = auto()
 
 
 class SolutionStatus(State):
@@ -88,12 +84,12 @@ class SolutionStatus(State):
     The order is that of the codes in data files.  ``MILDEST_FIRST`` sorts by gravity.
     """
 
-    converged = 0
-    outside_film_formula = 1
-    coverage_exceeded = 2
-    not_converged = 3
-    area_exceeded = 4
-    load_exceeded = 5
+    converged = auto()
+    outside_film_formula = auto()
+    coverage_exceeded = auto()
+    not_converged = auto()
+    area_exceeded = auto()
+    load_exceeded = auto()
 
 
 STATES = {
@@ -111,7 +107,10 @@ LIMITS = (
     (PARTICLE_CONTACT_AREA_RATIO, SURFACE_LIMIT, CONTACT_MODE, "surface_surface", "hybrid"),
 )
 # names of the values 0, 1, ... of each flag
-FLAG_MEANINGS = {name: states.names() for name, states in STATES.items()}
+FLAG_MEANINGS = {
+    name: tuple(state.value for state in states if state.code >= 0)
+    for name, states in STATES.items()
+}
 LUBRICATION_REGIMES, CONTACT_MODES, SOLUTION_STATUSES = FLAG_MEANINGS.values()
 # points with these statuses have nan, and NO_FLAG for regime and mode
 WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")
@@ -138,9 +137,9 @@ def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
     ['boundary', 'mixed', 'full_film']
     """
     fraction = np.asarray(solid_load_fraction)
-    regime = np.full(fraction.shape, LubricationRegime.mixed, np.int8)
-    regime[fraction < FULL_FILM_LIMIT] = LubricationRegime.full_film
-    regime[fraction > BOUNDARY_LIMIT] = LubricationRegime.boundary
+    regime = np.full(fraction.shape, LubricationRegime.mixed.code, np.int8)
+    regime[fraction < FULL_FILM_LIMIT] = LubricationRegime.full_film.code
+    regime[fraction > BOUNDARY_LIMIT] = LubricationRegime.boundary.code
     return regime
 
 
@@ -160,14 +159,14 @@ def contact_mode(
     """
     ratio = np.asarray(particle_contact_area_ratio)
     alone, beside = ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT
-    mode = np.full(ratio.shape, ContactMode.hybrid, np.int8)
-    mode[beside] = ContactMode.surface_surface
-    mode[alone] = ContactMode.particle_surface
-    return np.where(has_particles, mode, np.int8(ContactMode.two_body))
+    mode = np.full(ratio.shape, ContactMode.hybrid.code, np.int8)
+    mode[beside] = ContactMode.surface_surface.code
+    mode[alone] = ContactMode.particle_surface.code
+    return np.where(has_particles, mode, np.int8(ContactMode.two_body.code))
 
 
 def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
-    """The codes of the flags among ``variables``, for output by name.
+    """The codes of the flags among ``variables``, states or codes, for output by name.
 
     The contact mode in a full film becomes ``NO_FLAG``, because hardly anything touches.
 
@@ -177,9 +176,11 @@ def codes_to_name(variables: Mapping[str, Any]) -> dict[str, NDArray[np.int8]]:
     >>> codes["contact_mode"].tolist()
     [2, -1]
     """
-    codes = {name: np.asarray(variables[name]) for name in FLAG_MEANINGS if name in variables}
+    codes = {
+        name: np.asarray(variables[name], np.int8) for name in FLAG_MEANINGS if name in variables
+    }
     if {LUBRICATION_REGIME, CONTACT_MODE} <= codes.keys():
-        is_full = codes[LUBRICATION_REGIME] == LubricationRegime.full_film
+        is_full = codes[LUBRICATION_REGIME] == LubricationRegime.full_film.code
         codes[CONTACT_MODE] = np.where(is_full, NO_FLAG, codes[CONTACT_MODE])
     return codes
 

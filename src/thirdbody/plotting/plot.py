@@ -18,9 +18,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from thirdbody.conditions import axis_of, checked_variables, numbers_in, unit_of
+from thirdbody.core.regimes import SOLUTION_STATUSES
 from thirdbody.curves import LUBRICATED
 from thirdbody.ensembles import MEMBER, range_over_members
-from thirdbody.netcdf import GIVEN_AS, OF_THE_FILE, read_plain
+from thirdbody.netcdf import OF_THE_FILE, read_plain
 from thirdbody.plotting.drawing import STYLE
 from thirdbody.plotting.load_curves import curve_figure, draw_panels
 from thirdbody.plotting.maps import plot_map
@@ -168,8 +169,7 @@ def _longest(data: xr.Dataset) -> str:
     values."""
     if data.sizes["load"] < 2:
         return max(_dimensions(data), key=lambda name: data.sizes[name])
-    in_newtons = GIVEN_AS in data["load"].attrs and NORMAL_LOAD.name in data
-    return "load_N" if in_newtons else "load"
+    return "load_N" if "load_N" in data and NORMAL_LOAD.name in data else "load"
 
 
 def _plot_over(
@@ -262,6 +262,10 @@ def _with_all_dimensions(data: Any) -> xr.Dataset:
     data = _of_best(_in_si(data))
     if STATUS not in data:  # not asked for
         data[STATUS] = xr.zeros_like(next(iter(data.values()), data["load"]), dtype=np.int8)
+    elif data[STATUS].dtype.kind not in "iuf":  # names
+        status = data[STATUS]
+        codes = pd.Categorical(status.values.ravel(), SOLUTION_STATUSES).codes
+        data[STATUS] = status.dims, codes.reshape(status.shape)
     dimensions = _dimensions(data)
     data = data.set_coords(dimensions)
     if not set(data.dims) <= set(dimensions):
@@ -319,9 +323,7 @@ def _placed_on_axes(data: xr.Dataset) -> xr.Dataset:
         other = next(each for each in data.dims if each not in DIMENSIONS)
         message = f"data has the dimension {other!r}, with points that are not all combinations"
         raise ValueError(f"{message}; allowed: one point for each of {', '.join(DIMENSIONS)}")
-    placed = table.to_xarray()
-    placed["load"].attrs = data["load"].attrs
-    return placed
+    return table.to_xarray()
 
 
 def _newtons_per_load(data: xr.Dataset) -> float:
