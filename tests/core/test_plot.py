@@ -406,7 +406,7 @@ def test_points_outside_the_film_formula_are_dotted_over_any_axis():
     rest = dict(particle_diameter_nm=300, roughness_nm=300, particle_density_per_m2=1e11)
     with pytest.warns(tb.OutOfRangeWarning):
         points = tb.solve(load_N=80, viscosity_cSt=oils, **rest)
-    outside = points.to_dataset()["solution_status"].values.ravel() == 1
+    outside = points.to_dataset()["solution_status"].values.ravel() == "outside_film_formula"
     assert 1 < outside.sum() < len(oils) and points.solid_load_fraction[1] < 0.99
     figure = tb.plot(points, over="viscosity_cSt", variables="solid_load_fraction")
     curve, dotted = figure.axes[0].lines

@@ -568,7 +568,7 @@ def test_a_bracket_joins_both_ends_of_a_range(name, place, words, datasets, prin
     brackets = {tuple(line.get_xdata()[1:3]) for line in axes.lines if len(line.get_xdata()) == 4}
     uprights = {line.get_xdata()[0] for line in axes.lines if len({*line.get_xdata()}) == 1}
     expected = {
-        "fig09": {(0.79, 1.35), (0.8, 1.3), (0.8333, 1.3333)},
+        "fig09": {(0.79, 1.35), (0.8, 1.3), (0.83, 1.33)},
         "fig11": {(1.15e-4, 2.23e-4), (1.63e-4, 2.34e-4)},
     }
     assert brackets == expected[name]

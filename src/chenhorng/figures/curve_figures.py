@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from textwrap import fill
 from typing import Any
 
 from matplotlib.figure import Figure
@@ -73,6 +74,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
 LEAST_SIZE = 7.0  # of what the paper says, below the title [points]
+BOLD, LEAST = 14.0, 18.0  # characters of both in an inch
 WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
@@ -134,8 +136,11 @@ def plot(
         over_sizes[0].autoscale(axis="x")
     finding, paper = headline(name, data)
     if paper and not panel:
-        first = finding or data.attrs["title"]
-        title = figure.suptitle(f"{first}\n", x=0.01, ha="left", size="medium", weight="bold")
-        below = Annotation(paper, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)
+        inches = figure.get_figwidth()
+        first = fill(finding or data.attrs["title"], round(BOLD * inches))
+        second = fill(paper, round(LEAST * inches))
+        room = "\n" * (1 + second.count("\n"))
+        title = figure.suptitle(first + room, x=0.01, ha="left", size="medium", weight="bold")
+        below = Annotation(second, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)
         figure.add_artist(below)
     return figure

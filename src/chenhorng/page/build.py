@@ -11,7 +11,7 @@ import numpy as np
 
 import thirdbody.symbols as symbols
 from chenhorng.figures.curve_figures import RELATIVE_AREA, TURNING_POINTS
-from thirdbody.conditioning import LEAST_SPREAD
+from thirdbody.conditioning import FEWEST, LEAST_SPREAD, NEAR
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
@@ -91,7 +91,7 @@ def page_content(
             for name, entry in inputs.items()
         },
         "ensemble": list(ensemble),
-        "least_spread": LEAST_SPREAD,
+        "conditioning": {"least_spread": LEAST_SPREAD, "near": NEAR, "fewest": FEWEST},
         "range": RANGE,
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
