@@ -51,7 +51,8 @@ TABLES = [
 ]
 # the panel that shows a finding of the paper: its figure and letter
 PANELS = {finding["panel"]: finding["of"] for finding in settings["findings"]}
-FIGURE_FORMATS = ["svg", "pdf", "png", "csv", "md", "json"]
+PICTURES = ["svg", "pdf", "png"]
+FIGURE_FORMATS = [*PICTURES, "csv", "md", "json"]
 TABLE_FORMATS = ["csv", "html", "tex"]
 
 
@@ -73,7 +74,7 @@ rule all:
         "<results>/extracted/table1/all.csv",
         "<results>/extracted/table2/all.csv",
         expand("<results>/figures/{figure}.{format}", figure=FIGURES, format=FIGURE_FORMATS),
-        expand("<results>/figures/{panel}.{format}", panel=PANELS, format=["svg", "pdf", "png"]),
+        expand("<results>/figures/{panel}.{format}", panel=PANELS, format=PICTURES),
         "<results>/extracted/apparent_area/all.csv",
         "<results>/extracted/limits/all.csv",
         expand("<results>/figures/{figure}_wide.csv", figure=SCENES),

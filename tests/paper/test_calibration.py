@@ -311,6 +311,15 @@ def test_members_come_evenly_from_each_fold_and_say_what_they_have_not_seen():
     assert {member["inputs"]["film_load"] for member in members} == {"fluid"}
 
 
+def test_the_members_of_a_fold_are_of_different_walkers():
+    budget, count = SETTINGS["budget"], SETTINGS["ensemble"]["of_each_fold"]
+    walkers = np.tile(np.arange(budget["walkers"]), budget["steps"] - budget["steps"] // 4)
+    places = Interpretation("one", {}, (Unknown("mean_ratio", (0.0, 24.0), (0.0, 24.0), False),))
+    rows = np.column_stack([walkers / 24.0, walkers])
+    members = fold_members(places, [rows], [[3]], count)
+    assert len({member["inputs"]["mean_ratio"] for member in members}) == count
+
+
 def test_the_mean_square_of_the_sizes_is_that_of_the_truncated_distribution():
     inputs = {"mean_ratio": 0.3, "spread_ratio": 0.2, "truncation": 3.0}
     sizes = np.linspace(0.0, 0.9, 200_001)

@@ -39,11 +39,6 @@ def figure_files(figure, category):
     return files | {"png": report(files["png"], caption, category=category, labels=labels)}
 
 
-def of_panel(path):
-    """The file at ``path`` of the figure that a panel is of."""
-    return lambda wildcards: path.format(PANELS[wildcards.panel][:-1])
-
-
 # a workflow that uses this one has a copy of the configuration, made by snakedeploy
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
 CLAIMS = f"{CONFIG}/claims.yaml"

@@ -29,31 +29,38 @@ rule render_figure:
         "../scripts/render_figure.py"
 
 
-# a panel that shows a finding of the paper, as wide as a column
-rule render_panel:
+FIGURES_OF_PANELS = [of[:-1] for of in PANELS.values()]
+
+
+# the panels that show the findings of the paper, as wide as a column
+rule render_panels:
     input:
-        dataset=of_panel("<results>/datasets/{}.nc"),
-        turning_points=of_panel("<results>/extracted/tpca_loads/{}.csv"),
+        datasets=expand("<results>/datasets/{figure}.nc", figure=FIGURES_OF_PANELS),
+        turning_points=expand(
+            "<results>/extracted/tpca_loads/{figure}.csv", figure=FIGURES_OF_PANELS
+        ),
         printed=PRINTED,
-        windows=[],
-        ensemble_range=of_panel("<results>/bands/{}.nc") if settings["bands"] else [],
+        ensemble_ranges=(
+            expand("<results>/bands/{figure}.nc", figure=FIGURES_OF_PANELS)
+            if settings["bands"]
+            else []
+        ),
         style=STYLE,
     output:
-        svg="<results>/figures/{panel}.svg",
-        pdf="<results>/figures/{panel}.pdf",
-        png="<results>/figures/{panel}.png",
+        **{
+            f"{panel}_{kind}": f"<results>/figures/{panel}.{kind}"
+            for panel in PANELS
+            for kind in PICTURES
+        },
     log:
-        "<logs>/render_panel/{panel}.log",
-    wildcard_constraints:
-        panel="|".join(PANELS),
+        "<logs>/render_panels.log",
     params:
-        *sources_of("render_panel.py"),
-        figure=lambda wildcards: PANELS[wildcards.panel][:-1],
-        panel=lambda wildcards: PANELS[wildcards.panel][-1],
+        *sources_of("render_panels.py"),
+        panels=PANELS,
     message:
-        "Draw {wildcards.panel}"
+        "Draw the panels of the findings"
     script:
-        "../scripts/render_panel.py"
+        "../scripts/render_panels.py"
 
 
 rule draw_schematic:

@@ -59,7 +59,7 @@ def fold_members(
     the ``figures`` that the set has not seen.
 
     A sample has rows of positions and objectives, shape (rows, unknowns + 1), in the order in which
-    it was drawn.  Sets are taken at even distances.
+    it was drawn.  Sets are taken at even distances, which should not all be of one walker.
     """
     return [
         {
