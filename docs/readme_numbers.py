@@ -32,7 +32,7 @@ from tabulate import tabulate
 import thirdbody
 from benchmarks.work_precision import largest_errors
 from chenhorng.claims.words import counted_once
-from chenhorng.findings import MARKS, RULE, judged_findings
+from chenhorng.findings import MARKS, RULE, in_no_finding, judged_findings
 from chenhorng.markdown import markdown_text
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.core.particles import first_yield_depth
@@ -108,18 +108,21 @@ def findings_block(move: float = 0.0) -> str:
     """What the paper finds, and whether it comes out."""
     judged = read_claims()
     findings = read_yaml(ROOT / "config" / "findings.yaml", list)
+    held, of = in_no_finding(findings, judged["statements"])
     score = (
         f"{judged['held']} of {judged['judged']} checkable statements of the paper hold, with one "
-        f"set of inputs; {judged['predicted']} of {judged['predicted_of']} hold when their figure "
-        f"was not used to find the inputs. {RULE}"
+        f"set of inputs. With inputs that were found without a statement's own figure, "
+        f"{judged['predicted']} of {judged['predicted_of']} hold. Five sentences of ours sum up the "
+        f"paper. {RULE} {of} statements test none of the five; {held} of them hold."
     )
     lines = [fill(score, 120), ""]
     for place, each in enumerate(judged_findings(findings, judged["statements"], move), start=1):
         parts = list(dict.fromkeys(row["part"] for row in each["failed"]))
-        failed = f"; some of {', '.join(parts)} fail" if parts else ""
+        failed = f"; failures: {', '.join(parts)}" if parts else ""
         line = (
             f"{place}. {each['mark']} **{each['outcome'].capitalize()}** ({each['held']} of "
-            f"{each['judged']} statements hold{failed}). {_typeset(each['sentence'])} "
+            f"{each['judged']} statements hold, {each['predicted']} without their figures{failed}). "
+            f"{_typeset(each['sentence'])} "
             f"*{each['figure']}: {_typeset(each['numbers'])}*"
         )
         lines.append(fill(line, 120, subsequent_indent="   ", break_on_hyphens=False))
@@ -132,7 +135,7 @@ def outcomes_block(move: float = 0.0) -> str:
     words = [each["outcome"] for each in judged_findings(findings, read_claims()["statements"])]
     all_of_it, some, none = map(words.count, MARKS)
     counts = f"{all_of_it} are reproduced, {some} in part and {none} not"
-    return fill(f"Of the paper's {len(words)} main findings {counts}. {RULE}", 120)
+    return fill(f"Of {len(words)} sentences that sum up the paper {counts}. {RULE}", 120)
 
 
 def _typeset(text):

@@ -11,8 +11,8 @@ REPRODUCED, IN_PART, NOT = "reproduced", "reproduced in part", "not reproduced"
 MARKS = {REPRODUCED: "✓", IN_PART: "½", NOT: "✗"}
 LEAST = 0.5  # of the statements hold, if the finding is reproduced in part
 RULE = (
-    "A finding is reproduced if all statements that test it hold, in part if at least half of them "
-    "do, and otherwise not."
+    "If all statements that test a finding hold, it is reproduced; if at least half of them do, in "
+    "part; otherwise not."
 )
 
 
@@ -23,8 +23,9 @@ def judged_findings(
 ) -> list[dict[str, Any]]:
     """The ``findings`` with what the ``statements`` of ``claims.json`` say of them.
 
-    Each has ``held`` and ``judged``, numbers of statements, where repeated ones count once; the
-    ``outcome`` by ``RULE`` and its ``mark``; ``failed``, the statements that fail; and its
+    Each has ``held`` and ``judged``, numbers of statements, where repeated ones count once;
+    ``predicted``, how many hold with inputs that were found without their figures; the ``outcome``
+    by ``RULE`` and its ``mark``; ``failed``, the statements that fail; and its
     ``numbers`` as a text, each changed by the fraction ``move``.  ``ValueError`` for a name that no
     statement has.
     """
@@ -44,6 +45,7 @@ def judged_findings(
                 **finding,
                 "held": held,
                 "judged": judged,
+                "predicted": counted_once((name, row["predicted"]) for name, row in rows)[0],
                 "outcome": word,
                 "mark": MARKS[word],
                 "failed": [row for _, row in rows if row["verdict"] == FAILS],
@@ -51,6 +53,15 @@ def judged_findings(
             }
         )
     return found
+
+
+def in_no_finding(
+    findings: Iterable[Mapping[str, Any]], statements: Iterable[Mapping[str, Any]]
+) -> tuple[int, int]:
+    """Numbers of statements that test none of the ``findings``: of those that hold, and of all."""
+    names = {name for finding in findings for name in finding["tested_by"]}
+    rows = ((row["cluster"] or row["id"], row["verdict"]) for row in statements)
+    return counted_once(row for row in rows if row[0] not in names)
 
 
 def outcome(held: int, judged: int) -> str:
