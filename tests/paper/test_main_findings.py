@@ -3,7 +3,7 @@
 import pytest
 
 from chenhorng.claims.claims import load_claims
-from chenhorng.findings import IN_PART, NOT, REPRODUCED, judged_findings, outcome
+from chenhorng.findings import IN_PART, NOT, REPRODUCED, in_no_finding, judged_findings, outcome
 from chenhorng.home import config_directory
 from thirdbody.files import read_yaml
 
@@ -11,8 +11,9 @@ FINDINGS = read_yaml(config_directory() / "findings.yaml", list)
 FINDING = {"tested_by": ["a", "twice"], "numbers": "{a[numbers][0]:.1f} for {a[published]}"}
 
 
-def row(id, verdict, cluster="", numbers=(2.0,)):
-    return {"id": id, "cluster": cluster, "verdict": verdict, "numbers": numbers, "published": 3}
+def row(id, verdict, cluster="", numbers=(2.0,), predicted=""):
+    known = {"id": id, "cluster": cluster, "verdict": verdict, "predicted": predicted}
+    return known | {"numbers": numbers, "published": 3}
 
 
 def judged(*verdicts):
@@ -33,6 +34,14 @@ def test_statements_of_a_cluster_count_once_and_each_that_fails_is_named():
     assert (found["held"], found["judged"], found["outcome"]) == (1, 2, IN_PART)
     assert [each["id"] for each in found["failed"]] == ["b1"]
     assert judged("holds", "holds", "contradicted by the paper itself")["outcome"] == REPRODUCED
+
+
+def test_what_holds_without_its_figure_and_what_tests_no_finding_are_counted():
+    rows = [row("a", "holds", predicted="fails"), row("twice", "fails", predicted="holds")]
+    (found,) = judged_findings([FINDING], rows)
+    assert (found["held"], found["predicted"]) == (1, 1)
+    others = [row("c", "holds"), row("d", "fails", "e"), row("f", "holds", "e"), row("g", "")]
+    assert in_no_finding([FINDING], rows + others) == (1, 2)
 
 
 def test_the_numbers_are_those_of_the_statements():

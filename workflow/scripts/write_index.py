@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from chenhorng.claims.words import COLOURS, FAILS, HOLDS
 from chenhorng.figures.captions import inputs_sentence, labels_sentences
-from chenhorng.findings import RULE, judged_findings
+from chenhorng.findings import RULE, in_no_finding, judged_findings
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
 from thirdbody.netcdf import read_plain
@@ -71,6 +71,7 @@ with job(snakemake) as output:
         "figures": figures,
         "findings": judged_findings(snakemake.params.findings, statements),
         "rule": RULE,
+        "others": in_no_finding(snakemake.params.findings, statements),
         "colours": {verdict.split()[0]: colour for verdict, colour in COLOURS.items()},
         "judged": judged,
         "tables": {

@@ -358,9 +358,13 @@ class StateSequence(Claim):
         how = self.published, self.tolerance, self.open_end
         misses = [sequence_miss(curve, *how) for curve in curves]
         chosen = int(np.argmin(misses) if self.any_curve else np.argmax(misses))
-        states = passed_states(curves[chosen], self.published)
+        of_curves = [passed_states(curve, self.published) for curve in curves]
+        states = of_curves[chosen]
+        texts = [passed(states)] if self.any_curve else [*map(passed, of_curves)]
         printed = passed(self.published, self.open_end)
-        finding = sentence(f"the states are {passed(states)}", f"the paper: {printed}")
+        beginning = "by curve," if len({*texts}) > 1 else "the states are"
+        found = named(self.curve_names, texts, ": ", "; ")
+        finding = sentence(f"{beginning} {found}", f"the paper: {printed}")
         return self.missed(" > ".join(states).strip(), misses[chosen], finding)
 
     @property

@@ -92,7 +92,9 @@ def size(gap: float, is_relative: bool) -> str:
     )
 
 
-def named(names: Sequence[str], texts: Sequence[str]) -> str:
+def named(
+    names: Sequence[str], texts: Sequence[str], after_name: str = " ", between: str = ", "
+) -> str:
     """The ``texts`` of curves, behind the name of each curve or of the first and the last curve
     with the same text; one text if all are equal."""
     if len({*texts}) == 1:
@@ -100,8 +102,8 @@ def named(names: Sequence[str], texts: Sequence[str]) -> str:
     parts = []
     for text, group in groupby(zip(names, texts, strict=True), key=lambda pair: pair[1]):
         ends = [name for name, _ in group]
-        parts.append(f"{' to '.join(dict.fromkeys((ends[0], ends[-1])))} {text}")
-    return ", ".join(parts)
+        parts.append(f"{' to '.join(dict.fromkeys((ends[0], ends[-1])))}{after_name}{text}")
+    return between.join(parts)
 
 
 def passed(states: Sequence[str], open_end: bool = False) -> str:
