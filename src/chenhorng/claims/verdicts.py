@@ -38,7 +38,7 @@ COUNTED = {
     "holds": "hold",
     "fails": "fail",
     CONTRADICTED: "are " + CONTRADICTED,
-    "not tested": "are not tested",
+    "not tested": "without a test here",
 }
 NO_RANGE = (np.nan, np.nan)
 # of a bullet graph, in its units: the middle, the length of a tolerance, and the last place
