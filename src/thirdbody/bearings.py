@@ -244,9 +244,10 @@ def hertz_contact(load_N: ArrayLike, parameters: Parameters | Ensemble) -> tuple
 
 def hardness_notes(load_N: ArrayLike, parameters: Parameters | Ensemble) -> list[str]:
     """A note if the largest load presses the smooth ball harder than the softer surface is."""
-    if not np.size(load_N):
+    loads = np.asarray(load_N, float)
+    if not loads.size:
         return []
-    load = float(np.max(load_N))
+    load = float(loads.max())
     hardness = min(parameters.hardness_surface_1, parameters.hardness_surface_2)
     _, pressure = hertz_contact(load, parameters)
     note = f"load {load:g} N: the mean Hertz pressure is {1e-9 * pressure:.3g} GPa, above the "
