@@ -199,7 +199,6 @@ def curve(
 def table_text(table: pd.DataFrame) -> str:
     """The title, the numbers, the states and the notes of a table as text of ``WIDTH`` columns."""
     values = {"first": "value", "second": "other"} if "other" in table else {"value": "value"}
-    heading = "range of the change" if "other" in table else "range"
     heading = f"range of {max(table['members'], default=0)} sets"
     if "other" in table:
         heading = "range of the change"

@@ -58,7 +58,7 @@ def _near(members, known, given) -> list[int]:
     """Indices of the first member and of those that are nearest in the ``known``."""
     if not known:
         return [*range(len(members))]
-    places = np.column_stack([_scaled(name, _values(members, name)) for name in known])
+    places = _columns(members, known)
     target = [_scaled(name, given[name]) for name in known]
     distances = np.linalg.norm((places - target) / places.std(axis=0), axis=1)
     distances[0] = 0.0
@@ -69,8 +69,7 @@ def _near(members, known, given) -> list[int]:
 def _moved(members, known, others, given) -> dict[str, NDArray]:
     """The values of the ``others`` that follow from the ``known``, of each member."""
     replace(members[0], **given)  # the logarithm of a number out of bounds may not exist
-    here = np.column_stack([_scaled(name, _values(members, name)) for name in known])
-    there = np.column_stack([_scaled(name, _values(members, name)) for name in others])
+    here, there = _columns(members, known), _columns(members, others)
     target = [np.clip(_scaled(name, given[name]), *_reach(members, name)) for name in known]
     unit = here.std(axis=0)
     deviations = (here - here.mean(axis=0)) / unit
@@ -108,6 +107,11 @@ def _reach(members, name) -> tuple[float, float]:
 
 def _values(members, name) -> NDArray:
     return np.array([getattr(member, name) for member in members])
+
+
+def _columns(members, names) -> NDArray:
+    """The scaled inputs of these ``names``, shape (members, names)."""
+    return np.column_stack([_scaled(name, _values(members, name)) for name in names])
 
 
 def _is_positive(name) -> bool:

@@ -12,13 +12,13 @@ from chenhorng.sampling import first_fall, logarithm
 from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.netcdf import Dataset
 from thirdbody.plotting.load_curves import curves_in
-from thirdbody.plotting.marks import AREA, RATIO
+from thirdbody.plotting.marks import AREA, PROMINENCE, RATIO
 from thirdbody.plotting.panels import Curve
 from thirdbody.symbols import power_text, unicode
 from thirdbody.variables import AXES
 
 SOLID = "solid_load_fraction"
-LINE = 0.02  # a line's width, of a fraction or relative, by which a turning point stands out
+LINE = 0.02  # a line's width, of a fraction or relative
 SIMILAR = 0.05  # relative difference of areas that overlap
 SHIFT = 1.1  # factor between loads of turning points that differ
 
@@ -73,7 +73,7 @@ def _falls_to(curve: Curve, name: str, level: float) -> float:
 
 
 def _turns(curve: Curve) -> bool:
-    return bool(peak_height(curve.values[RATIO]) >= LINE)
+    return bool(peak_height(curve.values[RATIO]) >= PROMINENCE)
 
 
 def _top(curve: Curve, name: str = "load") -> float:
