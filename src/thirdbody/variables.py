@@ -357,6 +357,7 @@ DERIVED = _by_name(
     Variable(
         name="total_contact_area_over_two_body",
         symbol="A_t* over dry two-body",
+        label="total real contact area over that of dry two-body contact on the same surface",
         title="Area over that of dry two-body contact",
     ),
     Variable(

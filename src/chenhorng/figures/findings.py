@@ -121,16 +121,18 @@ def _mixed_by_surface(curves: Curves) -> Found:
 
 
 def _reversal(curves: Curves, parameter: str) -> Found:
-    """The dry area falls from curve to curve; with oil it rises from a load on."""
+    """The dry area falls from curve to curve; with oil it rises from a load on, which is another
+    one for each pair of curves."""
     dry, wet = (_along(curves, parameter, is_dry=is_dry) for is_dry in (True, False))
     if len(dry) < 2 or len(wet) < 2:
         return None
     falls = np.diff(np.log([one.values[AREA] for one in dry]), axis=0)
     load = wet[0].values["load"]
-    last = np.max(crossings(load, np.array([one.values[AREA] for one in wet])))
-    if falls.max() > LINE or not load[0] < last < load[-1]:
+    loads = crossings(load, np.array([one.values[AREA] for one in wet]))
+    if falls.max() > LINE or not load[0] < loads.max() < load[-1]:
         return None
-    return {"load": power_text(float(f"{last:.2g}"))}
+    ends = loads[loads > load[0]].min(), loads.max()
+    return dict(zip(("first", "last"), (power_text(float(f"{end:.2g}")) for end in ends)))
 
 
 def _small_loads_and_surfaces(curves: Curves) -> Found:

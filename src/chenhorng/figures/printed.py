@@ -70,6 +70,7 @@ LOOKS: dict[str, dict[str, Any]] = {
 BAR = {"linewidth": 1.4, "markersize": 5.0, "markeredgewidth": 1.2, "zorder": 3.0}
 STRIP = {"facecolor": ("#F3D591", 0.4), "edgecolor": "#B8923A", "linewidth": 0.6, "zorder": 0.6}
 STRIP |= {"label": "tolerance of a printed line"}
+LEAST_STRIP = 0.02  # of a strip that is drawn, in lengths of its curves
 SQUARE = {"label": STRIP["label"], "linestyle": "none", "marker": "s", "markersize": 8.0}
 LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": "#B8923A"}
 LOCUS, WINDOW = "locus of the turning points", "window"
@@ -112,7 +113,7 @@ def printed_series(
     rows = [row for row in printed if row_key(row) in shown]
     for group in _groups(row for row in rows if _lacks_ordinate(row, x, y, rows)):
         of_group = [shown[row_key(row)] for row in group]
-        yield _along_x(group[0], of_group)
+        yield _along_x(group[0], of_group, x)
         yield from _computed(group[0], y, of_group, curves)
     drawn = set()
     for curve in curves:
@@ -187,11 +188,15 @@ def _lacks_ordinate(row, x, y, rows) -> bool:
     return quantity != "turning_point_load" or "turning_point_ratio" not in same
 
 
-def _along_x(row, curves=()) -> Series:
-    """A number printed along x alone: a line across the panel, of another kind if the number is for
-    all surfaces."""
+def _along_x(row, curves=(), x="") -> Series:
+    """A number printed along ``x`` alone: a line across the panel, of another kind if the number is
+    for all surfaces.  Its strip is left out where it is no wider than the line."""
     kind = ALONG_X if row["id"].startswith(row["figure"] or "none") else OF_ALL
     nothing = np.full(2, np.nan)
+    low, high = row["low"], row["high"]
+    along = [curve.values[x] for curve in curves]
+    place = np.log if x and SCALES[x].is_logarithmic else np.asarray
+    is_seen = not along or np.ptp(place([low, high])) > LEAST_STRIP * np.ptp(place(along))
     return Number(
         kind=ALONG_X,
         name=row["id"],
@@ -200,8 +205,8 @@ def _along_x(row, curves=()) -> Series:
         curve=curves[0].condition if len(curves) == 1 else None,
         look=LOOKS[kind] | (_colour(curves) if curves else {}),
         drawn_as=UPRIGHT,
-        tolerance=(np.array([row["low"], row["high"]]), nothing),
-        tolerance_look=STRIP,
+        tolerance=(np.array([low, high]), nothing),
+        tolerance_look=STRIP if is_seen else {},
         words="printed" if kind == ALONG_X else "printed for all surfaces",
     )
 

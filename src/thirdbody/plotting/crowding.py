@@ -1,6 +1,7 @@
 """Keep a panel readable: write names at the ends of curves, hide marks that coincide."""
 
 from collections.abc import Collection, Mapping, Sequence
+from itertools import groupby
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -54,7 +55,8 @@ def name_ends(
         is_dry = group[0][0] in dry
         if colours == {"black"} and not is_dry:  # black names are of dry contact
             colours = {SEVERAL}
-        text = _joined(texts[line] for line, *_ in group)
+        of_medium = [text for line, text in texts.items() if (line in dry) == is_dry]
+        text = _joined({texts[line] for line, *_ in group}, of_medium)
         if is_dry and compares_media and not text.startswith(("dry", "two-body")):
             text = "dry" if all_dry == {line for line, *_ in group} else f"dry {text}"
         name = axes.annotate(
@@ -107,10 +109,11 @@ def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
     return [sorted(group, key=lambda place: order.index(place[0])) for group in groups]
 
 
-def _joined(texts) -> str:
-    """Join the names of several curves; of many, the first and the last."""
-    texts = list(dict.fromkeys(texts))
-    return ", ".join(texts) if len(texts) < 3 else f"{texts[0]} … {texts[-1]}"
+def _joined(texts, order) -> str:
+    """Join the names of several curves; of three or more that follow each other in the ``order``,
+    the first and the last."""
+    runs = [[*run] for is_in, run in groupby(dict.fromkeys(order), texts.__contains__) if is_in]
+    return ", ".join(", ".join(run) if len(run) < 3 else f"{run[0]} … {run[-1]}" for run in runs)
 
 
 def _spread(heights, line) -> NDArray:

@@ -141,6 +141,8 @@ class CurveFigure:
             if content.x != "diameter_ratio":
                 chosen = [one for one in chosen if one.has(content.x) and one.has(content.y)]
                 series += _curve_series(content, chosen)
+                if not self._has_range_elsewhere(content):
+                    series += marks.ranges_of(chosen, content.x, content.y)
             if add_series is not None:
                 add_series(content, chosen, series)
             shared = shared_notes([curve.condition for curve in chosen])
@@ -178,6 +180,10 @@ class CurveFigure:
             for values in product(*levels):
                 own = dict(zip(self.each, values, strict=True))
                 yield content, [curve for curve in shown if _is_of(own, curve.condition)]
+
+    def _has_range_elsewhere(self, content) -> bool:
+        """Whether an area has its range where its curves lie apart: in the panel of ratios."""
+        return content.y == AREA and RELATIVE_AREA in {each.y for each in self.contents}
 
     def _panel(self, content, series, own) -> Panel:
         """A panel.  Its title has its quantity, if others differ, and its ``own`` conditions."""
@@ -220,9 +226,6 @@ def _curve_series(content, curves) -> Iterator[Series]:
         yield from marks.turning_point_series(x, y, curves)
         if x == "load":
             yield from marks.slight_series(x, y, curves, content.least)
-    if x in ("load", "normal_load"):
-        for curve in curves:
-            yield from marks.range_of(curve, x, y)
 
 
 def draw_panels(
@@ -347,14 +350,15 @@ def _is_hairline(series) -> bool:
 
 def _some_ranges(panel):
     """The ranges of a few coloured curves, from the first to the last, and those of two-body
-    contact, above which others would rise, but not beside zones: these are grey too."""
+    contact, above which others would rise, but not beside zones, which are grey too, nor where it
+    is the reference."""
     strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
-    has_zones = bool(SCALES[panel.y].zones)
+    has_grey = not SCALES[panel.y].zones and panel.y != RELATIVE_AREA
     ranges = [
         one
         for one in panel.of_kind(marks.BAND)
         if one.curve in strong
-        and (len({*one.look["facecolor"]}) > 1 or (one.curve.is_two_body and not has_zones))
+        and (len({*one.look["facecolor"]}) > 1 or (one.curve.is_two_body and has_grey))
     ]
     places = np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int)
     return [ranges[place] for place in np.unique(places) if ranges]

@@ -143,10 +143,11 @@ def ends_of(outline: Series) -> tuple[NDArray, NDArray, NDArray]:
     return outline.x[:half], outline.y[:half], outline.y[half : 2 * half][::-1]
 
 
-def range_of(curve: Curve, x: str, y: str) -> Iterator[Series]:
-    """The range of ``y`` around a curve over ``x``, if it has one."""
-    if curve.has(f"{y}_low"):
-        load, low, high = (curve.values[name] for name in (x, f"{y}_low", f"{y}_high"))
-        some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
-        ends = load[some], low[some], high[some]
-        yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
+def ranges_of(curves: Iterable[Curve], x: str, y: str) -> Iterator[Series]:
+    """The ranges of ``y`` over the load ``x``, of those ``curves`` that have one."""
+    for curve in curves if x in ("load", "normal_load") else ():
+        if curve.has(f"{y}_low"):
+            load, low, high = (curve.values[name] for name in (x, f"{y}_low", f"{y}_high"))
+            some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
+            ends = load[some], low[some], high[some]
+            yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
