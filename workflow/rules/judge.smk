@@ -11,6 +11,7 @@ rule judge_claims:
         ],
     output:
         table="<results>/claims/claims.csv",
+        counts="<results>/extracted/counts/all.csv",
         coverage="<results>/extracted/coverage/all.csv",
         text="<results>/claims/claims.md",
         page=report(

@@ -73,16 +73,21 @@ def caption(
     and from its ``panels``.  ``notes`` are further sentences on what is shown; ``headline`` says
     what the curves show, and what the paper says."""
     words = FIGURES.get(name, {})
-    paper = name in FIGURES and name.startswith("fig")
     if panels:
         notes = [*_notes(panels), *notes]
     return Caption(
-        place=f"Figure {int(name.removeprefix('fig'))}" if paper else "",
+        place=place_of(name),
         title=words.get("title") or " ".join(title.split()),
         shows=" ".join(notes),
         message=" ".join(filter(None, (*headline, words.get("message")))),
         alternative=words.get("alternative") or " ".join(map(_description, panels)),
     )
+
+
+def place_of(name: str) -> str:
+    """The place in the paper of a figure: Figure 4 for ``fig04``, empty for one that is ours."""
+    of_paper = name in FIGURES and name.startswith("fig")
+    return f"Figure {int(name.removeprefix('fig'))}" if of_paper else ""
 
 
 def inputs_sentence(data: Dataset) -> str:

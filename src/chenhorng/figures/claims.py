@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from chenhorng.claims.words import COLOURS
+from chenhorng.claims.words import COLOURS, counted_once
 from chenhorng.figures.captions import FIGURES
 from chenhorng.places import part_of_paper
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
@@ -35,7 +35,9 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
         for verdict in COLOURS
     }
     series = [Series(CURVE, verdict, each, place.astype(float)) for verdict, each in counts.items()]
-    panel = Panel(words["panel"].format(len(rows)), "statements", "part", series)
+    held, tested = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
+    title = words["panel"].format(held=held, tested=tested, all=len(rows))
+    panel = Panel(title, "statements", "part", series)
     size = TWO_COLUMNS, BAR_INCHES * len(parts) + AROUND
     figure = empty_panels([panel], size, columns=1)
     (axes,) = figure.axes

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 
 from chenhorng.figures import printed as printed_marks
-from chenhorng.figures.captions import REMARKS
+from chenhorng.figures.captions import REMARKS, SENTENCES, place_of
 from chenhorng.figures.findings import headline
 from chenhorng.figures.numbers import draw_numbers, hide_coinciding
 from chenhorng.figures.printed import LOCUS
@@ -87,6 +87,7 @@ def read_inputs(name: str, files: Any) -> dict[str, Any]:
         "ensemble_range": read_plain(files.ensemble_range) if files.ensemble_range else None,
         "printed": [row for row in rows if row["figure"] == name],
         "windows": read_csv(files.windows, TABLES["tpca_windows"]) if files.windows else (),
+        "counts": read_csv(files.counts, TABLES["counts"]) if files.counts else (),
     }
 
 
@@ -97,13 +98,15 @@ def plot(
     ensemble_range: PlainDataset | None = None,
     printed: Sequence[Mapping] = (),
     windows: Sequence[Mapping] = (),
+    counts: Sequence[Mapping] = (),
     width: float | None = None,
     panel: str = "",
 ) -> Figure:
     """Draw the figure ``name`` of the paper, or that of any other scene, or one ``panel``.
 
-    ``printed`` and ``windows`` are rows of the tables ``printed``, those of this figure, and
-    ``tpca_windows``; the other arguments and errors are those of ``CurveFigure.plot``.
+    ``printed``, ``windows`` and ``counts`` are rows of the tables ``printed``, those of this
+    figure, ``tpca_windows`` and ``counts``; the other arguments and errors are those of
+    ``CurveFigure.plot``.
     """
 
     def add_numbers(content: Content, curves: list[Curve], series: list[Series]) -> None:
@@ -138,9 +141,14 @@ def plot(
     if paper and not panel:
         inches = figure.get_figwidth()
         first = fill(finding or data.attrs["title"], round(BOLD * inches))
-        second = fill(paper, round(LEAST * inches))
+        second = fill(" ".join((paper, *_count(name, counts))), round(LEAST * inches))
         room = "\n" * (1 + second.count("\n"))
         title = figure.suptitle(first + room, x=0.01, ha="left", size="medium", weight="bold")
         below = Annotation(second, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)
         figure.add_artist(below)
     return figure
+
+
+def _count(name: str, counts: Sequence[Mapping]) -> list[str]:
+    """How many statements about a figure of the paper hold, if they were judged."""
+    return [SENTENCES["count"].format(**row) for row in counts if row["part"] == place_of(name)]
