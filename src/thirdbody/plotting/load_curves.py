@@ -121,7 +121,8 @@ class CurveFigure:
         ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``;
         ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``.  With
         ``axes``, the panels are drawn there; the ``width`` of a figure [inches] is by default one
-        column for one panel, and two for several; ``only`` is the letter of a panel to draw alone.
+        column for one panel, and two for several; ``only`` is the letter of a panel to draw alone,
+        without hairlines.
         ``add_series`` adds to the series of a panel;
         ``draw_marks`` draws those that are neither lines nor outlines; ``mark_looks`` are entries
         of the key, for marks that are drawn.
@@ -132,8 +133,14 @@ class CurveFigure:
         # in the order of the key
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
-        looks, key = curve_styles(conditions, self.parameter, data.sizes["load"], self.strong)
-        curves = [replace(curve, look=looks[curve.condition]) for curve in curves]
+        looks, key = curve_styles(
+            conditions, self.parameter, data.sizes["load"], self.strong, hairlines=not only
+        )
+        curves = [
+            replace(curve, look=looks[curve.condition])
+            for curve in curves
+            if curve.condition in looks
+        ]
         common = shared_notes(conditions)
         panels = []
         for content, chosen in self._chosen(curves, data["roughness"].values):

@@ -51,13 +51,18 @@ def _marker(colour, index) -> dict[str, Any]:
 
 
 def curve_styles(
-    curves: Sequence[Condition], parameter: str, size: int, strong: Sequence[float] = ()
+    curves: Sequence[Condition],
+    parameter: str,
+    size: int,
+    strong: Sequence[float] = (),
+    hairlines: bool = True,
 ) -> tuple[dict[Condition, dict[str, Any]], list[list[Look]]]:
     """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled
     by its level, and the entries of the key, grouped.
 
     Two-body contact is black; with lubricated contact, dry contact is black and dashed, or dotted
-    without particles.  If some levels are ``strong``, the others are hairlines with one entry.
+    without particles.  If some levels are ``strong``, the others are hairlines with one entry, or
+    without ``hairlines`` have no look.
     """
     media = {each.viscosity for each in curves}
     compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2
@@ -74,6 +79,8 @@ def curve_styles(
     styles = {}
     for each in curves:
         level = getattr(each, parameter)
+        if level in weak and not hairlines:
+            continue
         look = looks[level] | {"label": _level_text(each, parameter)}
         if level in weak:
             look["label"] = f"_{look['label']}"  # one entry for all
@@ -88,7 +95,7 @@ def curve_styles(
     # of entries for several levels: to some readers a grey would be that of the last one
     _, neutral, _ = _colours(3)
     entries = [look for label, look in by_label.items() if not label.startswith("_")]
-    if weak:
+    if weak and hairlines:
         text = ", ".join(value_text(parameter, level) for level in weak)
         entries.append({"color": neutral, "linewidth": 0.6, "label": text})
     key: list[list[Look]] = [entries]
