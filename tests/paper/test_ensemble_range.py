@@ -118,3 +118,27 @@ def test_a_band_lies_around_the_shown_points_and_keeps_their_units(dataset, arou
     assert json.loads(again.attrs["ensemble"]) == MEMBERS
     assert again.attrs["configuration_sha256"] != dataset.attrs["configuration_sha256"]
     assert again.attrs["id"] != dataset.attrs["id"]
+
+
+def test_an_area_over_that_of_two_body_contact_is_one_ratio_of_each_member(dataset, parameters):
+    name, place = "total_contact_area_over_two_body", (0.0, 0.0, *PLACE[2:])
+    solved = [
+        solve(load=dataset["load"].values, **Condition(*each)._asdict(), parameters=inputs)
+        for inputs in (replace(parameters, **member) for member in MEMBERS[:2])
+        for each in (PLACE, place)
+    ]
+    one, two_body, other, other_two_body = (each.total_contact_area for each in solved)
+    ratios = np.sort([one / two_body, other / other_two_body], axis=0)
+    found = ensemble_range(dataset, parameters, MEMBERS[:2])
+    low, high = (at_place(found, f"{name}_{end}") for end in ("low", "high"))
+    assert_allclose(low, 0.95 * ratios[0] + 0.05 * ratios[1], rtol=4 * MEMBER_RTOL)
+    assert_allclose(high, 0.05 * ratios[0] + 0.95 * ratios[1], rtol=4 * MEMBER_RTOL)
+    assert_allclose(at_place(found, f"{name}_high", place), 1.0, rtol=1e-12)
+
+
+def test_without_two_body_contact_no_area_is_compared_with_it(parameters, tmp_path):
+    scene = SCENE | {"curves": SCENE["curves"][:1]}
+    write_dataset(scene_dataset(scene, parameters), tmp_path / "scene.nc")
+    alone = read_plain(tmp_path / "scene.nc")
+    found = ensemble_range(alone, parameters, MEMBERS[:1]).variables
+    assert not any("over_two_body" in name for name in found)

@@ -11,6 +11,7 @@ import xarray as xr
 import yaml
 from collisions import collisions
 from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 import thirdbody as tb
@@ -29,6 +30,7 @@ from chenhorng.scenes import scene_dataset
 from thirdbody.core.particles import mean_and_largest
 from thirdbody.curves import Condition, condition_key
 from thirdbody.ensembles import RANGE
+from thirdbody.plotting.crowding import name_ends
 from thirdbody.plotting.load_curves import curve_figure, curves_in
 from thirdbody.plotting.marks import BAND, SLIGHT
 from thirdbody.plotting.marks import TURNING_POINTS as STARS
@@ -132,7 +134,8 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
     over_load = [panel for panel in drawing.panels if panel.x == "load" and panel.y in data]
     for panel in over_load:
         curves, ranges = panel.of_kind(CURVE), panel.of_kind(BAND)
-        highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
+        is_beside = panel.y == AREA and ("load", OVER) in expected
+        highest = [2.0 * max(*one.y[::2], one.y[-1]) for one in curves if not is_beside]
         assert [one.y.max() for one in ranges] == highest
     assert "range of the ensemble" in key_of(drawing)
     assert f"Shaded in colour, for some curves: the {RANGE}." in caption(name, drawing.panels).shows
@@ -366,13 +369,13 @@ def test_titles_of_axes_that_repeat_are_shown_once(datasets):
 
 
 def test_the_range_of_two_body_contact_is_drawn_with_others_of_areas(datasets):
-    data = datasets["fig03"]
+    data = datasets["fig04"]
     ends = {
         f"{y}_{end}": part * data[y]
         for y in (RATIO, AREA)
         for end, part in (("low", 0.9), ("high", 1.2))
     }
-    figure = plotted("fig03", datasets, ensemble_range=xr.Dataset(ends))
+    figure = plotted("fig04", datasets, ensemble_range=xr.Dataset(ends))
     highest = max(one.y.max() for one in figure.panels[1].of_kind(BAND) if one.curve.is_two_body)
     for place, expected in ((0, False), (1, True)):
         outlines = figure.axes[place].collections
@@ -383,6 +386,47 @@ def test_the_range_of_two_body_contact_is_drawn_with_others_of_areas(datasets):
         )
     tops = [path.vertices[:, 1].max() for one in greys for path in one.get_paths()]
     assert highest in tops
+
+
+def test_the_range_of_areas_is_drawn_in_the_panel_of_ratios(datasets):
+    data = datasets["fig03"]
+    ends = {f"{y}_{end}": 0.9 * data[AREA] for y in (AREA, OVER) for end in ("low", "high")}
+    _, areas, ratios = plotted("fig03", datasets, ensemble_range=xr.Dataset(ends)).panels
+    assert not areas.of_kind(BAND)
+    assert [one.curve for one in ratios.of_kind(BAND)] == [
+        one.curve for one in ratios.of_kind(CURVE)
+    ]
+
+
+def test_a_panel_alone_has_no_hairlines_and_the_colours_of_the_figure(datasets):
+    strong = CURVE_FIGURES["fig06"].strong
+    whole, alone = plotted("fig06", datasets), plotted("fig06", datasets, panel="D")
+    (panel,) = alone.panels
+    (of_whole,) = (each for each in whole.panels if each.letter == "D")
+    looks = {each.curve: each.look for each in of_whole.of_kind(CURVE)}
+    sizes = {each.curve.particle_diameter for each in panel.of_kind(CURVE)}
+    assert np.allclose(sorted(sizes), [0.0, *strong])
+    assert all(each.look["color"] == looks[each.curve]["color"] for each in panel.of_kind(CURVE))
+    assert not any("100, 200" in text for text in key_of(alone))
+
+
+def test_a_figure_says_how_many_of_its_statements_hold(datasets):
+    counts = [{"part": f"Figure {n}", "held": 3.0 + n, "tested": 4.0 + n} for n in (4, 5)]
+    for given, expected in ((counts, ["7 of its 8 statements here hold."]), ([], [])):
+        figure = plotted("fig04", datasets, counts=given)
+        texts = [" ".join(each.get_text().split()) for each in figure.findobj(Text)]
+        assert [text[-32:] for text in texts if text.endswith("hold.")] == expected
+
+
+@pytest.mark.parametrize(
+    ("ends", "names"),
+    [([0, 0, 0, 1], {"1 … 3", "4"}), ([0, 1, 0, 0, 2], {"1, 3, 4", "2", "5"})],
+)
+def test_only_names_of_curves_that_follow_each_other_are_shortened(ends, names):
+    axes = Figure().subplots()
+    lines = {axes.plot([1, 2], [3, end])[0]: f"{n}" for n, end in enumerate(ends, 1)}
+    name_ends(axes, lines, [], {})
+    assert {each.get_text() for each in axes.texts} == names
 
 
 def look(line):
@@ -552,7 +596,8 @@ def test_what_is_printed_along_x_alone_stands_across_the_panel(
         for patch in drawing.axes[place].patches
     ]
     for low, high in brackets:
-        assert any(np.allclose((span.x0, span.x1), (low, high)) for span in spans)
+        is_drawn = any(np.allclose((span.x0, span.x1), (low, high)) for span in spans)
+        assert is_drawn == (name != "fig11")  # there strips are as narrow as lines
 
 
 @pytest.mark.parametrize(("name", "place", "words"), [

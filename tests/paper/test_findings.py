@@ -67,13 +67,15 @@ def test_summits_take_over_later_with_larger_particles_and_never_from_a_size_on(
     ("name", "along"), [("fig06", "particle_diameter"), ("fig07", "particle_density")]
 )
 def test_the_order_of_areas_is_that_of_the_title_dry_and_lubricated(name, along, datasets):
-    finding, (load,) = said(name, datasets)
+    finding, (first, last) = said(name, datasets)
     data = datasets[name]
     dry, wet = (shown(data, AREA, along, **medium) for medium in (DRY, OIL))
     assert (dry.diff(along) < 0.02 * dry.min(along)).all() and "dry area smaller" in finding
     rises = (wet.diff(along) > 0.0).all(along)
-    assert rises[data["load"] > 1.02 * load].all()
-    assert not rises[data["load"] < 0.9 * load][-1]
+    assert rises[data["load"] > 1.02 * last].all()
+    assert not rises[data["load"] < 0.9 * last][-1]
+    before = wet.where(data["load"] < 0.95 * first, drop=True)
+    assert (before.diff(along) < 0.02 * before.min(along)).all()
 
 
 def test_oil_changes_no_area_up_to_the_load_of_the_title_and_some_surfaces_turn(datasets):

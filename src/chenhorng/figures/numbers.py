@@ -52,7 +52,7 @@ def draw_numbers(axes: Axes, panel: Panel) -> None:
             drawn.append(number)
             for x in number.x:
                 axes.axvline(x, **number.look)
-            if number.tolerance_look:
+            if number.tolerance and number.tolerance_look:
                 axes.axvspan(*number.tolerance[0], **number.tolerance_look)
     ranges: dict[tuple, list[Number]] = {}
     for number in drawn:
