@@ -14,7 +14,7 @@ DIGITS = 3  # of computed numbers
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
 # the colour of each verdict in bars, figures and pages, on white and on dark paper
-COLOURS = {HOLDS: "#0072B2", FAILS: "#D55E00", CONTRADICTED: "#E69F00", NOT_TESTED: "#999999"}
+COLOURS = {HOLDS: "#0072B2", FAILS: "#D55E00", CONTRADICTED: "#E69F00", NOT_TESTED: "#C4C4C4"}
 # quantities as the subject of a sentence: the symbol, or other words if they are clearer
 NAMES = {name: quantity.symbol for name, quantity in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",

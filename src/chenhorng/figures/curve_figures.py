@@ -74,7 +74,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
 LEAST_SIZE = 7.0  # of what the paper says, below the title [points]
-BOLD, LEAST = 14.8, 19.0  # characters of both in an inch
+BOLD, LEAST = 14.8, 18.0  # characters of both in an inch
 WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
@@ -141,7 +141,7 @@ def plot(
     if paper and not panel:
         inches = figure.get_figwidth()
         first = fill(finding or data.attrs["title"], round(BOLD * inches))
-        second = fill(" ".join((paper, *_count(name, counts))), round(LEAST * inches))
+        second = "\n".join((fill(paper, round(LEAST * inches)), *_count(name, counts)))
         room = "\n" * (1 + second.count("\n"))
         title = figure.suptitle(first + room, x=0.01, ha="left", size="medium", weight="bold")
         below = Annotation(second, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)
