@@ -13,6 +13,7 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
+from chenhorng.claims.words import COLOURS, FAILS, HOLDS
 from chenhorng.home import config_directory
 from thirdbody.bearings import bearing, hertz_contact
 from thirdbody.curves import Condition
@@ -678,8 +679,11 @@ def contrast(explorer, front, back):
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_it_can_be_read_in_the_light_and_in_the_dark(explorer, scheme):
     explorer.open(scheme=scheme)
-    for front in ("--ink", "--soft", "--accent", "--fails", "--mine"):
+    for front in ("--ink", "--soft", "--accent", "--error", "--mine"):
         assert contrast(explorer, front, "--paper") >= 4.5, front
+    for verdict in (HOLDS, FAILS):  # of a sign beside its words
+        assert colour_of(explorer, f"--{verdict}") == COLOURS[verdict].lower()
+        assert contrast(explorer, f"--{verdict}", "--paper") >= 3.0, verdict
 
 
 def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):

@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 import thirdbody.symbols as symbols
+from chenhorng.claims.words import COLOURS
 from chenhorng.figures.curve_figures import RELATIVE_AREA, TURNING_POINTS
+from chenhorng.figures.printed import STRIP
 from thirdbody.conditioning import FEWEST, LEAST_SPREAD, NEAR
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
@@ -156,6 +158,7 @@ def page_text(content: Mapping[str, Any]) -> str:
     """The page as self-contained HTML, from the ``content`` of ``page_content``."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
+        "colours.css": _colours(),
         "style.css": _read("web/style.css"),
         "d3.LICENSE": _read("vendor/d3.LICENSE"),
         "d3.min.js": _read("vendor/d3.min.js"),
@@ -163,6 +166,14 @@ def page_text(content: Mapping[str, Any]) -> str:
         "main.js": _one_script(FIRST),
     }
     return re.sub(r"\{\{([\w.]+)\}\}", lambda match: parts[match[1]], _read("web/index.html"))
+
+
+def _colours() -> str:
+    """The colours of verdicts and tolerances, which all products share, as variables of a style."""
+    (tolerance, _), edge = STRIP["facecolor"], STRIP["edgecolor"]
+    named = {verdict.split()[0]: colour for verdict, colour in COLOURS.items()}
+    named |= {"tolerance": tolerance, "tolerance-edge": edge}
+    return f":root {{ {' '.join(f'--{name}: {colour};' for name, colour in named.items())} }}"
 
 
 def _one_script(first: str) -> str:
