@@ -119,6 +119,34 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
     assert {curve.removeprefix("printed; ") for curve in saved if "printed; " in curve} == marks
 
 
+@pytest.mark.parametrize("width", [390, 1400])
+@pytest.mark.parametrize("view", ["", *(f"figure={figure}" for figure in FIGURES)])
+def test_no_text_of_a_chart_is_over_another_an_axis_or_the_edge(explorer, view, width):
+    """And curves have names at their ends, or limits have them."""
+    explorer.open(view, width=width)
+    found = explorer.run(
+        """const boxOf = (element, less, more) => {
+            const { left, right, top, bottom } = element.getBoundingClientRect();
+            return { left: left - more, right: right + more, top: top + less, bottom: bottom - less, text: element.textContent };
+        };
+        const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+        return [...document.querySelectorAll('#charts figure')].flatMap((figure, place) => {
+            const whole = boxOf(figure, 0, 2);
+            // letters are less high than their line, and stand apart
+            const texts = [...figure.querySelectorAll('svg text')].map((text) => boxOf(text, 2, 2)).filter(({ text }) => text);
+            const lines = [...figure.querySelectorAll('.axis path, .axis line:not(.grid)')];
+            const axes = lines.map((line) => boxOf(line, 0, 0));
+            return texts.flatMap((text, i) => [
+                ...[...texts.slice(0, i), ...axes].filter((other) => meet(text, other)),
+                ...(text.left < whole.left || text.right > whole.right ? ['the edge'] : []),
+            ].map((other) => [place, text.text, other.text ?? other])); });"""
+    )
+    assert found == []
+    for place, panel in enumerate(explorer.all("#charts figure") if view else ()):
+        names = panel.find_elements("css selector", "svg .end, svg .bracket")
+        assert names, place
+
+
 def test_a_moved_slider_moves_the_curves_and_leaves_statements_unjudged(explorer):
     from selenium.webdriver.common.keys import Keys
 

@@ -38,6 +38,7 @@ MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
 PATTERNS = "SYMBOL", "IN_TEXT", "IN_SYMBOL", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS"
+OF_PANEL = "curves", "hairlines", "ranged"  # all, the thin ones, those with a range
 STATED = (  # the fields of a statement in claims.json that the page shows
     *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
@@ -137,7 +138,7 @@ def plain_text(quote: str) -> str:
 
 def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
     """The content of the page on a figure, from its ``record``.  ``curves`` has each curve once,
-    and ``panels`` have the indices of their curves."""
+    and ``panels`` have the indices of theirs."""
     curves: list[dict] = []
     for panel in record["panels"]:
         curves += [curve for curve in panel["curves"] if curve not in curves]
@@ -148,7 +149,7 @@ def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
         "caption": record["message"],
         "curves": curves,
         "panels": [
-            {**panel, "curves": [curves.index(curve) for curve in panel["curves"]]}
+            panel | {key: [curves.index(curve) for curve in panel[key]] for key in OF_PANEL}
             for panel in record["panels"]
         ],
     }
