@@ -518,7 +518,8 @@ def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer,
         return [names, ...['x', 'y', 'width', 'height'].map((key) => Number(rect.getAttribute(key)))]"""
     )
     assert len(names) == 5
-    for (mode, regime), x, y in names:
+    for lines, x, y in names:
+        mode, regime = ", ".join(lines).split(", ")
         newtons = NEWTONS[0] * (NEWTONS[1] / NEWTONS[0]) ** ((float(x) - left) / width)
         size = SIZES[1] + (SIZES[0] - SIZES[1]) * (float(y) - top) / height
         given = FIGURE_11._replace(viscosity=90e-6, particle_diameter=size)._asdict()
@@ -526,7 +527,18 @@ def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer,
         assert found["contact_mode"].item() == mode.replace("-", "_")
         assert found["lubrication_regime"].item() == regime
     key = [each.text for each in explorer.all("#key .entry")]
-    assert key == ["turning points of the contact area", "your conditions"]
+    assert key == [
+        "boundary or mixed lubrication: Ls = 90 %",
+        "turning points of the contact area",
+        "your conditions",
+    ]
+    assert explorer.one("[name=show] option").text == "of Figure 11"
+    kept = explorer.run(
+        """dispatchEvent(new Event('resize')); // the map is solved again
+        return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
+            done(document.querySelectorAll('#key .entry').length))));"""
+    )
+    assert kept == len(key)
     explorer.open("viscosity_cSt=150&map_x=roughness")
     assert "full film" in explorer.one("#charts svg").text + explorer.one("#key").text
 

@@ -25,7 +25,7 @@ const LINE = 12; // height of a name
 const SAME = 4; // height between ends of curves that have one name
 const [LEADER, GAP] = [10, 6]; // from the end of a curve to its name, and beyond the name
 const MOST_NAMES = 12; // at ends of curves
-const MOST_ROOM = 0.45; // of names, in widths of a panel; longer ones are left to the key
+const MOST_ROOM = 0.5; // of names, in widths of a panel; longer ones are left to the key
 const BRACKET = 14; // height of a bracket above a panel
 const ZONE_NAMES = 36; // width of the names of zones beside a panel
 const NEWTON_AXIS = 24; // its height above a panel
@@ -189,7 +189,7 @@ function titleMarkup(name) {
   return typesetInDrawing(unit ? `${symbol} (${unit})` : symbol);
 }
 
-// A chart in an element; returns the function that draws a spec.
+// A chart in an element; returns the function that draws a spec, which returns the names that do not fit.
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
@@ -228,12 +228,13 @@ export function chartIn(parent, { onRead, onLeave }) {
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
     drawAxes(axes, spec, scales);
     marks.html(marksOf(spec, scales));
-    const names = spec.names.map((name) => nameOf(name, scales));
+    const names = spec.names.map((name) => nameIn(name, scales));
     const whole = spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y))); // at the edges
     const outside = [...namesOfEnds(ends, atLeft, spec, scales), ...bracketsOf(spec, scales), ...namesOfLimits(spec, scales)];
     crosses.html([...names, ...outside, ...whole].join(""));
     zones.html(zonesOf(spec, scales));
     cursor.html("");
+    return spec.names.filter((_, i) => !names[i]);
   }
 
   function read(event) {
@@ -357,13 +358,18 @@ function namesOfLimits({ limits }, { x: toX, y: toY }) {
   });
 }
 
-// The name of a region, in lines, around a place.
-function nameOf({ x, y, lines }, { x: toX, y: toY }) {
-  const [left, right] = toX.range();
-  const half = 0.5 * widthOf(lines);
-  const at = `x="${held(toX(x), left + half, right - half)}"`;
-  const spans = lines.map((line, i) => `<tspan ${at} dy="${i ? 1.2 : 0.95 - 0.6 * lines.length}em">${line}</tspan>`);
-  return `<text class="name" ${at} y="${toY(y)}">${spans.join("")}</text>`;
+// The name of a region, in two lines or in one, where it fits; "" if it does not.
+function nameIn({ text, placeFor }, { x: toX, y: toY }) {
+  const [[left, right], [bottom, top]] = [toX.range(), toY.range()];
+  for (const lines of [text.split(", "), [text]]) {
+    const size = [widthOf(lines) + GAP, 1.2 * LINE * lines.length + GAP];
+    const place = placeFor(size[0] / (right - left), size[1] / (bottom - top));
+    if (!place) continue;
+    const at = `x="${toX(place.x)}"`;
+    const spans = lines.map((line, i) => `<tspan ${at} dy="${i ? 1.2 : 0.95 - 0.6 * lines.length}em">${line}</tspan>`);
+    return `<text class="name" ${at} y="${toY(place.y)}">${spans.join("")}</text>`;
+  }
+  return "";
 }
 
 const isShownIn = (spec) => (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);

@@ -16,7 +16,7 @@ const FILTERS = {
   all: () => true,
   fails: ({ verdict }) => verdict === "fails",
 };
-export const SHOWN = { here: "of the chosen figure", all: "all", fails: "that fail" };
+export const SHOWN = { here: "of the figure", all: "all", fails: "that fail" };
 
 list.addEventListener("click", (event) => {
   const id = event.target.closest("button")?.dataset.statement;
