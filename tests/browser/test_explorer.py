@@ -33,7 +33,7 @@ FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 def tooltip(explorer):
     return explorer.run(
         "const t = document.getElementById('tooltip'); return t.hidden ? '' : t.innerText"
-    )
+    ).replace("\u00a0", " ")
 
 
 def colour_of(explorer, variable):
@@ -394,11 +394,22 @@ def test_symbols_are_written_as_the_library_writes_them(explorer):
     checked = {name: text for name, text in texts.items() if not re.search(r"\de[+-]?\d", text)}
     assert sum("_" in text for text in checked.values()) > 10
     for name, text in checked.items():
-        assert shown[name].startswith(unescape(html(text)) + " <span"), text
+        written = shown[name].replace("&nbsp;", " ")
+        assert written.startswith(unescape(html(text)) + " <span"), text
     label = explorer.one("label[for=input-apparent_area]").get_attribute("innerHTML")
     assert label.partition("]")[0].endswith(f"{html('A_n')} [mm²")
     label = explorer.one("label[for=rig-speed_m_per_s]").get_attribute("innerHTML")
     assert label == f"Entrainment speed {html('u', is_symbol=True)} [m/s]"
+
+
+def test_no_line_ends_between_a_number_and_its_unit(explorer):
+    texts = explorer.open("figure=fig06&show=all").run(
+        """return ['notes', 'point', 'caption', 'claims'].map((id) =>
+            document.getElementById(id).textContent).join(' ')"""
+    )
+    apart = r"\d (?:N|nm|mm²|MPa|cSt|m⁻²|%)(?![\w⁻])| = |Figure \d"
+    assert re.findall(apart, texts) == []
+    assert len(re.findall(apart, texts.replace("\u00a0", " "))) > 50
 
 
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):

@@ -354,7 +354,7 @@ function bracketsOf({ brackets }, { x: toX, y: toY }) {
 function namesOfLimits({ limits }, { x: toX, y: toY }) {
   return limits.filter(({ name }) => name).map(({ name, ends: [[low], [high]], color }, i) => {
     const [x, anchor] = i ? [toX(high) + 3, "start"] : [toX(low) - 3, "end"];
-    return `<text class="end" x="${x}" y="${toY.range()[0] - 6}" text-anchor="${anchor}" style="fill: ${color}">${name}</text>`;
+    return `<text class="foot" x="${x}" y="${toY.range()[0] - 6}" text-anchor="${anchor}" style="fill: ${color}">${name}</text>`;
   });
 }
 

@@ -138,7 +138,7 @@ export function figureView() {
   const specs = figure.panels.map((panel) => {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
-    const own = sharedWords(shown).filter((word) => !notes.includes(word)).map((word) => word.replaceAll(" ", "\u00a0"));
+    const own = sharedWords(shown).filter((word) => !notes.includes(word));
     return panelSpec(panel, shown, engine, { statement, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
