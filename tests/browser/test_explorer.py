@@ -80,6 +80,7 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
     drawn = page.parents[1] / "figures" / f"{figure}.csv"
     with open(drawn, encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
+    record = json.loads(drawn.with_suffix(".json").read_text(encoding="utf-8"))
     panels = sorted({row["panel"] for row in rows})
     assert [each.text for each in explorer.all("#charts figcaption b")] == panels
     for place, panel in enumerate(panels):
@@ -90,10 +91,15 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
             row for row in of_panel if row["curve"].startswith(("printed; ", "printed along x; "))
         ]
         shown = explorer.all("#charts figure")[place]
+        for kind, key in {".thin": "hairlines", ".range": "ranged"}.items():
+            found = shown.find_elements("css selector", kind)
+            assert len(found) == len(record["panels"][place][key]), kind
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
         assert len(shown.find_elements("css selector", "g:has(> title), .limit")) == len(printed)
         turning = [row for row in of_panel if row["curve"] == "turning points"]
         assert len(shown.find_elements("css selector", ".star")) == len(turning)
+        slight = [row for row in of_panel if row["curve"] == "slight peaks"]
+        assert len(shown.find_elements("css selector", ".slight")) == len(slight)
         computed = [row for row in of_panel if row["curve"].startswith("computed")]
         assert len(shown.find_elements("css selector", ".computed")) == len(computed)
         names = [name.text for name in shown.find_elements("css selector", ".end")]
@@ -139,7 +145,9 @@ def test_no_text_of_a_chart_is_over_another_an_axis_or_the_edge(explorer, view, 
             return texts.flatMap((text, i) => [
                 ...[...texts.slice(0, i), ...axes].filter((other) => meet(text, other)),
                 ...(text.left < whole.left || text.right > whole.right ? ['the edge'] : []),
-            ].map((other) => [place, text.text, other.text ?? other])); });"""
+            ].map((other) => [place, text.text, other.text ?? other]))
+            .concat([...figure.querySelectorAll('.bracket')].filter((name) =>
+                name.getBBox().width + 4 > name.previousElementSibling.getBBox().width).map((name) => name.textContent)); });"""
     )
     assert found == []
     for place, panel in enumerate(explorer.all("#charts figure") if view else ()):

@@ -12,10 +12,11 @@ import numpy as np
 import thirdbody.symbols as symbols
 from chenhorng.claims.words import COLOURS
 from chenhorng.figures.curve_figures import RELATIVE_AREA, TURNING_POINTS
-from chenhorng.figures.printed import STRIP
+from chenhorng.figures.printed import EDGE, TOLERANCE
 from thirdbody.conditioning import FEWEST, LEAST_SPREAD, NEAR
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
+from thirdbody.plotting.marks import FROM_ZERO, LEAST_RISE
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
@@ -96,6 +97,7 @@ def page_content(
         "ensemble": list(ensemble),
         "conditioning": {"least_spread": LEAST_SPREAD, "near": NEAR, "fewest": FEWEST},
         "range": RANGE,
+        "slight": {"least_rise": LEAST_RISE, "from_zero": FROM_ZERO},
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
         **{key: judged[key] for key in ("held", "judged", "counts")},
@@ -171,9 +173,8 @@ def page_text(content: Mapping[str, Any]) -> str:
 
 def _colours() -> str:
     """The colours of verdicts and tolerances, which all products share, as variables of a style."""
-    (tolerance, _), edge = STRIP["facecolor"], STRIP["edgecolor"]
     named = {verdict.split()[0]: colour for verdict, colour in COLOURS.items()}
-    named |= {"tolerance": tolerance, "tolerance-edge": edge}
+    named |= {"tolerance": TOLERANCE, "tolerance-edge": EDGE}
     return f":root {{ {' '.join(f'--{name}: {colour};' for name, colour in named.items())} }}"
 
 

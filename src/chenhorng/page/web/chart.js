@@ -344,7 +344,7 @@ function bracketsOf({ brackets }, { x: toX, y: toY }) {
   const top = toY.range()[1];
   return d3.sort(brackets, ({ ends: [low, high] }) => high - low).map(({ ends, text, color }, i) => {
     const [[left, right], height] = [ends.map(toX), top - BRACKET * (i + 0.7)];
-    const [middle, half] = [(left + right) / 2, widthOf([text]) / 2 + 3];
+    const [middle, half] = [(left + right) / 2, Math.min(widthOf([text]) / 2 + 3, (right - left) / 2)];
     return `<path class="leader" d="M${left},${top}V${height}H${middle - half}M${middle + half},${height}H${right}V${top}" style="stroke: ${color}"/>
       <text class="bracket" x="${middle}" y="${height}" dy="0.32em" style="fill: ${color}">${text}</text>`;
   });

@@ -4,7 +4,7 @@ import { typesetInDrawing } from "./text.js";
 
 const INLINED = [
   ...["fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "opacity"],
-  ...["font-size", "font-family", "font-style", "paint-order"],
+  ...["font-size", "font-family", "font-style", "text-anchor"],
 ];
 const GAP = 24; // above each drawing, for its title, and between entries of the key
 const ENTRY = 260; // width of an entry of the key

@@ -9,7 +9,6 @@ import { THIN, axisFor, keyOfMarks, levelStyle, specOf } from "./chart.js";
 import { VARIABLES, conditionWord, letterOf, ofCondition, valueText, withUnit } from "./names.js";
 import { readable } from "./text.js";
 
-const SLIGHT = 0.001; // least prominence of a maximum that is marked
 // dry contact beside lubricated contact, as in the figures of the workflow
 const DRY = { dash: "5 2.5", dry: true };
 
@@ -176,7 +175,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     ranged: ranged.map(({ condition }) => condition),
     levels: marksOf(panel.levels, statement, curves),
     ...alongX(marksOf(panel.limits, statement, curves)),
-    slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
+    slight: stars.length && x === "load" && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine, least) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
   // a logarithmic axis leaves out ends far below the curves, in a full film
@@ -243,9 +242,14 @@ function marksOf(marks, statement, curves) {
   });
 }
 
-// The turning points of curves, and their maxima that do not count.
+// The turning points of curves, and their maxima that do not count; without `least`, those near zero are left out.
 const starsOf = (x, y, curves, engine) => pointsAt(({ turningPoint }) => turningPoint, x, y, curves, engine);
-const slightOf = (...given) => pointsAt(({ turningPoint, peak }) => !turningPoint && peak.prominence > SLIGHT && peak, ...given);
+function slightOf(x, y, curves, engine, least) {
+  const { least_rise: rise, from_zero: share } = content.slight;
+  const highest = d3.max(curves, ({ states }) => d3.max(states, (state) => state[y]));
+  const isSlight = ({ turningPoint, peak }) => !turningPoint && peak.prominence >= rise && (least > 0 || peak[y] > share * highest);
+  return pointsAt((curve) => isSlight(curve) && curve.peak, x, y, curves, engine);
+}
 const pointsAt = (find, x, y, curves, engine) =>
   curves.filter(find).map((curve) => ({ ...engine.pointOf(x, y, find(curve), curve.condition), faded: curve.faded }));
 
@@ -275,7 +279,7 @@ function windowSpec(figure, panel, engine, surface) {
     brackets: [
       ...bracketOver(windows, "computed", "var(--accent)"),
       ...bracketOver(limits.map(({ at: [x] }) => x), "printed"),
-      ...bracketOver(ofAll.map(({ at: [x] }) => x), "printed for all surfaces"),
+      ...bracketOver(ofAll.map(({ at: [x] }) => x), "printed for all"),
     ],
     stars: points.filter(({ y }) => Number.isFinite(y)),
   });
