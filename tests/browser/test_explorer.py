@@ -13,6 +13,7 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
+from chenhorng.claims.words import COLOURS, FAILS, HOLDS
 from chenhorng.home import config_directory
 from thirdbody.bearings import bearing, hertz_contact
 from thirdbody.curves import Condition
@@ -32,7 +33,7 @@ FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 def tooltip(explorer):
     return explorer.run(
         "const t = document.getElementById('tooltip'); return t.hidden ? '' : t.innerText"
-    )
+    ).replace("\u00a0", " ")
 
 
 def colour_of(explorer, variable):
@@ -79,6 +80,7 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
     drawn = page.parents[1] / "figures" / f"{figure}.csv"
     with open(drawn, encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
+    record = json.loads(drawn.with_suffix(".json").read_text(encoding="utf-8"))
     panels = sorted({row["panel"] for row in rows})
     assert [each.text for each in explorer.all("#charts figcaption b")] == panels
     for place, panel in enumerate(panels):
@@ -89,10 +91,15 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
             row for row in of_panel if row["curve"].startswith(("printed; ", "printed along x; "))
         ]
         shown = explorer.all("#charts figure")[place]
+        for kind, key in {".thin": "hairlines", ".range": "ranged"}.items():
+            found = shown.find_elements("css selector", kind)
+            assert len(found) == len(record["panels"][place][key]), kind
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
         assert len(shown.find_elements("css selector", "g:has(> title), .limit")) == len(printed)
         turning = [row for row in of_panel if row["curve"] == "turning points"]
         assert len(shown.find_elements("css selector", ".star")) == len(turning)
+        slight = [row for row in of_panel if row["curve"] == "slight peaks"]
+        assert len(shown.find_elements("css selector", ".slight")) == len(slight)
         computed = [row for row in of_panel if row["curve"].startswith("computed")]
         assert len(shown.find_elements("css selector", ".computed")) == len(computed)
         names = [name.text for name in shown.find_elements("css selector", ".end")]
@@ -116,6 +123,36 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
     saved = [row["curve"] for row in csv.DictReader(downloaded(explorer, "#save-csv").splitlines())]
     marks = {row["curve"].split("; ")[1] for row in rows if row["curve"].startswith("printed")}
     assert {curve.removeprefix("printed; ") for curve in saved if "printed; " in curve} == marks
+
+
+@pytest.mark.parametrize("width", [390, 1400])
+@pytest.mark.parametrize("view", ["", *(f"figure={figure}" for figure in FIGURES)])
+def test_no_text_of_a_chart_is_over_another_an_axis_or_the_edge(explorer, view, width):
+    """And curves have names at their ends, or limits have them."""
+    explorer.open(view, width=width)
+    found = explorer.run(
+        """const boxOf = (element, less, more) => {
+            const { left, right, top, bottom } = element.getBoundingClientRect();
+            return { left: left - more, right: right + more, top: top + less, bottom: bottom - less, text: element.textContent };
+        };
+        const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+        return [...document.querySelectorAll('#charts figure')].flatMap((figure, place) => {
+            const whole = boxOf(figure, 0, 2);
+            // letters are less high than their line, and stand apart
+            const texts = [...figure.querySelectorAll('svg text')].map((text) => boxOf(text, 2, 2)).filter(({ text }) => text);
+            const lines = [...figure.querySelectorAll('.axis path, .axis line:not(.grid)')];
+            const axes = lines.map((line) => boxOf(line, 0, 0));
+            return texts.flatMap((text, i) => [
+                ...[...texts.slice(0, i), ...axes].filter((other) => meet(text, other)),
+                ...(text.left < whole.left || text.right > whole.right ? ['the edge'] : []),
+            ].map((other) => [place, text.text, other.text ?? other]))
+            .concat([...figure.querySelectorAll('.bracket')].filter((name) =>
+                name.getBBox().width + 4 > name.previousElementSibling.getBBox().width).map((name) => name.textContent)); });"""
+    )
+    assert found == []
+    for place, panel in enumerate(explorer.all("#charts figure") if view else ()):
+        names = panel.find_elements("css selector", "svg .end, svg .bracket")
+        assert names, place
 
 
 def test_a_moved_slider_moves_the_curves_and_leaves_statements_unjudged(explorer):
@@ -365,11 +402,22 @@ def test_symbols_are_written_as_the_library_writes_them(explorer):
     checked = {name: text for name, text in texts.items() if not re.search(r"\de[+-]?\d", text)}
     assert sum("_" in text for text in checked.values()) > 10
     for name, text in checked.items():
-        assert shown[name].startswith(unescape(html(text)) + " <span"), text
+        written = shown[name].replace("&nbsp;", " ")
+        assert written.startswith(unescape(html(text)) + " <span"), text
     label = explorer.one("label[for=input-apparent_area]").get_attribute("innerHTML")
     assert label.partition("]")[0].endswith(f"{html('A_n')} [mm²")
     label = explorer.one("label[for=rig-speed_m_per_s]").get_attribute("innerHTML")
     assert label == f"Entrainment speed {html('u', is_symbol=True)} [m/s]"
+
+
+def test_no_line_ends_between_a_number_and_its_unit(explorer):
+    texts = explorer.open("figure=fig06&show=all").run(
+        """return ['notes', 'point', 'caption', 'claims'].map((id) =>
+            document.getElementById(id).textContent).join(' ')"""
+    )
+    apart = r"\d (?:N|nm|mm²|MPa|cSt|m⁻²|%)(?![\w⁻])| = |Figure \d"
+    assert re.findall(apart, texts) == []
+    assert len(re.findall(apart, texts.replace("\u00a0", " "))) > 50
 
 
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
@@ -489,7 +537,8 @@ def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer,
         return [names, ...['x', 'y', 'width', 'height'].map((key) => Number(rect.getAttribute(key)))]"""
     )
     assert len(names) == 5
-    for (mode, regime), x, y in names:
+    for lines, x, y in names:
+        mode, regime = ", ".join(lines).split(", ")
         newtons = NEWTONS[0] * (NEWTONS[1] / NEWTONS[0]) ** ((float(x) - left) / width)
         size = SIZES[1] + (SIZES[0] - SIZES[1]) * (float(y) - top) / height
         given = FIGURE_11._replace(viscosity=90e-6, particle_diameter=size)._asdict()
@@ -497,7 +546,18 @@ def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer,
         assert found["contact_mode"].item() == mode.replace("-", "_")
         assert found["lubrication_regime"].item() == regime
     key = [each.text for each in explorer.all("#key .entry")]
-    assert key == ["turning points of the contact area", "your conditions"]
+    assert key == [
+        "boundary or mixed lubrication: Ls = 90 %",
+        "turning points of the contact area",
+        "your conditions",
+    ]
+    assert explorer.one("[name=show] option").text == "of Figure 11"
+    kept = explorer.run(
+        """dispatchEvent(new Event('resize')); // the map is solved again
+        return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
+            done(document.querySelectorAll('#key .entry').length))));"""
+    )
+    assert kept == len(key)
     explorer.open("viscosity_cSt=150&map_x=roughness")
     assert "full film" in explorer.one("#charts svg").text + explorer.one("#key").text
 
@@ -678,8 +738,11 @@ def contrast(explorer, front, back):
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_it_can_be_read_in_the_light_and_in_the_dark(explorer, scheme):
     explorer.open(scheme=scheme)
-    for front in ("--ink", "--soft", "--accent", "--fails", "--mine"):
+    for front in ("--ink", "--soft", "--accent", "--error", "--mine"):
         assert contrast(explorer, front, "--paper") >= 4.5, front
+    for verdict in (HOLDS, FAILS):  # of a sign beside its words
+        assert colour_of(explorer, f"--{verdict}") == COLOURS[verdict].lower()
+        assert contrast(explorer, f"--{verdict}", "--paper") >= 3.0, verdict
 
 
 def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):

@@ -17,12 +17,17 @@ SOME, OTHER = {"viscosity": 9e-5, "roughness": 3e-7}, {"viscosity": 0.0, "roughn
 
 
 def test_a_curve_of_several_panels_is_in_the_page_once():
-    panels = [{"letter": "A", "curves": [SOME]}, {"letter": "B", "curves": [OTHER, SOME]}]
+    panels = [
+        {"letter": "A", "curves": [SOME], "hairlines": [], "ranged": [SOME]},
+        {"letter": "B", "curves": [OTHER, SOME], "hairlines": [OTHER], "ranged": [SOME]},
+    ]
     record = {"place": "Figure 99", "heading": "Figure 99. A title", "message": "What it tells."}
     figure = figure_content("fig99", record | {"panels": panels})
     assert (figure["name"], figure["part"]) == ("fig99", "Figure 99")
     assert figure["curves"] == [SOME, OTHER]
     assert [panel["curves"] for panel in figure["panels"]] == [[0], [1, 0]]
+    assert [panel["hairlines"] for panel in figure["panels"]] == [[], [1]]
+    assert [panel["ranged"] for panel in figure["panels"]] == [[0], [0]]
 
 
 def test_quotes_are_read_without_latex():

@@ -68,11 +68,12 @@ LOOKS: dict[str, dict[str, Any]] = {
 }
 # a bar with a stroke across each end, and a strip of a number that lacks an ordinate
 BAR = {"linewidth": 1.4, "markersize": 5.0, "markeredgewidth": 1.2, "zorder": 3.0}
-STRIP = {"facecolor": ("#F3D591", 0.4), "edgecolor": "#B8923A", "linewidth": 0.6, "zorder": 0.6}
+TOLERANCE, EDGE = "#F3D591", "#B8923A"  # also in the explorer
+STRIP = {"facecolor": (TOLERANCE, 0.4), "edgecolor": EDGE, "linewidth": 0.6, "zorder": 0.6}
 STRIP |= {"label": "tolerance of a printed line"}
 LEAST_STRIP = 0.02  # of a strip that is drawn, in lengths of its curves
 SQUARE = {"label": STRIP["label"], "linestyle": "none", "marker": "s", "markersize": 8.0}
-LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": "#B8923A"}
+LOOKS["strip"] = SQUARE | {"markerfacecolor": "#FBEFD0", "markeredgecolor": EDGE}
 LOCUS, WINDOW = "locus of the turning points", "window"
 LOOKS |= {kind: marks.LOOKS[kind] for kind in (marks.TURNING_POINTS, marks.SLIGHT)}
 LOOKS[LOCUS] = {

@@ -16,6 +16,7 @@ from chenhorng.figures.numbers import UPRIGHT, Number
 from chenhorng.figures.printed import ALONG_X, COMPUTED, EVERY_LOAD, LOCUS, PRINTED
 from chenhorng.tables import DRAWN_POINTS, write_csv
 from thirdbody.plotting.drawing import FORMATS, Drawing, write_figure
+from thirdbody.plotting.load_curves import is_hairline, ranges_drawn
 from thirdbody.plotting.marks import TURNING_POINTS
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.variables import AXES, VARIABLES
@@ -52,20 +53,23 @@ def save_pictures(drawing: Drawing, stem: str | PathLike, caption: Caption) -> N
 
 def figure_record(panels: Iterable[Panel], caption: Caption) -> dict[str, Any]:
     """What the index and the explorer need of a figure: its caption, and for each panel the
-    conditions of its curves [SI] and the numbers that the paper prints there."""
+    conditions of its curves [SI], of those that are hairlines and of those with a range, and the
+    numbers that the paper prints there."""
     further = {"heading": caption.heading, "panels": [*map(_panel_record, panels)]}
     return asdict(caption) | further
 
 
 def _panel_record(panel):
     kinds = {series.kind for series in panel.series}
-    curves = dict.fromkeys(series.curve for series in panel.of_kind(CURVE))
+    curves = panel.of_kind(CURVE)
     return {
         "letter": panel.letter,
         "x": panel.x,
         "y": panel.y,
         "least": panel.least,
-        "curves": [curve._asdict() for curve in curves if curve],
+        "curves": _conditions(curves),
+        "hairlines": _conditions(filter(is_hairline, curves)),
+        "ranged": _conditions(ranges_drawn(panel)),
         "printed": [_mark(series) for series in panel.of_kind(PRINTED)],
         "limits": [_mark(series) for series in panel.of_kind(ALONG_X)],
         "levels": [_mark(series) for series in panel.of_kind(EVERY_LOAD)],
@@ -73,6 +77,10 @@ def _panel_record(panel):
         "turning_points": TURNING_POINTS in kinds,
         "locus": LOCUS in kinds,
     }
+
+
+def _conditions(series):
+    return [curve._asdict() for curve in dict.fromkeys(each.curve for each in series) if curve]
 
 
 def _mark(series):

@@ -10,10 +10,13 @@ from typing import Any
 import numpy as np
 
 import thirdbody.symbols as symbols
+from chenhorng.claims.words import COLOURS
 from chenhorng.figures.curve_figures import RELATIVE_AREA, TURNING_POINTS
+from chenhorng.figures.printed import EDGE, TOLERANCE
 from thirdbody.conditioning import FEWEST, LEAST_SPREAD, NEAR
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
+from thirdbody.plotting.marks import FROM_ZERO, LEAST_RISE
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
@@ -36,6 +39,7 @@ MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
 PATTERNS = "SYMBOL", "IN_TEXT", "IN_SYMBOL", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS"
+OF_PANEL = "curves", "hairlines", "ranged"  # all, the thin ones, those with a range
 STATED = (  # the fields of a statement in claims.json that the page shows
     *("id", "part", "place", "statement", "verdict", "finding"),
     *("tolerance", "tolerance_kind", "reason"),
@@ -93,6 +97,7 @@ def page_content(
         "ensemble": list(ensemble),
         "conditioning": {"least_spread": LEAST_SPREAD, "near": NEAR, "fewest": FEWEST},
         "range": RANGE,
+        "slight": {"least_rise": LEAST_RISE, "from_zero": FROM_ZERO},
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
         **{key: judged[key] for key in ("held", "judged", "counts")},
@@ -135,7 +140,7 @@ def plain_text(quote: str) -> str:
 
 def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
     """The content of the page on a figure, from its ``record``.  ``curves`` has each curve once,
-    and ``panels`` have the indices of their curves."""
+    and ``panels`` have the indices of theirs."""
     curves: list[dict] = []
     for panel in record["panels"]:
         curves += [curve for curve in panel["curves"] if curve not in curves]
@@ -146,7 +151,7 @@ def figure_content(name: str, record: Mapping[str, Any]) -> dict[str, Any]:
         "caption": record["message"],
         "curves": curves,
         "panels": [
-            {**panel, "curves": [curves.index(curve) for curve in panel["curves"]]}
+            panel | {key: [curves.index(curve) for curve in panel[key]] for key in OF_PANEL}
             for panel in record["panels"]
         ],
     }
@@ -156,6 +161,7 @@ def page_text(content: Mapping[str, Any]) -> str:
     """The page as self-contained HTML, from the ``content`` of ``page_content``."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
+        "colours.css": _colours(),
         "style.css": _read("web/style.css"),
         "d3.LICENSE": _read("vendor/d3.LICENSE"),
         "d3.min.js": _read("vendor/d3.min.js"),
@@ -163,6 +169,13 @@ def page_text(content: Mapping[str, Any]) -> str:
         "main.js": _one_script(FIRST),
     }
     return re.sub(r"\{\{([\w.]+)\}\}", lambda match: parts[match[1]], _read("web/index.html"))
+
+
+def _colours() -> str:
+    """The colours of verdicts and tolerances, which all products share, as variables of a style."""
+    named = {verdict.split()[0]: colour for verdict, colour in COLOURS.items()}
+    named |= {"tolerance": TOLERANCE, "tolerance-edge": EDGE}
+    return f":root {{ {' '.join(f'--{name}: {colour};' for name, colour in named.items())} }}"
 
 
 def _one_script(first: str) -> str:

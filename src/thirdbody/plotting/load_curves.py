@@ -310,7 +310,7 @@ def _draw_series(axes, panel, newtons_per_load, draw_marks) -> dict[Series, Line
     """Draw the series of a panel, then the scales of its axes; the lines of its series."""
     lines, doubtful = {}, marks.doubtful(panel.series)
     unseen = UNSEEN * panel.least or -np.inf
-    for series in _some_ranges(panel):
+    for series in ranges_drawn(panel):
         outline = np.column_stack((series.x, np.maximum(series.y, unseen)))
         axes.add_collection(PolyCollection([outline], **series.look))
     for series in panel.series:
@@ -330,7 +330,7 @@ def _keep_readable(axes, panel, lines):
     if panel.x in ("load", "normal_load"):
         named = [one for one in panel.of_kind(CURVE) if curve_name(one)]
         strong, hairlines = (
-            {lines[one]: curve_name(one) for one in named if _is_hairline(one) == thin}
+            {lines[one]: curve_name(one) for one in named if is_hairline(one) == thin}
             for thin in (False, True)
         )
         dry = [lines[one] for one in named if one.curve and one.curve.is_dry]
@@ -351,21 +351,22 @@ def curve_name(series: Series) -> str:
     return mathtext(text) if is_level else ""
 
 
-def _is_hairline(series) -> bool:
+def is_hairline(series: Series) -> bool:
+    """Whether a curve is one of the thin ones between the strong ones."""
     return series.look.get("linewidth") == HAIRLINE["linewidth"]
 
 
-def _some_ranges(panel):
+def ranges_drawn(panel: Panel) -> list[Series]:
     """The ranges of a few coloured curves, from the first to the last, and those of two-body
     contact, above which others would rise, but not beside zones, which are grey too, nor where it
     is the reference."""
-    strong = {one.curve for one in panel.of_kind(CURVE) if not _is_hairline(one)}
+    strong = {one.curve for one in panel.of_kind(CURVE) if not is_hairline(one)}
     has_grey = not SCALES[panel.y].zones and panel.y != RELATIVE_AREA
-    ranges = [
-        one
-        for one in panel.of_kind(marks.BAND)
-        if one.curve in strong
-        and (len({*one.look["facecolor"]}) > 1 or (one.curve.is_two_body and has_grey))
-    ]
+    bands = [one for one in panel.of_kind(marks.BAND) if one.curve in strong]
+    ranges = [one for one in bands if has_grey and one.curve.is_two_body or not _is_grey(one)]
     places = np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int)
     return [ranges[place] for place in np.unique(places) if ranges]
+
+
+def _is_grey(band):
+    return len({*band.look["facecolor"]}) == 1

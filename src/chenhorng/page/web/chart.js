@@ -21,12 +21,12 @@ const SHAPES = {
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 40 };
-const LETTER = 6; // width of a letter of a name
-const LINE = 11; // its height
+const LINE = 12; // height of a name
 const SAME = 4; // height between ends of curves that have one name
-const LEADER = 10; // width of the line from an end to its name
+const [LEADER, GAP] = [10, 6]; // from the end of a curve to its name, and beyond the name
 const MOST_NAMES = 12; // at ends of curves
-const WITH_NAMES = 360; // width from which a panel has them
+const MOST_ROOM = 0.5; // of names, in widths of a panel; longer ones are left to the key
+const BRACKET = 14; // height of a bracket above a panel
 const ZONE_NAMES = 36; // width of the names of zones beside a panel
 const NEWTON_AXIS = 24; // its height above a panel
 // by how many curves, and by how many points, a key moves
@@ -36,12 +36,13 @@ const MOVES = {
 };
 
 // A curve at one of several levels of a condition has a colour and a marker. Colours differ in lightness too.
-export function levelStyle(level, levels) {
+// Between strong levels, others are thin and have no marker.
+export function levelStyle(level, levels, strong) {
   if (level === 0) return { color: "var(--ink)" };
-  const rank = levels.indexOf(level);
-  const part = levels.length > 1 ? rank / (levels.length - 1) : 0.3;
-  return { color: shadeAt(part), marker: rank };
+  const color = shadeAt(levels.length > 1 ? levels.indexOf(level) / (levels.length - 1) : 0.3);
+  return strong.includes(level) ? { color, marker: strong.indexOf(level) } : { color, thin: true };
 }
+export const THIN = { color: "var(--shade-30)", thin: true }; // of several levels
 
 // Shades are colours of the style, since the light and the dark page have their own.
 const SHADE = d3.range(STEPS + 1);
@@ -54,7 +55,7 @@ d3.select("#shades").text(
 
 const classOf = (kind, { faded, chosen }) => `class="${kind}${faded ? " faded" : ""}${chosen ? " chosen" : ""}"`;
 
-const kindOf = ({ dry, mine }) => `line${dry ? " dry" : ""}${mine ? " mine" : ""}`;
+const kindOf = ({ dry, thin, mine }) => `line${dry ? " dry" : ""}${thin ? " thin" : ""}${mine ? " mine" : ""}`;
 
 // A mark of one kind at a place of the drawing.
 const shapeOf = (kind, x, y, { color = "", ...look } = {}) =>
@@ -70,8 +71,8 @@ function markerOf(rank, x, y, { color, ...look }) {
 const strokeOf = ({ color, dash }) => `stroke="${color}"${dash ? ` stroke-dasharray="${dash}"` : ""}`;
 
 // The drawing of an entry of the key: a fill, or a line of a kind with a marker or a mark on it.
-export function sampleOf({ fill, dry, mine, mark, marker, hasEnds, isUpright, ...given }) {
-  const { kind = fill ? "area" : kindOf({ dry, mine }), ...look } = given;
+export function sampleOf({ fill, dry, thin, mine, mark, marker, hasEnds, isUpright, ...given }) {
+  const { kind = fill ? "area" : kindOf({ dry, thin, mine }), ...look } = given;
   if (fill) return `<rect class="${kind}" x="4" y="1" width="22" height="12" fill="${fill}"/>`;
   const line = look.color ? `<path class="${kind}" d="${isUpright ? "M15,0V14" : "M1,7H29"}${hasEnds ? "M1,1v12M29,1v12" : ""}" ${strokeOf(look)}/>` : "";
   const symbol = marker === undefined ? "" : markerOf(marker, 15, 7, { color: look.color });
@@ -87,7 +88,9 @@ const KEY = {
   computed: { text: "bend or crossing, computed", mark: "computed" },
   levels: { text: "printed, between the strokes", color: "var(--ink)", kind: "level", hasEnds: true },
   windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
-  limits: { text: "printed, without height (dotted: of all surfaces), tolerance in grey", color: "var(--ink)", kind: "limit", isUpright: true },
+  limits: { text: "printed, without height", color: "var(--ink)", kind: "limit", isUpright: true },
+  ofAll: { text: "the same, for all surfaces", color: "var(--ink)", kind: "limit all", isUpright: true },
+  strips: { text: "tolerance of a printed line", fill: "var(--tolerance)", kind: "strip" },
   ranges: { text: "range of the ensemble", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
   here: { text: "at your conditions", color: "var(--accent)", kind: "here", isUpright: true },
@@ -103,9 +106,17 @@ export function keyOfMarks(specs) {
 
 // A spec of a chart; what is not given is empty.
 export function specOf({ lines = [], ...given }) {
-  const empty = [...Object.keys(KEY), "areas", "borders", "crosses", "names"].map((name) => [name, []]);
+  const { limits = [], ofAll = [] } = given;
+  const empty = [...Object.keys(KEY), "areas", "borders", "brackets", "crosses", "names"].map((name) => [name, []]);
   const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
-  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts };
+  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts, strips: [...limits, ...ofAll] };
+}
+
+const pen = document.createElement("canvas").getContext("2d");
+// The width of the widest of some texts in a drawing.
+export function widthOf(texts) {
+  pen.font = `11px ${getComputedStyle(document.body).fontFamily}`;
+  return d3.max(texts, (text) => pen.measureText(text).width);
 }
 
 const widthIn = (element) => Math.max(element.clientWidth, 220);
@@ -135,28 +146,32 @@ function domainOf({ fraction }, log, values) {
 const canShow = (axis, value) => Number.isFinite(value) && (!axis.log || value > 0);
 const scaleOf = ({ log, domain }) => (log ? d3.scaleLog() : d3.scaleLinear()).domain(domain);
 
-// Draw both axes and the grid; above, the load in newtons where `newtonsPerLoad` is given.
-function drawAxes(group, { x: { name: xName }, y: { name: yName }, newtonsPerLoad }, { x, y }) {
+// Draw both axes and the grid; above, the load in newtons where `newtonsPerLoad` is given. The room of names has neither
+// ticks nor grid.
+function drawAxes(group, { x: { name: xName, domain }, y: { name: yName }, newtonsPerLoad }, { x, y }) {
   const [[left, right], [bottom, top]] = [x.range(), y.range()];
   const [width, height] = [right - left, bottom - top];
   const [across, upwards] = [left + width / 2, top + height / 2];
   group.html("");
-  const below = drawAxis(group, d3.axisBottom(x), xName, [0, bottom], width, `translate(${across},${bottom + 34})`);
-  const beside = drawAxis(group, d3.axisLeft(y), yName, [left, 0], height, `translate(13,${upwards}) rotate(-90)`);
+  const below = drawAxis(group, d3.axisBottom(x), xName, domain, [0, bottom], width, `translate(${across},${bottom + 34})`);
+  const beside = drawAxis(group, d3.axisLeft(y), yName, y.domain(), [left, 0], height, `translate(13,${upwards}) rotate(-90)`);
+  const [from, to] = domain.map((end) => x(end) - left);
   below.clone().attr("class", "grid").attr("y2", -height);
-  beside.clone().attr("class", "grid").attr("x2", width);
+  beside.clone().attr("class", "grid").attr("x1", from).attr("x2", to);
   if (!newtonsPerLoad) return;
-  const newtons = x.copy().domain(x.domain().map((end) => end * newtonsPerLoad));
-  drawAxis(group, d3.axisTop(newtons), "normal_load", [0, top], width, `translate(${across},${top - NEWTON_AXIS})`);
+  const inNewtons = (ends) => ends.map((end) => end * newtonsPerLoad);
+  const newtons = x.copy().domain(inNewtons(x.domain()));
+  drawAxis(group, d3.axisTop(newtons), "normal_load", inNewtons(domain), [0, top], width, `translate(${across},${top - NEWTON_AXIS})`);
 }
 
-// Draw an axis and its title; returns the lines of the ticks that have a label.
-function drawAxis(group, axis, name, at, length, titleAt) {
+// Draw an axis, with ticks from `low` to `high`, and its title; returns the lines of the ticks that have a label.
+function drawAxis(group, axis, name, [low, high], at, length, titleAt) {
   const scale = axis.scale();
   const { factor } = VARIABLES[name];
   const inPowers = scale.base && !factor && name !== "normal_load";
   const label = inPowers ? powerText : (value) => readable(value * (factor ?? 1));
-  axis.ticks(scale.base ? 10 : Math.min(length / 55, 6)).tickSizeOuter(0);
+  const ticks = scale.ticks(scale.base ? 10 : Math.min(length / 55, 6));
+  axis.tickValues(ticks.filter((tick) => tick >= low && tick <= high)).tickSizeOuter(0);
   axis.tickFormat(scale.base ? scale.tickFormat(3, label) : label);
   const title = group.append("text").attr("class", "label").attr("text-anchor", "middle");
   title.attr("transform", titleAt).html(titleMarkup(name));
@@ -174,7 +189,7 @@ function titleMarkup(name) {
   return typesetInDrawing(unit ? `${symbol} (${unit})` : symbol);
 }
 
-// A chart in an element; returns the function that draws a spec.
+// A chart in an element; returns the function that draws a spec, which returns the names that do not fit.
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
@@ -196,13 +211,15 @@ export function chartIn(parent, { onRead, onLeave }) {
     spec = given;
     const width = widthIn(figure.node());
     const height = Math.round(held(0.68 * width, 220, Math.max(430, 0.37 * innerHeight)));
-    const [top, bottom] = [MARGIN.top + (spec.newtonsPerLoad ? NEWTON_AXIS : 0), height - MARGIN.bottom];
+    const above = (spec.newtonsPerLoad ? NEWTON_AXIS : 0) + BRACKET * spec.brackets.length;
+    const [top, bottom] = [MARGIN.top + above, height - MARGIN.bottom];
     const y = scaleOf(spec.y).range([bottom, top]);
     rows = (spec.rows ?? spec.lines).map((row) => ({ ...row, points: row.points.filter(isShownIn(spec)) }));
-    const ends = width < WITH_NAMES ? [] : endsOf(rows, y);
-    const beside = ends.length && LEADER + LETTER / 2 + LETTER * d3.max(ends, ({ text }) => text.length);
-    const [left, right] = [MARGIN.left, width - beside - (VARIABLES[spec.y.name].zones ? ZONE_NAMES : MARGIN.right)];
-    scales = { x: scaleOf(spec.x).range([left, right]), y };
+    const [left, right] = [MARGIN.left, width - (VARIABLES[spec.y.name].zones ? ZONE_NAMES : MARGIN.right)];
+    const { ends, atLeft, room } = spec.x.name === "load" ? namesOf(rows, y, right - left) : NAMELESS;
+    // names stand within the frame, whose axis becomes longer by their room
+    const beside = scaleOf(spec.x).range(atLeft ? [left + room, right] : [left, right - room]);
+    scales = { x: beside.copy().domain([left, right].map((end) => beside.invert(end))).range([left, right]), y };
     svg.attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
     svg.attr("aria-label", plain(spec.title));
     description.text(spec.description ?? described(spec, rows));
@@ -211,10 +228,13 @@ export function chartIn(parent, { onRead, onLeave }) {
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
     drawAxes(axes, spec, scales);
     marks.html(marksOf(spec, scales));
-    const names = spec.names.map((name) => nameOf(name, scales));
-    crosses.html([...names, ...spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y)))].join("")); // whole at the edges
-    zones.html(zonesOf(spec, scales, beside) + namesOfEnds(ends, right, bottom));
+    const names = spec.names.map((name) => nameIn(name, scales));
+    const whole = spec.crosses.map(({ x, y }) => shapeOf("cross", scales.x(x), scales.y(y))); // at the edges
+    const outside = [...namesOfEnds(ends, atLeft, spec, scales), ...bracketsOf(spec, scales), ...namesOfLimits(spec, scales)];
+    crosses.html([...names, ...outside, ...whole].join(""));
+    zones.html(zonesOf(spec, scales));
     cursor.html("");
+    return spec.names.filter((_, i) => !names[i]);
   }
 
   function read(event) {
@@ -255,41 +275,101 @@ export function chartIn(parent, { onRead, onLeave }) {
   return update;
 }
 
-// Ends of curves that coincide form a group with one name. The highest comes first. Where there are too many, the key says more.
-function endsOf(rows, toY) {
-  const named = rows.filter(({ name, points }) => name && points.length).map(({ points, ...row }, rank) => ({ ...row, rank, y: toY(points.at(-1).y) }));
-  const groups = [];
-  for (const end of d3.sort(named, ({ y }) => y)) {
-    if (groups.length && end.y - groups.at(-1)[0].y < SAME) groups.at(-1).push(end);
-    else groups.push([end]);
+// Names at the ends of curves, on the side with more ends apart, and the room that they need. Thin curves have a name
+// where there is room.
+const NAMELESS = { ends: [], atLeft: false, room: 0 };
+function namesOf(rows, toY, width) {
+  const named = rows.filter(({ name, points }) => name && points.length);
+  const [thin, strong] = [true, false].map((isThin) => named.filter((row) => Boolean(row.thin) === isThin));
+  const [left, right] = [0, -1].map((end) => groupsAt(end, strong, toY));
+  const atLeft = left.length > right.length;
+  const groups = atLeft ? left : right;
+  const most = Math.min(MOST_NAMES, Math.floor(Math.abs(toY.range()[1] - toY.range()[0]) / LINE));
+  if (groups.length < 2 || groups.length > most) return NAMELESS;
+  for (const group of groupsAt(atLeft ? 0 : -1, thin, toY)) {
+    if (groups.flat().every(({ y }) => Math.abs(y - group[0].y) > LINE)) groups.push(group);
   }
-  if (groups.length < 2 || groups.length > MOST_NAMES) return [];
-  return groups.map((group) => {
-    const names = [...new Set(d3.sort(group, ({ rank }) => rank).map(({ name }) => name))];
-    const colors = new Set(group.map(({ color }) => color));
-    const text = names.length < 3 ? names.join(", ") : `${names[0]} … ${names.at(-1)}`;
-    return { y: group[0].y, text, color: colors.size > 1 ? "var(--ink)" : group[0].color };
+  const dry = strong.filter((row) => row.dry);
+  const ends = d3.sort(groups, ([{ y }]) => y).map((group) => endOf(group, dry, strong));
+  const room = LEADER + widthOf(ends.map(({ text }) => text)) + GAP;
+  return room > MOST_ROOM * width ? NAMELESS : { ends, atLeft, room };
+}
+
+// Ends of curves that coincide form a group, which has one name, from the highest on. Dry curves form their own.
+function groupsAt(end, rows, toY) {
+  const [bottom, top] = toY.range();
+  const ends = rows.map(({ points, ...row }, rank) => {
+    const { x, y } = points.at(end);
+    return { ...row, rank, x, y: held(toY(y), top, bottom) };
+  });
+  const groups = [];
+  for (const one of d3.sort(ends, ({ y }) => y)) {
+    const group = groups.find(([{ y, dry }]) => one.y - y < SAME && one.dry === dry);
+    if (group) group.push(one);
+    else groups.push([one]);
+  }
+  return groups;
+}
+
+// The text and colour of a group: black names are of dry contact, and those of several curves are grey.
+function endOf(group, dry, strong) {
+  const [{ x, y, dry: isDry }] = group;
+  const names = [...new Set(d3.sort(group, ({ rank }) => rank).map(({ name }) => name))];
+  const colors = new Set(group.map(({ color }) => color));
+  const isOne = colors.size === 1 && (isDry || group[0].color !== "var(--ink)");
+  let text = names.length < 3 ? names.join(", ") : `${names[0]} … ${names.at(-1)}`;
+  if (isDry && dry.length < strong.length && !/^(dry|two-body)/.test(text)) {
+    text = dry.every(({ label }) => group.some((row) => row.label === label)) ? "dry" : `dry ${text}`;
+  }
+  return { x, y, text, color: isOne ? group[0].color : "var(--soft)" };
+}
+
+// Names stand as near to the ends as lines of text allow: at the mean of pushing all up and all down.
+function namesOfEnds(ends, atLeft, { x: { domain } }, { x: toX, y: toY }) {
+  const [bottom, top] = toY.range();
+  const apart = ends.map(({ y }, i) => y - LINE * i);
+  const side = atLeft ? -1 : 1;
+  const name = toX(domain[atLeft ? 0 : 1]) + LEADER * side;
+  const lowest = Math.max(bottom - LINE * (ends.length - 0.4), top + 0.6 * LINE);
+  return ends.map(({ x, y, text, color }, i) => {
+    const middle = 0.5 * (d3.max(apart.slice(0, i + 1)) + d3.min(apart.slice(i)));
+    const at = (held(middle, top + 0.6 * LINE, lowest) + LINE * i).toFixed(1);
+    return `<path class="leader" d="M${toX(x).toFixed(1)},${y.toFixed(1)}L${(name - 2 * side).toFixed(1)},${at}"/>
+      <text class="end" x="${name.toFixed(1)}" y="${at}" dy="0.32em" text-anchor="${atLeft ? "end" : "start"}" style="fill: ${color}">${text}</text>`;
   });
 }
 
-// Names stand right of a panel, as near to the ends as lines of text allow: at the mean of pushing all up and all down.
-function namesOfEnds(ends, right, lowest) {
-  const apart = ends.map(({ y }, i) => y - LINE * i);
-  return ends.map(({ y, text, color }, i) => {
-    const middle = 0.5 * (d3.max(apart.slice(0, i + 1)) + d3.min(apart.slice(i)));
-    const at = Math.min(middle, lowest - LINE * (ends.length - 1)) + LINE * i;
-    return `<path class="leader" d="M${right},${y.toFixed(1)}L${right + LEADER - 2},${at.toFixed(1)}"/>
-      <text class="end" x="${right + LEADER}" y="${at.toFixed(1)}" dy="0.32em" style="fill: ${color}">${text}</text>`;
-  }).join("");
+// Brackets above a panel over both ends of a range along x, with its name; the narrowest is the lowest.
+function bracketsOf({ brackets }, { x: toX, y: toY }) {
+  const top = toY.range()[1];
+  return d3.sort(brackets, ({ ends: [low, high] }) => high - low).map(({ ends, text, color }, i) => {
+    const [[left, right], height] = [ends.map(toX), top - BRACKET * (i + 0.7)];
+    const [middle, half] = [(left + right) / 2, Math.min(widthOf([text]) / 2 + 3, (right - left) / 2)];
+    return `<path class="leader" d="M${left},${top}V${height}H${middle - half}M${middle + half},${height}H${right}V${top}" style="stroke: ${color}"/>
+      <text class="bracket" x="${middle}" y="${height}" dy="0.32em" style="fill: ${color}">${text}</text>`;
+  });
 }
 
-// The name of a region, in lines, around a place.
-function nameOf({ x, y, lines }, { x: toX, y: toY }) {
-  const [left, right] = toX.range();
-  const half = 0.5 * LETTER * d3.max(lines, ({ length }) => length);
-  const at = `x="${held(toX(x), left + half, right - half)}"`;
-  const spans = lines.map((line, i) => `<tspan ${at} dy="${i ? 1.2 : 0.95 - 0.6 * lines.length}em">${line}</tspan>`);
-  return `<text class="name" ${at} y="${toY(y)}">${spans.join("")}</text>`;
+// Names of curves at the foot of numbers along x: of the first at its left, of others at the right.
+function namesOfLimits({ limits }, { x: toX, y: toY }) {
+  return limits.filter(({ name }) => name).map(({ name, ends: [[low], [high]], color }, i) => {
+    const [x, anchor] = i ? [toX(high) + 3, "start"] : [toX(low) - 3, "end"];
+    return `<text class="foot" x="${x}" y="${toY.range()[0] - 6}" text-anchor="${anchor}" style="fill: ${color}">${name}</text>`;
+  });
+}
+
+// The name of a region, in two lines or in one, where it fits; "" if it does not.
+function nameIn({ text, placeFor }, { x: toX, y: toY }) {
+  const [[left, right], [bottom, top]] = [toX.range(), toY.range()];
+  for (const lines of [text.split(", "), [text]]) {
+    const size = [widthOf(lines) + GAP, 1.2 * LINE * lines.length + GAP];
+    const place = placeFor(size[0] / (right - left), size[1] / (bottom - top));
+    if (!place) continue;
+    const at = `x="${toX(place.x)}"`;
+    const spans = lines.map((line, i) => `<tspan ${at} dy="${i ? 1.2 : 0.95 - 0.6 * lines.length}em">${line}</tspan>`);
+    return `<text class="name" ${at} y="${toY(place.y)}">${spans.join("")}</text>`;
+  }
+  return "";
 }
 
 const isShownIn = (spec) => (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);
@@ -298,7 +378,7 @@ const isShownIn = (spec) => (point) => canShow(spec.x, point.x) && canShow(spec.
 function marksOf(spec, { x: toX, y: toY }) {
   const inX = (value) => toX(value).toFixed(1);
   const inY = (value) => toY(spec.y.log ? Math.max(value, spec.y.domain[0] * 1e-3) : value).toFixed(1);
-  const [across, upwards] = [toX.range(), toY.range()];
+  const [across, upwards] = [spec.x.domain.map(inX), toY.range()];
   const isShown = isShownIn(spec);
   const path = d3.line(({ x }) => toX(x), ({ y }) => toY(y)).digits(1).defined(isShown);
   const shape = (kind) => (mark) => shapeOf(kind, inX(mark.x), inY(mark.y), mark);
@@ -312,8 +392,9 @@ function marksOf(spec, { x: toX, y: toY }) {
     const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
-  const allowed = spec.limits.map(({ ends: [[low], [high]] }) => `<path fill="var(--zone)" d="M${inX(low)},${upwards.join("V")}H${inX(high)}V${upwards[0]}"/>`);
-  const limits = spec.limits.map(({ kind, at: [x] }) => upright(kind)(x));
+  const strips = spec.strips.map(({ ends: [[low], [high]] }) => `<path class="strip" d="M${inX(low)},${upwards.join("V")}H${inX(high)}V${upwards[0]}Z"/>`);
+  const limit = (kind) => ({ at: [x], color = "var(--ink)", ...look }) => `<path ${classOf(kind, look)} d="M${inX(x)},${upwards.join("V")}" stroke="${color}"/>`;
+  const limits = [...spec.limits.map(limit("limit")), ...spec.ofAll.map(limit("limit all"))];
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
   const levels = spec.levels.map((level) => `<path ${classOf("level", level)} d="${across.map((end) => `M${end},${inY(level.at[1])}m0,-6v12`).join("")}M${across[0]},${inY(level.at[1])}H${across[1]}" stroke="${level.color}"/>`);
   const lines = spec.lines.map((curve) => {
@@ -329,7 +410,7 @@ function marksOf(spec, { x: toX, y: toY }) {
   });
   const stars = spec.stars.filter(isShown);
   const locus = `<path class="locus" d="${path(spec.locus) ?? ""}"/>`;
-  const curves = [areas, borders, ranges, allowed, limits, spec.windows.map(upright("window")), ghosts, lines, levels];
+  const curves = [areas, borders, strips, ranges, limits, spec.windows.map(upright("window")), ghosts, lines, levels];
   const marks = [
     ...markersOf(spec.lines).filter(isShown).map(({ rank, x, y, ...look }) => markerOf(rank, inX(x), inY(y), look)),
     ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
@@ -350,7 +431,7 @@ function markersOf(lines) {
 }
 
 // SVG of the modes or regimes: the middle one is shaded, and all have their names beside the panel.
-function zonesOf(spec, { x: toX, y: toY }, beside) {
+function zonesOf(spec, { x: toX, y: toY }) {
   const { limits, zones = [] } = VARIABLES[spec.y.name];
   if (!limits) return "";
   const [[left, right], [low, high]] = [toX.range(), spec.y.domain];
@@ -358,13 +439,13 @@ function zonesOf(spec, { x: toX, y: toY }, beside) {
   const shade = `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
   const names = zones.map((zone, i) => {
     if (edges[i] - edges[i + 1] < 9) return "";
-    return `<text class="zone" x="${right + beside + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;
+    return `<text class="zone" x="${right + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;
   });
   return [shade, ...names].join("");
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, levels, limits, x, y }, rows) {
+function described({ stars, printed, levels, strips, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -374,7 +455,7 @@ function described({ stars, printed, levels, limits, x, y }, rows) {
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
   const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...levels, ...limits] };
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...levels, ...strips] };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }

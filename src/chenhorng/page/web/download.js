@@ -4,7 +4,7 @@ import { typesetInDrawing } from "./text.js";
 
 const INLINED = [
   ...["fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "opacity"],
-  ...["font-size", "font-family", "font-style", "paint-order"],
+  ...["font-size", "font-family", "font-style", "text-anchor"],
 ];
 const GAP = 24; // above each drawing, for its title, and between entries of the key
 const ENTRY = 260; // width of an entry of the key
@@ -19,12 +19,12 @@ export function save(name, type, text) {
 
 // The points of all charts: columns as those of the CSV files beside the figures.
 export function csvOf(specs) {
-  const rows = specs.flatMap(({ letter, x, y, lines, printed, levels, limits, stars }) => {
+  const rows = specs.flatMap(({ letter, x, y, lines, printed, levels, strips, stars }) => {
     const row = (label, point) => [letter, label, x.name, point.x, y.name, Number.isNaN(point.y) ? "" : point.y];
     return [
       ...lines.flatMap(({ label, points }) => points.map((point) => row(label, point))),
       ...stars.map((star) => row("turning points", star)),
-      ...[...printed, ...levels, ...limits].map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
+      ...[...printed, ...levels, ...strips].map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
     ];
   });
   return d3.csvFormatRows([["panel", "curve", "x_name", "x", "y_name", "y"], ...rows]) + "\n";

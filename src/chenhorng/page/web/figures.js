@@ -4,12 +4,11 @@ import { conditionAxes, content } from "./content.js";
 import { chosenConditions, isCalibrated, state } from "./state.js";
 import { currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
-import { outlineOf, withRange } from "./ranges.js";
-import { axisFor, keyOfMarks, levelStyle, specOf } from "./chart.js";
-import { VARIABLES, conditionWord, valueText } from "./names.js";
+import { outlineOf } from "./ranges.js";
+import { THIN, axisFor, keyOfMarks, levelStyle, specOf } from "./chart.js";
+import { VARIABLES, conditionWord, letterOf, ofCondition, valueText, withUnit } from "./names.js";
 import { readable } from "./text.js";
 
-const SLIGHT = 0.001; // least prominence of a maximum that is marked
 // dry contact beside lubricated contact, as in the figures of the workflow
 const DRY = { dash: "5 2.5", dry: true };
 
@@ -21,17 +20,19 @@ const isSame = (a, b) =>
   conditionAxes.every(({ name }) => Math.abs(a[name] - b[name]) <= 1e-9 * Math.abs(b[name]));
 
 // The values of a condition on the curves of a figure that have particles and, if it is one, oil.
-function levelsOf(figure, name) {
-  const bodies = figure.curves.filter((condition) => !isTwoBody(condition));
+function levelsOf(figure, name, isWanted = () => true) {
+  const bodies = figure.curves.filter((condition, place) => !isTwoBody(condition) && isWanted(place));
   return distinct(bodies.map((condition) => levelOf(name, condition))).filter((level) => level > 0);
 }
 
-// The condition that distinguishes the curves of a figure, and its levels.
+// The condition that distinguishes the curves of a figure, its levels, and those of them that are strong.
 function parameterOf(figure) {
   const names = ["diameter_ratio", ...conditionAxes.map(({ name }) => name)];
   const [ratios, ...found] = names.map((name) => ({ name, levels: levelsOf(figure, name) }));
   const best = d3.greatest(found, ({ levels }) => levels.length);
-  return best.name === "particle_diameter" && ratios.levels.length < best.levels.length ? ratios : best;
+  const chosen = best.name === "particle_diameter" && ratios.levels.length < best.levels.length ? ratios : best;
+  const thin = new Set(figure.panels.flatMap(({ hairlines }) => hairlines));
+  return { ...chosen, strong: levelsOf(figure, chosen.name, (place) => !thin.has(place)) };
 }
 
 // A figure's curves at the chosen conditions. A chosen condition replaces one that all curves have in common. For the
@@ -73,28 +74,34 @@ export function isFree(name) {
 }
 
 // Colour, dashes and marker of a curve, as in the figures of the workflow.
-function styleOf({ name, levels }, condition, mine, hasOil) {
+function styleOf({ name, levels, strong }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
   if (mine) return { color: "var(--mine)", ...(dry && DRY) };
-  if (dry) return { color: "var(--ink)", ...DRY, ...(isTwoBody(condition) && { dash: "1.5 2.5" }) };
+  if (dry && isTwoBody(condition)) return { color: "var(--ink)", ...DRY, dash: "1.5 2.5" };
   if (isTwoBody(condition) && name !== "viscosity") return { color: "var(--ink)" };
-  return levelStyle(levelOf(name, condition), levels);
+  const { thin, ...look } = levelStyle(levelOf(name, condition), levels, strong);
+  return dry ? { color: "var(--ink)", thin, ...DRY } : { ...look, thin };
 }
 
 function labelOf({ name }, condition) {
   const medium = valueText("viscosity", condition.viscosity);
-  if (isTwoBody(condition)) return `two-body, ${medium}`;
+  if (isTwoBody(condition)) return `${name === "viscosity" ? "two-body" : "none (two-body)"}, ${medium}`;
   if (name === "viscosity") return conditionWord(name, condition.viscosity);
-  const level = name === "diameter_ratio" ? `x_a/σ = ${readable(ratioOf(condition), 3)}` : conditionWord(name, condition[name]);
-  return `${level}, ${medium}`;
+  return `${levelsText(name, [levelOf(name, condition)])}, ${medium}`;
+}
+
+// Levels of the parameter: "x_a = 100, 200 nm".
+function levelsText(name, levels) {
+  if (name === "diameter_ratio") return `x_a/σ = ${levels.map((level) => readable(level, 3)).join(", ")}`;
+  const shown = levels.map((level) => readable(level * (VARIABLES[name].factor ?? 1)));
+  return `${letterOf(name)} = ${withUnit(ofCondition(name), shown.join(", "))}`;
 }
 
 // The short name at the end of a curve, as in the figures of the workflow.
-function nameOf({ name }, condition, comparesMedia) {
-  if (isTwoBody(condition)) return "two-body";
+function nameOf({ name }, condition) {
+  if (isTwoBody(condition)) return name === "viscosity" ? "two-body" : "none";
   if (name === "viscosity" && condition.viscosity === 0) return "dry";
-  const level = name === "diameter_ratio" ? ratioOf(condition) : condition[name] * (VARIABLES[name].factor ?? 1);
-  return `${comparesMedia && condition.viscosity === 0 ? "dry " : ""}${readable(level, 3)}`;
+  return readable(levelOf(name, condition) * (VARIABLES[name].factor ?? 1), 3);
 }
 
 // Whether the chosen statement refers to a curve, by its conditions in the paper.
@@ -121,7 +128,7 @@ export function figureView() {
     ...styleOf(parameter, curve.condition, curve.mine, hasOil),
     ...emphasis(statement, curve, figure.curves),
     label: labelOf(parameter, curve.condition),
-    name: nameOf(parameter, curve.condition, comparesMedia),
+    name: nameOf(parameter, curve.condition),
   }));
   const notes = sharedWords(drawn);
   // lubricated curves are seen between the dashes of dry ones
@@ -130,7 +137,7 @@ export function figureView() {
   const specs = figure.panels.map((panel) => {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel));
     const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
-    const own = sharedWords(shown).filter((word) => !notes.includes(word)).map((word) => word.replaceAll(" ", "\u00a0"));
+    const own = sharedWords(shown).filter((word) => !notes.includes(word));
     return panelSpec(panel, shown, engine, { statement, own, figure });
   });
   const key = [...keyEntries(drawn, parameter, comparesMedia), ...keyOfMarks(specs)];
@@ -152,7 +159,8 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   // at an end of a load percentage the paper names a regime, and the bar alone tells all
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
   const printed = marksOf(panel.printed, statement, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
-  const ranged = x === "load" && content.quantities.includes(y) ? rangedCurves(curves) : [];
+  const isRanged = ({ mine, places }) => mine || places.some((place) => panel.ranged.includes(place));
+  const ranged = x === "load" && content.quantities.includes(y) ? curves.filter(isRanged) : [];
   const ranges = ranged.map(({ condition, ...look }) => ({ ...look, points: outlineOf(condition, y) }));
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {
@@ -161,14 +169,13 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     ...{ x, y, least, printed, stars },
     locus: locus ? stars : [],
     computed: changed ? [] : panel.computed.map(({ at: [atX, atY] }) => ({ x: atX, y: atY })),
-    // over the load all curves end at the right edge
-    lines: curves.map((curve) => ({ ...curve, name: x === "load" ? curve.name : "", points: engine.points({ x, y, condition: curve.condition }) })),
+    lines: curves.map((curve) => ({ ...curve, points: engine.points({ x, y, condition: curve.condition }) })),
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: ranges.filter(({ points }) => points),
     ranged: ranged.map(({ condition }) => condition),
     levels: marksOf(panel.levels, statement, curves),
-    limits: panel.limits.map((mark) => ({ ...mark, kind: "limit" })),
-    slight: stars.length && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine) : [],
+    ...alongX(marksOf(panel.limits, statement, curves)),
+    slight: stars.length && x === "load" && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine, least) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
   // a logarithmic axis leaves out ends far below the curves, in a full film
@@ -187,11 +194,17 @@ function outlinesIn(panel, ranges) {
   return lastOutlines.get(panel) ?? [];
 }
 
-// The curves of a panel whose ranges are drawn: the reader's own and some of those with a colour.
-function rangedCurves(curves) {
-  const coloured = d3.sort(curves.filter(({ marker }) => marker !== undefined), ({ marker }) => marker);
-  return [...withRange(coloured), ...curves.filter(({ mine }) => mine)];
+// Numbers printed along x alone, with the names of their curves; both ends of a range have one in a bracket.
+function alongX(marks) {
+  const lines = marks.map((mark) => ({ ...mark, color: mark.name || mark.chosen ? mark.color : "var(--ink)" }));
+  const ranges = [...d3.group(lines, ({ id }) => id).values()].filter(({ length }) => length === 2);
+  return {
+    limits: lines.map((line) => (ranges.flat().includes(line) ? { ...line, name: "" } : line)),
+    brackets: ranges.flatMap(([one, other]) => bracketOver([one.at[0], other.at[0]], one.name, one.color)),
+  };
 }
+
+const bracketOver = (ends, text, color = "var(--ink)") => (ends.length === 2 ? [{ ends: d3.sort(ends), text, color }] : []);
 
 // The title of a panel of y over x, with what it has alone, and whether the paper has it.
 function titleOf(x, y, ...own) {
@@ -216,20 +229,27 @@ function marksOf(marks, statement, curves) {
   return marks.map((mark) => {
     const stated = content.statements.find(({ id }) => id === mark.id);
     const chosen = statement?.id === mark.id;
-    const curve = curves.find(({ condition }) => isSame(stated.curves[0], condition));
+    const [first, ...others] = stated.curves;
+    const curve = curves.find(({ condition }) => isSame(first, condition));
     return {
       ...mark,
       chosen,
       faded: Boolean(statement) && !chosen,
+      name: others.length ? "" : (curve?.name ?? ""),
       color: chosen ? "var(--mine)" : (curve?.color ?? "var(--ink)"),
       text: stated.statement,
     };
   });
 }
 
-// The turning points of curves, and their maxima that do not count.
+// The turning points of curves, and their maxima that do not count; without `least`, those near zero are left out.
 const starsOf = (x, y, curves, engine) => pointsAt(({ turningPoint }) => turningPoint, x, y, curves, engine);
-const slightOf = (...given) => pointsAt(({ turningPoint, peak }) => !turningPoint && peak.prominence > SLIGHT && peak, ...given);
+function slightOf(x, y, curves, engine, least) {
+  const { least_rise: rise, from_zero: share } = content.slight;
+  const highest = d3.max(curves, ({ states }) => d3.max(states, (state) => state[y]));
+  const isSlight = ({ turningPoint, peak }) => !turningPoint && peak.prominence >= rise && (least > 0 || peak[y] > share * highest);
+  return pointsAt((curve) => isSlight(curve) && curve.peak, x, y, curves, engine);
+}
 const pointsAt = (find, x, y, curves, engine) =>
   curves.filter(find).map((curve) => ({ ...engine.pointOf(x, y, find(curve), curve.condition), faded: curve.faded }));
 
@@ -246,24 +266,32 @@ function windowSpec(figure, panel, engine, surface) {
     return { x: ratio, y: found?.particle_contact_area_ratio ?? NaN, state: found };
   });
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
+  const windows = ends.filter(Number.isFinite);
+  const isOwn = ({ id }) => id.startsWith(figure.name);
+  const [limits, ofAll] = [panel.limits.filter(isOwn), panel.limits.filter((mark) => !isOwn(mark))];
   return specOf({
     letter: panel.letter,
     title: titleOf(panel.x, panel.y, label),
     x: axisFor(panel.x, "linear", [...sizes, ...panel.limits.flatMap(({ ends }) => ends.map(([end]) => end))]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color: "none", points }],
-    windows: ends.filter(Number.isFinite),
-    limits: panel.limits.map((mark) => ({ ...mark, kind: mark.id.startsWith(figure.name) ? "limit" : "limit all" })),
+    ...{ windows, limits, ofAll },
+    brackets: [
+      ...bracketOver(windows, "computed", "var(--accent)"),
+      ...bracketOver(limits.map(({ at: [x] }) => x), "printed"),
+      ...bracketOver(ofAll.map(({ at: [x] }) => x), "printed for all"),
+    ],
     stars: points.filter(({ y }) => Number.isFinite(y)),
   });
 }
 
 // Each level of the parameter has an entry. Where dashes distinguish dry and lubricated contact, each of these has
 // one too.
-function keyEntries(drawn, parameter, comparesMedia) {
-  const byDashes = comparesMedia && parameter.name !== "viscosity";
+function keyEntries(drawn, { name, levels, strong }, comparesMedia) {
+  const byDashes = comparesMedia && name !== "viscosity";
   const shown = drawn.filter(({ condition }) => !byDashes || condition.viscosity > 0 || isTwoBody(condition));
   const named = shown.map((curve) => {
+    if (curve.thin) return { ...THIN, text: levelsText(name, levels.filter((level) => !strong.includes(level))) };
     const text = isTwoBody(curve.condition) ? curve.label : curve.label.split(", ")[0];
     return { ...curve, text: curve.mine ? `${text} (yours)` : text };
   });

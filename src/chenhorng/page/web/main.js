@@ -54,7 +54,7 @@ function drawCharts(specs) {
     parent.replaceChildren();
     charts = specs.map(() => chartIn(parent, { onRead: showTooltip, onLeave: hideTooltip }));
   }
-  specs.forEach((spec, i) => charts[i](spec));
+  return specs.flatMap((spec, i) => charts[i](spec));
 }
 
 function showKey(entries) {
@@ -65,18 +65,17 @@ function showKey(entries) {
   $("key").innerHTML = html.join("");
 }
 
-// Each view gives its heading, notes and key. It gives the specs of its charts, or draws them itself.
+// Each view gives its heading and notes. It gives the specs of its charts and their key, or draws them itself.
 const VIEWS = {
   figures: figureView,
   map() {
     if (!charts.length) $("charts").replaceChildren("Solving all points of the map …");
     mapView($("charts"), (spec, key) => {
-      drawCharts([spec]);
-      showKey(key);
+      showKey([...drawCharts([spec]), ...key]);
       showChoices();
     });
     const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
-    return { heading: mapTitle(), notes, key: [] };
+    return { heading: mapTitle(), notes };
   },
 };
 
@@ -91,12 +90,13 @@ function draw() {
     $("charts").dataset.kind = state.view;
     $("charts").replaceChildren();
     charts = [];
+    showKey([]);
   }
   const { heading, notes, key, specs, caption = CAPTIONS[state.view] ?? "" } = VIEWS[state.view]();
   if (specs) drawCharts((shown = specs));
   const ranged = specs?.flatMap((spec) => spec.ranged ?? []) ?? [];
   if (ranged.length) inSlices($("charts"), rangeSteps(ranged, draw), () => state.view === "figures", PAUSE);
-  showKey(key);
+  if (key) showKey(key);
   $("heading").innerHTML = typeset(heading);
   $("definition").textContent = definition();
   $("notes").innerHTML = [...unusual().map((text) => `<strong>${typeset(text)}</strong>`), ...notes.map(typeset)].join("; ");
@@ -143,6 +143,7 @@ function showChoices() {
     if (each.type === "radio") each.checked = each.value === state.view;
     else each.value = state[each.name];
   }
+  document.querySelector("[name=show] [value=here]").textContent = `of ${FIGURES[state.figure]}`;
   for (const each of document.querySelectorAll("[data-views]")) {
     each.hidden = !each.dataset.views.split(" ").includes(state.view);
   }

@@ -4,15 +4,14 @@ import { currentPoint, state } from "./state.js";
 import { currentEngine, inSlices, shownRange } from "./engine.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./chart.js";
-import { remembered } from "./model.js";
+import { LIMITS, remembered } from "./model.js";
 import { FULL_FILM, MODE_TEXT, REGIME_TEXT, VARIABLES, ofCondition, scaleFor, valueText, wordOf } from "./names.js";
 
 const SIZE = 64; // places along each axis, counted from 0; between them, fractions are conditions too
 const STEPS = 7; // of the search for a border between two places
 const PLACES = d3.range(SIZE);
 const CELLS = d3.cross(PLACES, PLACES, (j, i) => [i, j]);
-const AROUND = d3.cross(d3.range(-2, 3), d3.range(-1, 2)); // a name is wider than high
-const LEAST_ROOM = 2; // of a name, in such steps around it
+const BESIDE = 2; // places beside a line or a mark, on which no name stands
 const FILLS = ["var(--ground)", "var(--surfaces)", "var(--hybrid)", "var(--particles)"]; // by mode
 // Each layer encloses some states. Beside states for which this is NaN there is no border.
 const AREAS = [
@@ -63,12 +62,17 @@ function* mapSteps(done) {
     above.push(Math.log(turningLoad(condition) / load));
     yield;
   }
-  const turns = ringsAround(above, 0).map((ring) => ring.map(cornerAt));
-  const [names, unnamed] = [[], []];
-  for (const [text, of] of d3.group(d3.range(cells.length), (k) => nameOf(cells[k]))) {
-    const place = roomIn(of);
-    if (place) names.push({ ...cornerAt(place), lines: text.split(", ") });
-    else unnamed.push({ text, fill: fillOf(cells[of[0]]) });
+  const turns = ringsAround(above, 0);
+  const marked = [[xScale(point[x]), yScale(point[y])], ...turns.flat().filter(([, , onBorder]) => onBorder)];
+  const isFree = (k) => !marked.some((place) => place.slice(0, 2).every((each, axis) => Math.abs(each - CELLS[k][axis]) < BESIDE));
+  const names = [];
+  for (const [text, region] of d3.group(d3.range(cells.length), (k) => nameOf(cells[k]))) {
+    const fitting = placesIn(region.filter(isFree));
+    const placeFor = (width, height) => {
+      const place = fitting(width, height);
+      return place && cornerAt(place);
+    };
+    names.push({ text, placeFor, fill: fillOf(cells[region[0]]) });
     yield;
   }
   const axisOver = (name, scale) => ({ name: ofCondition(name), log: VARIABLES[name].log, domain: scale.domain() });
@@ -84,12 +88,13 @@ function* mapSteps(done) {
     x: axisOver(x, xScale),
     y: axisOver(y, yScale),
     areas: layers.slice(0, AREAS.length),
-    borders: [...layers.slice(AREAS.length), { kind: "turning", rings: turns }],
+    borders: [...layers.slice(AREAS.length), { kind: "turning", rings: turns.map((ring) => ring.map(cornerAt)) }],
     crosses: [{ x: point[x], y: point[y] }],
     names,
     rows: PLACES.map((j) => ({ label: "", points: points.slice(j * SIZE, (j + 1) * SIZE) })).reverse(),
   });
-  done(spec, [...unnamed, ...LINES_KEY.filter(({ kind }) => kind !== "turning" || turns.length)]);
+  const isDrawn = ({ kind }) => spec.borders.every((border) => border.kind !== kind || border.rings.flat().some(({ onBorder }) => onBorder));
+  done(spec, LINES_KEY.filter(isDrawn));
 }
 
 function nameOf({ mode, regime }) {
@@ -99,16 +104,27 @@ function nameOf({ mode, regime }) {
 
 const fillOf = (cell) => AREAS.findLast(({ encloses }) => encloses(cell)).fill;
 
-// The cell of a region, numbers of cells, that has the most room for a name; undefined if there is too little room.
-function roomIn(region) {
-  let [kept, room] = [new Set(region), 0];
-  for (;;) {
-    const isInside = ([i, j]) => AROUND.every(([a, b]) => i + a >= 0 && i + a < SIZE && kept.has(i + a + SIZE * (j + b)));
-    const inner = [...kept].filter((k) => isInside(CELLS[k]));
-    if (!inner.length) break;
-    [kept, room] = [new Set(inner), room + 1];
-  }
-  return room < LEAST_ROOM ? undefined : CELLS[[...kept][kept.size >> 1]];
+// A function of the width and height of a box, in those of the map: the cell of a region, numbers of cells, around which
+// the box has the most room; undefined if it does not fit.
+function placesIn(region) {
+  const sums = CELLS.map(() => 0); // of cells of the region, up to each cell
+  const sumTo = (i, j) => (i < 0 || j < 0 ? 0 : sums[i + SIZE * j]);
+  const inside = new Set(region);
+  CELLS.forEach(([i, j], k) => (sums[k] = inside.has(k) + sumTo(i - 1, j) + sumTo(i, j - 1) - sumTo(i - 1, j - 1)));
+  const hasRoom = ([i, j], [a, b]) => {
+    if (i < a || j < b || i + a >= SIZE || j + b >= SIZE) return false;
+    const [low, high] = [j - b - 1, j + b].map((row) => sumTo(i + a, row) - sumTo(i - a - 1, row));
+    return high - low === (2 * a + 1) * (2 * b + 1);
+  };
+  return (width, height) => {
+    let found = [];
+    for (let more = 0; ; more += 1) {
+      const half = [width, height].map((size) => Math.ceil((size * (SIZE - 1)) / 2) + more);
+      const fitting = region.filter((k) => hasRoom(CELLS[k], half));
+      if (!fitting.length) return CELLS[found[found.length >> 1]];
+      found = fitting;
+    }
+  };
 }
 
 // Rings around the cells whose value is at least `level`; each corner is [i, j, whether it is on a border].
@@ -135,6 +151,10 @@ function refined([i, j, onBorder], isEnclosed) {
 
 // What the lines of the map mean; its regions have names.
 const LINES_KEY = [
+  {
+    text: `boundary or mixed lubrication: L_s = ${valueText("solid_load_fraction", LIMITS.boundary)}`,
+    ...{ color: "var(--accent)", kind: "regime" },
+  },
   { text: "turning points of the contact area", color: "var(--turning)", kind: "turning" },
   { text: "your conditions", mark: "cross" },
 ];

@@ -48,7 +48,7 @@ export function showPoint(parent) {
       textsWithRange(name, found, members).forEach((text, place) => (cells[place].innerHTML = typeset(text)));
     });
     for (const [i, { name }] of axes.entries()) {
-      changes.rows[i].querySelector("td").textContent = changesText(name, point, engine);
+      changes.rows[i].querySelector("td").innerHTML = typeset(changesText(name, point, engine));
       yield;
     }
   }

@@ -8,7 +8,6 @@ import { curveOf } from "./curves.js";
 
 const ENDS = [0.05, 0.95]; // quantiles at the ends of a range
 const LOADS = 60; // on its outline
-const CURVES = 3; // with a range in a panel, as in the figures of the workflow
 const KEPT = 40; // curves
 
 export function definition() {
@@ -19,12 +18,6 @@ export function definition() {
 
 // Both ends of the range of values, without those that are not solved.
 export const rangeOf = (values) => ENDS.map((end) => d3.quantile(values, end));
-
-// Those of the curves of a panel whose range is drawn: first, middle and last.
-export function withRange(curves) {
-  const places = d3.range(CURVES).map((rank) => Math.round((rank * (curves.length - 1)) / (CURVES - 1)));
-  return [...new Set(places)].map((place) => curves[place]).filter(Boolean);
-}
 
 // The states of all members along curves, at loads F_t*; by what was changed and the condition
 const solved = new Map();

@@ -16,7 +16,7 @@ const FILTERS = {
   all: () => true,
   fails: ({ verdict }) => verdict === "fails",
 };
-export const SHOWN = { here: "of the chosen figure", all: "all", fails: "that fail" };
+export const SHOWN = { here: "of the figure", all: "all", fails: "that fail" };
 
 list.addEventListener("click", (event) => {
   const id = event.target.closest("button")?.dataset.statement;
@@ -49,7 +49,7 @@ function item(statement) {
   const chosen = state.statement === statement.id;
   const place = `${statement.place.replace(", section 3.3", "")} — ${verdict}`;
   return `<li><button type="button" data-statement="${statement.id}" aria-pressed="${chosen}" class="${verdict}">
-    <span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span>
+    <span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? ""}</span>
     <span>${typeset(statement.statement)} <span class="place">${typeset(place)}</span></span></button>
     ${chosen ? details(statement) : ""}</li>`;
 }
