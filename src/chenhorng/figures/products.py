@@ -84,10 +84,10 @@ def _conditions(series):
 
 
 def _mark(series):
-    """The printed number of a series: its first point, with both ends of its tolerance; y is None
-    for a number along x alone."""
+    """The printed number of a series: its first point, with both ends of its tolerance, and whether
+    that is drawn; y is None for a number along x alone."""
     ends = [[_rounded(each) for each in point] for point in zip(*series.tolerance)]
-    return _at(series) | {"ends": ends}
+    return _at(series) | {"ends": ends, "is_tolerance_drawn": bool(series.tolerance_look)}
 
 
 def _at(series):

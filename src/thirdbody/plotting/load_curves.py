@@ -361,12 +361,14 @@ def ranges_drawn(panel: Panel) -> list[Series]:
     contact, above which others would rise, but not beside zones, which are grey too, nor where it
     is the reference."""
     strong = {one.curve for one in panel.of_kind(CURVE) if not is_hairline(one)}
-    has_grey = not SCALES[panel.y].zones and panel.y != RELATIVE_AREA
     bands = [one for one in panel.of_kind(marks.BAND) if one.curve in strong]
-    ranges = [one for one in bands if has_grey and one.curve.is_two_body or not _is_grey(one)]
+    ranges = [one for one in bands if _is_apart(one, panel.y)]
     places = np.linspace(0, max(len(ranges) - 1, 0), MOST_RANGES).round().astype(int)
     return [ranges[place] for place in np.unique(places) if ranges]
 
 
-def _is_grey(band):
-    return len({*band.look["facecolor"]}) == 1
+def _is_apart(band, y):
+    """Whether a range is coloured, or of two-body contact where it is neither zone nor reference."""
+    is_grey = len({*band.look["facecolor"]}) == 1
+    is_free = not SCALES[y].zones and y != RELATIVE_AREA
+    return not is_grey or (band.curve.is_two_body and is_free)

@@ -109,7 +109,7 @@ export function specOf({ lines = [], ...given }) {
   const { limits = [], ofAll = [] } = given;
   const empty = [...Object.keys(KEY), "areas", "borders", "brackets", "crosses", "names"].map((name) => [name, []]);
   const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
-  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts, strips: [...limits, ...ofAll] };
+  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts, strips: [...limits, ...ofAll].filter((each) => each.is_tolerance_drawn) };
 }
 
 const pen = document.createElement("canvas").getContext("2d");
@@ -445,7 +445,7 @@ function zonesOf(spec, { x: toX, y: toY }) {
 }
 
 // What a chart shows, in words, for those who do not see it.
-function described({ stars, printed, levels, strips, x, y }, rows) {
+function described({ stars, printed, levels, limits, ofAll, x, y }, rows) {
   if (!rows.length) return "Nothing can be drawn at these conditions.";
   const { words, symbol } = VARIABLES[y.name];
   const ends = rows.map(({ label, points }) => {
@@ -455,7 +455,7 @@ function described({ stars, printed, levels, strips, x, y }, rows) {
   });
   const across = d3.extent(rows.flatMap(({ points }) => points), (point) => point.x).map((end) => numberText(x.name, end, 2));
   const what = `${words}, ${plain(symbol)}, over ${VARIABLES[x.name].words.toLowerCase()} from ${across.join(" to ")}`;
-  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...levels, ...strips] };
+  const counts = { "turning points": stars, "numbers printed in the paper": [...printed, ...levels, ...limits, ...ofAll] };
   const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
   return [what, ...ends, ...marks].join("; ");
 }

@@ -19,12 +19,12 @@ export function save(name, type, text) {
 
 // The points of all charts: columns as those of the CSV files beside the figures.
 export function csvOf(specs) {
-  const rows = specs.flatMap(({ letter, x, y, lines, printed, levels, strips, stars }) => {
+  const rows = specs.flatMap(({ letter, x, y, lines, printed, levels, limits, ofAll, stars }) => {
     const row = (label, point) => [letter, label, x.name, point.x, y.name, Number.isNaN(point.y) ? "" : point.y];
     return [
       ...lines.flatMap(({ label, points }) => points.map((point) => row(label, point))),
       ...stars.map((star) => row("turning points", star)),
-      ...[...printed, ...levels, ...strips].map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
+      ...[...printed, ...levels, ...limits, ...ofAll].map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
     ];
   });
   return d3.csvFormatRows([["panel", "curve", "x_name", "x", "y_name", "y"], ...rows]) + "\n";

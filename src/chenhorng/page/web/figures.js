@@ -160,7 +160,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
   const printed = marksOf(panel.printed, statement, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
   const isRanged = ({ mine, places }) => mine || places.some((place) => panel.ranged.includes(place));
-  const ranged = x === "load" && content.quantities.includes(y) ? curves.filter(isRanged) : [];
+  const ranged = x === "load" ? curves.filter(isRanged) : [];
   const ranges = ranged.map(({ condition, ...look }) => ({ ...look, points: outlineOf(condition, y) }));
   const stars = y === "particle_contact_area_ratio" || panel.turning_points ? starsOf(x, y, curves, engine) : [];
   const spec = {

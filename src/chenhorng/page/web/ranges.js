@@ -27,8 +27,9 @@ const keyOf = (condition) => JSON.stringify([currentInputs(), condition]);
 export function outlineOf(condition, y) {
   const members = solved.get(keyOf(condition));
   if (!members) return undefined;
+  const engines = memberEngines();
   const ends = d3.transpose(members).map((states) => {
-    const [low, high] = rangeOf(states.map((state) => state[y]));
+    const [low, high] = rangeOf(states.map((state, place) => engines[place].pointOf("load", y, state, condition).y));
     return { load: states[0].load, low, high };
   });
   const known = ends.filter(({ low }) => low !== undefined);
