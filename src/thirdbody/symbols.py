@@ -29,6 +29,9 @@ RAISED = r"\^(-?\d+)"
 OF_TEN = rf"\b(?:(\d+(?:\.\d+)?)×)?10{RAISED}"  # a power as ``unicode`` writes it
 PER = r"(?<=\b[ms])-(?=\d\b)"  # m-2
 MINUS = r"(?<![\w^).])-(?=\.?\d)"  # before a number: no hyphen, and no sign of a power
+UNIT = r"(?:%|k?N|[nmµ]?m|cSt|[GMk]?Pa)(?![A-Za-z])"
+# spaces at which no line ends: between a number and its unit, and beside a sign
+TIGHT = rf"(?<=[\d{SUPERSCRIPTS}]) (?={UNIT})| (?=[=<>±] )|(?<= [=<>±]) "
 TO_BELOW = str.maketrans("aeoxhklmnpstijruv0123456789", "ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ₀₁₂₃₄₅₆₇₈₉")
 TO_ABOVE = str.maketrans("-0123456789", SUPERSCRIPTS)
 LATEX_LETTERS = {letter: rf"\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi"}
@@ -83,8 +86,8 @@ def mathtext(text: str, is_symbol: bool = False) -> str:
 
 
 def html(text: str, is_symbol: bool = False) -> str:
-    """A text as HTML, escaped."""
-    return _written(text, is_symbol, HTML)
+    """A text as HTML, escaped.  A number stays on the line of its unit and of its symbol."""
+    return _written(re.sub(TIGHT, "\N{NO-BREAK SPACE}", text), is_symbol, HTML)
 
 
 def latex(text: str, is_symbol: bool = False) -> str:
