@@ -103,6 +103,12 @@ def test_statements_that_repeat_one_another_count_once(twins, count):
     assert verdicts.count_once(CLAIMS, by_id(main)) == count
 
 
+def test_the_counts_with_repeats_lead_to_the_count_without():
+    page = claims_html(report((HELD, HELD, HELD, MISSED)))
+    assert "4 statements: 2 hold, 1 fail, 1 are contradicted by the paper itself. " in page
+    assert "The 3 that hold or fail are 2 without repeats." in page
+
+
 def test_the_page_has_the_score_and_the_contradictions_apart():
     main = (MISSED, HELD, HELD, MISSED)
     predicted = {"taken": HELD, "one": MISSED, "other": HELD}
@@ -210,7 +216,7 @@ def test_programs_read_what_the_page_says():
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5} and first["reason"] == "reason"
     words = [row["verdicts_of"]["mine"] for row in content["statements"]]
-    assert words == ["fails", verdicts.CONTRADICTED, "not tested", "holds"]
+    assert words == ["fails", CONTRADICTED, "not tested", "holds"]
     assert (last["deviation"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
     second = content["statements"][1]
     assert (second["part"], second["finding"]) == ("Figure 4", MISSED.finding)
