@@ -187,10 +187,11 @@ def test_a_printed_number_has_a_graph_with_its_tolerance_and_what_is_found():
         assert row.count('class="missed" d="M') == arrows
         kinds = re.findall(r'class="(met|missed)" cx', row)
         assert kinds == (["met", "met", "missed"] if places else [])
-    words = replace(TAKEN, stands_for="about one")
-    results = replace(report((near, HELD, HELD, HELD)), claims=(words, *CLAIMS[1:]))
-    (row,) = (line for line in claims_html(results).splitlines() if 'id="taken"' in line)
-    assert "<svg" not in row
+    for stands_for, graphs in (("about one", 0), ("300 nm", 1)):
+        words = replace(TAKEN, stands_for=stands_for)
+        results = replace(report((near, HELD, HELD, HELD)), claims=(words, *CLAIMS[1:]))
+        (row,) = (line for line in claims_html(results).splitlines() if 'id="taken"' in line)
+        assert row.count("<svg") == graphs
 
 
 def test_the_page_has_true_minus_signs_and_is_a_table_on_paper():

@@ -219,9 +219,11 @@ def claims_html(report: Report) -> str:
 
 def bullets(claim: Claim, verdict: Verdict) -> list[dict[str, Any]]:
     """A bullet graph of each number that the paper prints in a statement: the number as text, and
-    how far the computed numbers lie from it, in tolerances [1]; none for words."""
+    how far the computed numbers lie from it, in tolerances [1]; none for words without a number,
+    and none for a number that a curve reaches or passes."""
     published = np.atleast_1d(claim.published)
-    if claim.kind == "reach" or claim.stands_for or published.dtype.kind != "f":
+    is_printed = not claim.stands_for or any(map(str.isdigit, claim.stands_for))
+    if claim.kind == "reach" or not is_printed or published.dtype.kind != "f":
         return []
     if not np.isfinite(verdict.numbers).all():
         return []
