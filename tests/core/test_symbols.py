@@ -42,6 +42,10 @@ TEXTS = {
             "10⁻⁶ of Rₓ², 3 m⁻²",
         ),
     ),
+    "H_s1 - 2": (
+        *("<i>H</i><sub>s1</sub> − 2", r"$H_{s1}$ $-$ 2"),
+        *("$H_{s1}$ − 2", "Hₛ₁ − 2"),
+    ),
     "a nuisance, s-s, summit_radius": (
         *("a nuisance, s-s, summit_radius", r"a nuisance, s-s, summit\_radius"),
         *["a nuisance, s-s, summit_radius"] * 2,

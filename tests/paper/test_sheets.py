@@ -60,6 +60,8 @@ def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
     assert lubricated[:5] == ["6, 11", "90", "300", "300", "1e11"]
     assert dry[5:] == ["3.18", "3.27 ± 0.16", "0.318", "0.200", "21.1", "", "1150"]
     assert lubricated[10] == "21.1 ± 3"
+    headings = [*sheet.rows[0]]
+    assert headings[6] == "F_TPCA* (paper) [10⁻⁶]" and headings[10] == "Lₛ (paper) [%]"
 
 
 def test_a_windows_ends_stand_in_one_row_beside_the_papers():
@@ -84,7 +86,7 @@ def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
     numbers = [printed(CURVE, "load", 1e-4, 7e-5, 1.3e-4, **at)]
     sheet = sheet_of("transitions", rows, numbers, NEWTONS)
     (row,) = sheet.rows
-    assert row["Lₛ = 90 % (paper)"] == "10 ± 3"
+    assert row["Lₛ = 90 % (paper) [N]"] == "10 ± 3"
     assert (row["Aₛₐ,ₜ* ↑ 0.05 [N]"], row["Aₛₐ,ₜ* ↓ 0.05 [N]"]) == ("0.200", "9.00")
 
 
@@ -112,7 +114,7 @@ def test_deviations_have_their_median_and_mean_and_say_what_is_missing():
     assert cells(sheet) == [
         ["Figure 11A", "A statement.", "3.27e-6", "3.68e-6", "+12.5 %", "✗"],
         ["Figure 9", "A statement.", "3.27e-6", "none", "-100.0 %", "✗"],
-        ["Figure 4C", "A statement.", "3.27e-6", "3.2e-6", "-2.0 %", ""],
+        ["Figure 4C", "A statement.", "3.27e-6", "3.20e-6", "-2.0 %", ""],
     ]
     assert "median of the deviations is 12.5 %, the mean 38.2 %" in sheet.note
 
