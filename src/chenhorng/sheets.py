@@ -12,7 +12,7 @@ from statistics import fmean, median
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from chenhorng.claims.words import NOT_TESTED, counted_once, number
+from chenhorng.claims.words import FAILS, HOLDS, NOT_TESTED, counted_once, number
 from chenhorng.tables import TABLES
 from thirdbody.core.film import has_film
 from thirdbody.curves import row_key
@@ -355,9 +355,17 @@ def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
         for row in rows
     ]
     inside = sum(row["inside"] == "yes" for row in rows)
+    # a number is printed twice if the same is computed for both
+    apart = counted_once(
+        (row["computed"] or row["id"], HOLDS if row["inside"] == "yes" else FAILS)
+        for row in rows
+        if not row["low"] == row["printed"] == row["high"]
+    )
     note = (
         f"Of {len(rows)} printed numbers {inside} lie within the range of the members of the "
-        "ensemble that were fitted without their figure."
+        "ensemble that were fitted without their figure. Without one that is the whole of its "
+        f"range, which no member misses, {_of(*apart)} do; there one that is printed twice counts "
+        "once, as inside if it is so both times."
         if rows
         else "The inputs of this run are not the calibrated ones, whose ensemble this table judges."
     )

@@ -134,6 +134,22 @@ def test_departures_are_rows_of_counts_and_deviations():
     ]
 
 
+def test_a_printed_number_that_no_range_misses_or_that_is_a_repeat_is_counted_apart():
+    names = "printed", "computed", "low", "high", "inside"
+    numbers = [
+        (1.0, 0.9999, 1.0, 1.0, "yes"),  # no member misses it
+        (1.6, 1.55, 1.55, 1.55, "no"),
+        (1.49e-5, 1.69e-5, 1.45e-5, 2.63e-5, "yes"),
+        (1.5e-5, 1.69e-5, 1.01e-5, 1.49e-5, "no"),  # the same again
+        (0.2, 0.21, 0.1, 0.3, "yes"),
+    ]
+    common = {"id": "a", "place": "Figure 9", "statement": "A statement."}
+    rows = [common | dict(zip(names, row, strict=True)) for row in numbers]
+    sheet = sheet_of("coverage", rows, (), NEWTONS)
+    assert "Of 5 printed numbers 3 lie within" in sheet.note and "misses, 1 of 3 do" in sheet.note
+    assert cells(sheet)[3][2:] == ["1.5e-5", "1.69e-5", "1.01e-5 to 1.49e-5", "no"]
+
+
 def test_held_out_statements_are_counted_once_and_apart_where_the_paper_says_the_same():
     common = dict.fromkeys(("place", "quote", "statement", "curves", "finding"), "A text.")
     known = {"id": "a", "cluster": "", "figures": "3, 6", "verdict": "holds"}
