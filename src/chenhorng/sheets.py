@@ -12,7 +12,7 @@ from statistics import fmean, median
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from chenhorng.claims.words import NOT_TESTED, counted_once, number
+from chenhorng.claims.words import FAILS, HOLDS, NOT_TESTED, counted_once, number
 from chenhorng.tables import TABLES
 from thirdbody.core.film import has_film
 from thirdbody.curves import row_key
@@ -122,6 +122,12 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
     if error > 0.0:
         places = min(places, -math.floor(math.log10(error)))
     return f"{round(value, places) + 0.0:.{max(places, 0)}f}"
+
+
+def power(value: float | None) -> str:
+    """``value`` with three significant digits, a small one with a power of ten: 0.210, 3.10e-6."""
+    is_small = value is not None and 0.0 < abs(value) < 1e-3
+    return short(f"{value:.{DIGITS - 1}e}") if is_small else rounded(value)
 
 
 def result_name(row: Mapping) -> str:
@@ -242,7 +248,7 @@ def _transitions(rows, printed, newtons_per_load) -> Sheet:
                 )
                 line[f"{symbol} {arrow} {limit} [N]"] = ", ".join(loads)
             at = {"quantity": "load", "at_quantity": quantity, "at_level": level}
-            heading = f"{symbol} = {limit} (paper)"
+            heading = f"{symbol} = {limit} (paper) [N]"
             line[heading] = _with_tolerances(paper, 1.0 / newtons_per_load, **at)
         lines.append(line | {"status": _statuses(its_rows)})
     note = (
@@ -298,7 +304,7 @@ def _number_cells(row) -> dict[str, str]:
         "place": row["place"].removesuffix(", section 3.3"),
         "statement": row["statement"],
         "printed": number(row["printed"], 4),
-        "computed": "none" if computed is None else number(computed),
+        "computed": "none" if computed is None else power(computed),
     }
 
 
@@ -343,17 +349,23 @@ def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
     lines = [
         {
             **_number_cells(row),
-            "range without its figure": " to ".join(
-                short(f"{row[end]:.3g}") for end in ("low", "high")
-            ),
+            "range without its figure": " to ".join(power(row[end]) for end in ("low", "high")),
             "inside": row["inside"],
         }
         for row in rows
     ]
     inside = sum(row["inside"] == "yes" for row in rows)
+    # a number is printed twice if the same is computed for both
+    apart = counted_once(
+        (row["computed"] or row["id"], HOLDS if row["inside"] == "yes" else FAILS)
+        for row in rows
+        if not row["low"] == row["printed"] == row["high"]
+    )
     note = (
         f"Of {len(rows)} printed numbers {inside} lie within the range of the members of the "
-        "ensemble that were fitted without their figure."
+        "ensemble that were fitted without their figure. Without one that is the whole of its "
+        f"range, which no member misses, {_of(*apart)} do; there one that is printed twice counts "
+        "once, as inside if it is so both times."
         if rows
         else "The inputs of this run are not the calibrated ones, whose ensemble this table judges."
     )
@@ -402,7 +414,7 @@ def _apparent_area(rows, _printed, _newtons_per_load) -> Sheet:
         }
         line = _headed("apparent_area", texts)
         for row in loads:
-            printed, newtons = (short(f"{row[n]:g}") for n in ("printed", "normal_load_N"))
+            printed, newtons = short(f"{row['printed']:g}"), f"{row['normal_load_N']:.3g}"
             heading = f"A_n E_ss by {printed}, {row['place']} [kN]"
             line[heading] = f"{_from_to(row, 'stiffness_{}_N', 1e-3)} for {newtons} N"
         lines.append(line | {name: of_all[name] or "" for name in ("verdict", "remark")})
@@ -492,7 +504,8 @@ def _headed(
             heading = column.heading or column.name
             line[heading] = texts[column.name]
             if printed and column.name in printed:
-                line[f"{heading.partition(' [')[0]} (paper)"] = printed[column.name]
+                symbol, space, unit = heading.partition(" [")
+                line[f"{symbol} (paper){space}{unit}"] = printed[column.name]
     return line
 
 

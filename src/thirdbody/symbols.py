@@ -20,7 +20,7 @@ SMALL = r"[ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ₀-₉]"
 BELOW = rf"{SMALL}+(?:,{SMALL}+)?"
 # a letter with an index; below, a single letter that is no word, no unit and no panel
 SYMBOL = (
-    rf"(?<!\w)({LETTER})_((?:sa|ss),t|TPCA|max|min|steel|[A-Za-z]{{1,2}}|[a-z]?[0-9])(?![A-Za-z_])"
+    rf"(?<!\w)({LETTER})_((?:sa|ss),t|TPCA|max|min|steel|[a-z]?[0-9]|[A-Za-z]{{1,2}})(?![A-Za-z_])"
 )
 SINGLE = r"(?<![\w$'’])({})(?![\w$'’])"
 IN_TEXT, IN_SYMBOL = SINGLE.format(f"[du{''.join(GREEK.values())}]"), SINGLE.format(LETTER)
@@ -28,7 +28,11 @@ POWER = r"\b(\d+(?:\.\d+)?)e([+-]?)0*(\d+)\b"
 RAISED = r"\^(-?\d+)"
 OF_TEN = rf"\b(?:(\d+(?:\.\d+)?)×)?10{RAISED}"  # a power as ``unicode`` writes it
 PER = r"(?<=\b[ms])-(?=\d\b)"  # m-2
-MINUS = r"(?<![\w^).])-(?=\.?\d)"  # before a number: no hyphen, and no sign of a power
+# before a number or alone: no hyphen, and no sign of a power
+MINUS = r"(?<![\w^).])-(?=\.?\d)|(?<= )-(?= )"
+UNIT = r"(?:%|k?N|[nmµ]?m|cSt|[GMk]?Pa)(?![A-Za-z])"
+# spaces at which no line ends: between a number and its unit, and beside a sign
+TIGHT = rf"(?<=[\d{SUPERSCRIPTS}]) (?={UNIT})| (?=[=<>±] )|(?<= [=<>±]) "
 TO_BELOW = str.maketrans("aeoxhklmnpstijruv0123456789", "ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ₀₁₂₃₄₅₆₇₈₉")
 TO_ABOVE = str.maketrans("-0123456789", SUPERSCRIPTS)
 LATEX_LETTERS = {letter: rf"\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi"}
@@ -83,8 +87,8 @@ def mathtext(text: str, is_symbol: bool = False) -> str:
 
 
 def html(text: str, is_symbol: bool = False) -> str:
-    """A text as HTML, escaped."""
-    return _written(text, is_symbol, HTML)
+    """A text as HTML, escaped.  A number stays on the line of its unit and of its symbol."""
+    return _written(re.sub(TIGHT, "\N{NO-BREAK SPACE}", text), is_symbol, HTML)
 
 
 def latex(text: str, is_symbol: bool = False) -> str:

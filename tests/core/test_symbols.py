@@ -42,6 +42,10 @@ TEXTS = {
             "10⁻⁶ of Rₓ², 3 m⁻²",
         ),
     ),
+    "H_s1 - 2": (
+        *("<i>H</i><sub>s1</sub> − 2", r"$H_{s1}$ $-$ 2"),
+        *("$H_{s1}$ − 2", "Hₛ₁ − 2"),
+    ),
     "a nuisance, s-s, summit_radius": (
         *("a nuisance, s-s, summit_radius", r"a nuisance, s-s, summit\_radius"),
         *["a nuisance, s-s, summit_radius"] * 2,
@@ -55,13 +59,28 @@ TEXTS = {
 @pytest.mark.parametrize(("text", "forms"), (SYMBOLS | TEXTS).items())
 def test_a_text_in_four_forms(text, forms):
     page, latex, figure, plain = forms
-    assert symbols.html(text) == page
+    assert symbols.html(text).replace("\N{NO-BREAK SPACE}", " ") == page
     assert symbols.latex(text) == latex
     assert symbols.mathtext(text) == figure
     assert symbols.unicode(text) == plain
     for form in (symbols.html, symbols.latex, symbols.mathtext):
         assert form(plain) == form(text)  # from Unicode too
     assert symbols.mathtext(figure) == figure
+
+
+@pytest.mark.parametrize(
+    ("text", "unbroken"),
+    [
+        ("At sigma = 300 nm it is < 14.9 % smaller", ["σ</i> = 300 nm", "is &lt; 14.9 %"]),
+        ("5.96e-5 is printed, 3 more", []),
+        ("10¹¹ m⁻², 6 mm² or 3 ± 1 GPa", ["</sup> m", "6 mm", "3 ± 1 GPa"]),
+    ],
+)
+def test_no_line_ends_between_a_number_and_its_unit_or_symbol(text, unbroken):
+    page = symbols.html(text)
+    tight = [part.replace(" ", "\N{NO-BREAK SPACE}") for part in unbroken]
+    assert all(part in page for part in tight)
+    assert page.count("\N{NO-BREAK SPACE}") == sum(part.count(" ") for part in unbroken)
 
 
 def test_the_table_has_the_symbol_of_each_variable():

@@ -859,7 +859,7 @@ def test_a_caption_says_of_which_inputs_the_curves_are(defaults):
     said = [inputs_sentence(scene_dataset(scene, each)) for each in (defaults.best, soft)]
     assert said[0] == "The curves are of the default inputs."
     assert said[1].startswith(
-        "The curves are of inputs that differ from the default: Hₛ1 = 3×10⁹ Pa"
+        "The curves are of inputs that differ from the default: Hₛ₁ = 3×10⁹ Pa"
     )
     assert said[1].endswith("particle_plane = surface.")
     area, sizes = labels_sentences(scene_dataset(scene, soft)).split(". The particle size ")

@@ -60,6 +60,8 @@ def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
     assert lubricated[:5] == ["6, 11", "90", "300", "300", "1e11"]
     assert dry[5:] == ["3.18", "3.27 ± 0.16", "0.318", "0.200", "21.1", "", "1150"]
     assert lubricated[10] == "21.1 ± 3"
+    headings = [*sheet.rows[0]]
+    assert headings[6] == "F_TPCA* (paper) [10⁻⁶]" and headings[10] == "Lₛ (paper) [%]"
 
 
 def test_a_windows_ends_stand_in_one_row_beside_the_papers():
@@ -84,7 +86,7 @@ def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
     numbers = [printed(CURVE, "load", 1e-4, 7e-5, 1.3e-4, **at)]
     sheet = sheet_of("transitions", rows, numbers, NEWTONS)
     (row,) = sheet.rows
-    assert row["Lₛ = 90 % (paper)"] == "10 ± 3"
+    assert row["Lₛ = 90 % (paper) [N]"] == "10 ± 3"
     assert (row["Aₛₐ,ₜ* ↑ 0.05 [N]"], row["Aₛₐ,ₜ* ↓ 0.05 [N]"]) == ("0.200", "9.00")
 
 
@@ -112,7 +114,7 @@ def test_deviations_have_their_median_and_mean_and_say_what_is_missing():
     assert cells(sheet) == [
         ["Figure 11A", "A statement.", "3.27e-6", "3.68e-6", "+12.5 %", "✗"],
         ["Figure 9", "A statement.", "3.27e-6", "none", "-100.0 %", "✗"],
-        ["Figure 4C", "A statement.", "3.27e-6", "3.2e-6", "-2.0 %", ""],
+        ["Figure 4C", "A statement.", "3.27e-6", "3.20e-6", "-2.0 %", ""],
     ]
     assert "median of the deviations is 12.5 %, the mean 38.2 %" in sheet.note
 
@@ -130,6 +132,22 @@ def test_departures_are_rows_of_counts_and_deviations():
         ["all take part", "participation = 1.0", "89 of 115", "16 of 18", "2.9 %", "6.0 %"],
         ["at random", "", "65 of 115", "", "", ""],
     ]
+
+
+def test_a_printed_number_that_no_range_misses_or_that_is_a_repeat_is_counted_apart():
+    names = "printed", "computed", "low", "high", "inside"
+    numbers = [
+        (1.0, 0.9999, 1.0, 1.0, "yes"),  # no member misses it
+        (1.6, 1.55, 1.55, 1.55, "no"),
+        (1.49e-5, 1.69e-5, 1.45e-5, 2.63e-5, "yes"),
+        (1.5e-5, 1.69e-5, 1.01e-5, 1.49e-5, "no"),  # the same again
+        (0.2, 0.21, 0.1, 0.3, "yes"),
+    ]
+    common = {"id": "a", "place": "Figure 9", "statement": "A statement."}
+    rows = [common | dict(zip(names, row, strict=True)) for row in numbers]
+    sheet = sheet_of("coverage", rows, (), NEWTONS)
+    assert "Of 5 printed numbers 3 lie within" in sheet.note and "misses, 1 of 3 do" in sheet.note
+    assert cells(sheet)[3][2:] == ["1.5e-5", "1.69e-5", "1.01e-5 to 1.49e-5", "no"]
 
 
 def test_held_out_statements_are_counted_once_and_apart_where_the_paper_says_the_same():

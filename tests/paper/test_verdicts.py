@@ -103,6 +103,12 @@ def test_statements_that_repeat_one_another_count_once(twins, count):
     assert verdicts.count_once(CLAIMS, by_id(main)) == count
 
 
+def test_the_counts_with_repeats_lead_to_the_count_without():
+    page = claims_html(report((HELD, HELD, HELD, MISSED)))
+    assert "4 statements: 2 hold, 1 fail, 1 are contradicted by the paper itself. " in page
+    assert "The 3 that hold or fail are 2 without repeats." in page
+
+
 def test_the_page_has_the_score_and_the_contradictions_apart():
     main = (MISSED, HELD, HELD, MISSED)
     predicted = {"taken": HELD, "one": MISSED, "other": HELD}
@@ -181,10 +187,11 @@ def test_a_printed_number_has_a_graph_with_its_tolerance_and_what_is_found():
         assert row.count('class="missed" d="M') == arrows
         kinds = re.findall(r'class="(met|missed)" cx', row)
         assert kinds == (["met", "met", "missed"] if places else [])
-    words = replace(TAKEN, stands_for="about one")
-    results = replace(report((near, HELD, HELD, HELD)), claims=(words, *CLAIMS[1:]))
-    (row,) = (line for line in claims_html(results).splitlines() if 'id="taken"' in line)
-    assert "<svg" not in row
+    for stands_for, graphs in (("about one", 0), ("300 nm", 1)):
+        words = replace(TAKEN, stands_for=stands_for)
+        results = replace(report((near, HELD, HELD, HELD)), claims=(words, *CLAIMS[1:]))
+        (row,) = (line for line in claims_html(results).splitlines() if 'id="taken"' in line)
+        assert row.count("<svg") == graphs
 
 
 def test_the_page_has_true_minus_signs_and_is_a_table_on_paper():
@@ -210,7 +217,7 @@ def test_programs_read_what_the_page_says():
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5} and first["reason"] == "reason"
     words = [row["verdicts_of"]["mine"] for row in content["statements"]]
-    assert words == ["fails", verdicts.CONTRADICTED, "not tested", "holds"]
+    assert words == ["fails", CONTRADICTED, "not tested", "holds"]
     assert (last["deviation"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
     second = content["statements"][1]
     assert (second["part"], second["finding"]) == ("Figure 4", MISSED.finding)

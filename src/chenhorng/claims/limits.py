@@ -75,7 +75,7 @@ def _nominal_area(inputs):
     for newtons in NEWTONS:
         area, _ = hertz_contact(newtons, inputs)
         ratio = float(inputs.apparent_area / area)
-        remark = f"the ball by Hertz has {1e6 * area:.3g} mm2"
+        remark = f"the ball by Hertz has {1e6 * area:.3g} mm²"
         yield _row(f"F_t = {newtons:g} N", "A_n over the area of Hertz", ratio, remark=remark)
 
 

@@ -18,7 +18,6 @@ from chenhorng.calibration.choice import Candidate, printed_numbers, rank_interp
 from chenhorng.claims.claim import Claim, Verdict
 from chenhorng.claims.evidence import QUICK_EFFORT
 from chenhorng.claims.judge import (
-    CONTRADICTED,
     FAILS,
     HOLDS,
     Judge,
@@ -27,19 +26,13 @@ from chenhorng.claims.judge import (
     count_once,
     outcome,
 )
-from chenhorng.claims.words import COLOURS, number
+from chenhorng.claims.words import COLOURS, counts_sentence, number
 from chenhorng.places import part_of_paper
 from chenhorng.tables import TABLES
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import RANGE, range_over_members
 from thirdbody.symbols import html
 
-COUNTED = {
-    "holds": "hold",
-    "fails": "fail",
-    CONTRADICTED: "are " + CONTRADICTED,
-    "not tested": "without a test here",
-}
 NO_RANGE = (np.nan, np.nan)
 # of a bullet graph, in its units: the middle, the length of a tolerance, and the last place
 MIDDLE, TOLERANCE, LAST = 50.0, 20.0, 46.0
@@ -223,7 +216,7 @@ def claims_html(report: Report) -> str:
     groups = [(part, rows.to_dict("records")) for part, rows in parts]
     return ENVIRONMENT.get_template("claims.html.j2").render(
         score=score,
-        counts=counts_sentence(report),
+        counts=counts_sentence(report.table.to_dict("records")),
         groups=groups,
         verdicts=report.verdicts,
         claims={claim.id: claim for claim in report.claims},
@@ -235,9 +228,11 @@ def claims_html(report: Report) -> str:
 
 def bullets(claim: Claim, verdict: Verdict) -> list[dict[str, Any]]:
     """A bullet graph of each number that the paper prints in a statement: the number as text, and
-    how far the computed numbers lie from it, in tolerances [1]; none for words."""
+    how far the computed numbers lie from it, in tolerances [1]; none for words without a number,
+    and none for a number that a curve reaches or passes."""
     published = np.atleast_1d(claim.published)
-    if claim.kind == "reach" or claim.stands_for or published.dtype.kind != "f":
+    is_printed = not claim.stands_for or any(map(str.isdigit, claim.stands_for))
+    if claim.kind == "reach" or not is_printed or published.dtype.kind != "f":
         return []
     if not np.isfinite(verdict.numbers).all():
         return []
@@ -263,7 +258,7 @@ def claims_json(report: Report) -> str:
     rows = report.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
         "score": score_sentence(report).replace("**", ""),
-        "counts": counts_sentence(report),
+        "counts": counts_sentence(report.table.to_dict("records")),
         "held": held,
         "judged": of,
         "predicted": predicted,
@@ -315,13 +310,6 @@ def score_sentence(report: Report) -> str:
         impossible=sum(bool(claim.impossible) for claim in report.claims),
         prominence=PROMINENCE,
     ).replace("\n", " ")
-
-
-def counts_sentence(report: Report) -> str:
-    """The sentence on how many statements have each verdict, repeats included."""
-    counts = report.table["verdict"].value_counts()
-    texts = [f"{counts[verdict]} {text}" for verdict, text in COUNTED.items() if verdict in counts]
-    return f"With repeats the paper makes {counts.sum()} statements: {', '.join(texts)}."
 
 
 def _cell(value: Any) -> str:

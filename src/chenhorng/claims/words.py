@@ -1,7 +1,9 @@
 """The words of verdicts, and the sentences on results beside the statements of the paper."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +17,12 @@ HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
 # the colour of each verdict in bars, figures and pages, on white and on dark paper
 COLOURS = {HOLDS: "#0072B2", FAILS: "#D55E00", CONTRADICTED: "#E69F00", NOT_TESTED: "#C4C4C4"}
+COUNTED = {
+    HOLDS: "hold",
+    FAILS: "fail",
+    CONTRADICTED: f"are {CONTRADICTED}",
+    NOT_TESTED: "cannot be tested here",
+}
 # quantities as the subject of a sentence: the symbol, or other words if they are clearer
 NAMES = {name: quantity.symbol for name, quantity in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",
@@ -48,6 +56,18 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
         if verdict in (HOLDS, FAILS):
             held[name] = held.get(name, True) and verdict == HOLDS
     return sum(held.values()), len(held)
+
+
+def counts_sentence(rows: Sequence[Mapping[str, Any]]) -> str:
+    """How many statements, from rows of the table ``claims``, have each verdict, repeats included,
+    and how many are left without repeats."""
+    counts = Counter(row["verdict"] for row in rows)
+    texts = [f"{counts[verdict]} {text}" for verdict, text in COUNTED.items() if counts[verdict]]
+    _, once = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
+    return (
+        f"With repeats the paper makes {len(rows)} statements: {', '.join(texts)}. "
+        f"The {counts[HOLDS] + counts[FAILS]} that hold or fail are {once} without repeats."
+    )
 
 
 def sentence(text: str, *others: str) -> str:

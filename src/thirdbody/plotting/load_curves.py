@@ -368,7 +368,7 @@ def ranges_drawn(panel: Panel) -> list[Series]:
 
 
 def _is_apart(band, y):
-    """Whether a range is coloured, or of two-body contact where it is neither zone nor reference."""
+    """Whether a range is coloured, or of two-body contact beside no zones and no reference."""
     is_grey = len({*band.look["facecolor"]}) == 1
     is_free = not SCALES[y].zones and y != RELATIVE_AREA
     return not is_grey or (band.curve.is_two_body and is_free)
