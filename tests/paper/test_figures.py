@@ -17,6 +17,7 @@ from matplotlib.text import Text
 import thirdbody as tb
 from chenhorng.claims.between_curves import BEND
 from chenhorng.claims.claims import load_claims, printed_rows
+from chenhorng.claims.words import CONTRADICTED
 from chenhorng.figures.captions import caption, inputs_sentence, labels_sentences
 from chenhorng.figures.curve_figures import CURVE_FIGURES, plot
 from chenhorng.figures.findings import headline
@@ -411,11 +412,14 @@ def test_a_panel_alone_has_no_hairlines_and_the_colours_of_the_figure(datasets):
 
 
 def test_a_figure_says_how_many_of_its_statements_hold(datasets):
-    counts = [{"part": f"Figure {n}", "held": 3.0 + n, "tested": 4.0 + n} for n in (4, 5)]
-    for given, expected in ((counts, ["7 of its 8 statements here hold."]), ([], [])):
+    verdicts = {"holds": 3.0, "fails": 1.0, CONTRADICTED: 2.0, "not tested": 0.0}
+    counts = [{"part": f"Figure {n}"} | verdicts | {"holds": 3.0 + n} for n in (4, 5)]
+    text = f"Of the paper's 10 statements here 7 hold, 1 fails, 2 {CONTRADICTED}."
+    for given, expected in ((counts, [text]), ([], [])):
         figure = plotted("fig04", datasets, counts=given)
         texts = [" ".join(each.get_text().split()) for each in figure.findobj(Text)]
-        assert [text[-32:] for text in texts if text.endswith("hold.")] == expected
+        found = [each.partition("Of the paper's") for each in texts]
+        assert [start + rest for _, start, rest in found if start] == expected
 
 
 @pytest.mark.parametrize(
@@ -542,7 +546,7 @@ def test_turning_points_and_windows_are_marked(datasets, printed):
     assert points and over.of_kind(LOCUS)
     (ends,) = last.of_kind(WINDOW)
     assert ends.x.tolist() == [0.9, 1.2]
-    assert {"printed, without height", "tolerance of a printed line"} <= {*key_of(drawing)}
+    assert {"printed position along x", "tolerance of a printed line"} <= {*key_of(drawing)}
     # 0.83 and 0.8333 are one number; strips that overlap are seen through
     strips = drawing.axes[3].patches
     assert len(strips) == 4 and len({strip.get_bbox().x0 for strip in strips}) == 4
@@ -842,7 +846,7 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
         last = drawing.panels[1].of_kind(CURVE)[-1]
         first = power_text(float(f"{last.y[0]:.1e}"))
         assert f"xₐ = 1000 nm runs from {first} to {last.y[-1]:.2g}" in text
-        assert "printed, between the strokes: 2, " in text
+        assert "printed for loads between strokes: 2, " in text
     if name == "fig11":
         assert "the curve at dry runs from 100 % to 100 %" in text and "×10⁻⁴" in text
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}

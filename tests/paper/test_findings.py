@@ -70,7 +70,9 @@ def test_the_order_of_areas_is_that_of_the_title_dry_and_lubricated(name, along,
     finding, (first, last) = said(name, datasets)
     data = datasets[name]
     dry, wet = (shown(data, AREA, along, **medium) for medium in (DRY, OIL))
-    assert (dry.diff(along) < 0.02 * dry.min(along)).all() and "dry area smaller" in finding
+    assert (
+        dry.diff(along) < 0.02 * dry.min(along)
+    ).all() and "Dry, the area never grows" in finding
     rises = (wet.diff(along) > 0.0).all(along)
     assert rises[data["load"] > 1.02 * last].all()
     assert not rises[data["load"] < 0.9 * last][-1]
@@ -87,6 +89,7 @@ def test_oil_changes_no_area_up_to_the_load_of_the_title_and_some_surfaces_turn(
     assert (apart[data["load"] < load] < 0.055).all() and (
         apart[data["load"] > 1.1 * load] > 0.05
     ).all()
+    assert (wet < 1.02 * dry).all()
     for medium in (DRY, OIL):
         ratio = shown(data, RATIO, "roughness", **medium, **particles)
         turns = stands_out(ratio) >= 0.02
@@ -116,6 +119,37 @@ def test_oil_takes_the_turning_point_of_the_smoother_surface_alone(datasets):
     assert places.max() > 1.1 * places[0]
     places = data["load"][rough.argmax("load")]
     assert (stands_out(rough) >= 0.02).all() and places.max() < 1.15 * places.min()
+
+
+def test_the_turning_point_of_the_title_has_the_height_of_the_dry_one_and_a_larger_load(datasets):
+    _, (viscosity, factor) = said("fig11", datasets)
+    data = datasets["fig11"]
+    ratio, solid = (shown(data, name, "viscosity") for name in (RATIO, SOLID))
+    dry, oil = (ratio.sel(viscosity=1e-6 * nu, method="nearest").values for nu in (0.0, viscosity))
+    place = int(oil.argmax())
+    assert abs(oil.max() - dry.max()) < 0.02
+    assert (
+        3.0
+        < factor
+        == pytest.approx(data["load"].values[place] / data["load"].values[dry.argmax()], rel=0.15)
+    )
+    assert 0.03 < solid.sel(viscosity=1e-6 * viscosity, method="nearest")[place] < 0.9
+
+
+def test_the_load_of_turning_points_rises_with_density_as_often_as_the_title_says(datasets):
+    finding, _ = headline("fig13", datasets["fig13"])
+    growths = [
+        float(each)
+        for each in re.search(r"rises ([\d.]+), ([\d.]+) and ([\d.]+) times", finding).groups()
+    ]
+    assert "From 5×10¹⁰ to 10¹² m⁻²" in finding and growths == sorted(growths)
+    data = datasets["fig13"]
+    for size, growth in zip((1e-7, 3e-7, 5e-7), growths, strict=True):
+        own = data[RATIO].sel(roughness=size, particle_diameter=size, method="nearest")
+        ratio = own.where(own < 1e30).max("viscosity")  # of the one that is drawn
+        ends = [ratio.sel(particle_density=eta, method="nearest").values for eta in (5e10, 1e12)]
+        first, last = (data["load"].values[each.argmax()] for each in ends)
+        assert last / first == pytest.approx(growth, rel=0.3)
 
 
 @pytest.mark.parametrize("name", FOUND)

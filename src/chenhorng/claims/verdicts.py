@@ -199,10 +199,11 @@ def claims_markdown(report: Report) -> str:
 
 
 def counts_by_part(report: Report) -> list[dict[str, Any]]:
-    """Rows of the table ``counts``: how many statements of each part of the paper hold."""
+    """Rows of the table ``counts``: how many statements of each part of the paper have each
+    verdict."""
     verdicts = report.table["verdict"].groupby(report.table["place"].map(part_of_paper), sort=False)
     return [
-        {"part": part, "held": (own == HOLDS).sum(), "tested": own.isin([HOLDS, FAILS]).sum()}
+        {"part": part} | {verdict: int((own == verdict).sum()) for verdict in COLOURS}
         for part, own in verdicts
     ]
 

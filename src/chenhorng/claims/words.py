@@ -17,12 +17,7 @@ HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
 # the colour of each verdict in bars, figures and pages, on white and on dark paper
 COLOURS = {HOLDS: "#0072B2", FAILS: "#D55E00", CONTRADICTED: "#E69F00", NOT_TESTED: "#C4C4C4"}
-COUNTED = {
-    HOLDS: "hold",
-    FAILS: "fail",
-    CONTRADICTED: f"are {CONTRADICTED}",
-    NOT_TESTED: "cannot be tested here",
-}
+SEVERAL = {HOLDS: "hold", FAILS: "fail"}  # of several statements
 # quantities as the subject of a sentence: the symbol, or other words if they are clearer
 NAMES = {name: quantity.symbol for name, quantity in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",
@@ -58,14 +53,22 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
     return sum(held.values()), len(held)
 
 
+def counted(counts: Mapping[str, float]) -> str:
+    """Numbers of statements by their verdict in words: 8 hold, 1 fails."""
+    return ", ".join(
+        f"{counts[verdict]:g} {verdict if counts[verdict] == 1 else SEVERAL.get(verdict, verdict)}"
+        for verdict in COLOURS
+        if counts[verdict]
+    )
+
+
 def counts_sentence(rows: Sequence[Mapping[str, Any]]) -> str:
     """How many statements, from rows of the table ``claims``, have each verdict, repeats included,
     and how many are left without repeats."""
     counts = Counter(row["verdict"] for row in rows)
-    texts = [f"{counts[verdict]} {text}" for verdict, text in COUNTED.items() if counts[verdict]]
     _, once = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
     return (
-        f"With repeats the paper makes {len(rows)} statements: {', '.join(texts)}. "
+        f"With repeats the paper makes {len(rows)} statements: {counted(counts)}. "
         f"The {counts[HOLDS] + counts[FAILS]} that hold or fail are {once} without repeats."
     )
 

@@ -8,6 +8,7 @@ from typing import Any
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 
+from chenhorng.claims.words import COLOURS, counted
 from chenhorng.figures import printed as printed_marks
 from chenhorng.figures.captions import REMARKS, SENTENCES, place_of
 from chenhorng.figures.findings import headline
@@ -74,7 +75,8 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
     "fig13": CurveFigure("particle_density", (replace(RATIO, least=0.002),), each=("roughness",)),
 }
 LEAST_SIZE = 7.0  # of what the paper says, below the title [points]
-BOLD, LEAST = 14.8, 18.0  # characters of both in an inch
+TITLE_LINE = 0.14  # height of a line above the panels [inches]
+BOLD, LEAST = 14.2, 18.0  # characters of both in an inch
 WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
@@ -142,13 +144,24 @@ def plot(
         inches = figure.get_figwidth()
         first = fill(finding or data.attrs["title"], round(BOLD * inches))
         second = "\n".join((fill(paper, round(LEAST * inches)), *_count(name, counts)))
-        room = "\n" * (1 + second.count("\n"))
-        title = figure.suptitle(first + room, x=0.01, ha="left", size="medium", weight="bold")
-        below = Annotation(second, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)
-        figure.add_artist(below)
+        _write_above(figure, first, second)
     return figure
 
 
+def _write_above(figure: Figure, first: str, second: str) -> None:
+    """Write lines in bold and others below them, above the panels, which keep their heights."""
+    room = "\n" * (1 + second.count("\n"))
+    lines = (first + room).count("\n") + 1
+    figure.set_figheight(figure.get_figheight() + lines * TITLE_LINE)
+    title = figure.suptitle(first + room, x=0.01, ha="left", size="medium", weight="bold")
+    below = Annotation(second, (0.0, 0.0), xycoords=title, va="bottom", size=LEAST_SIZE)
+    figure.add_artist(below)
+
+
 def _count(name: str, counts: Sequence[Mapping]) -> list[str]:
-    """How many statements about a figure of the paper hold, if they were judged."""
-    return [SENTENCES["count"].format(**row) for row in counts if row["part"] == place_of(name)]
+    """How many statements about a figure of the paper have each verdict, if they were judged."""
+    return [
+        SENTENCES["count"].format(all=sum(row[verdict] for verdict in COLOURS), each=counted(row))
+        for row in counts
+        if row["part"] == place_of(name)
+    ]

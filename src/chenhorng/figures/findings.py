@@ -37,9 +37,7 @@ def headline(name: str, data: Dataset) -> tuple[str, str]:
     paper = unicode(f"{SENTENCES['paper']} {words['paper']}")
     if found is None:
         return "", paper
-    if "finding" in words:
-        return unicode(words["finding"].format(**found)), paper
-    return unicode(words["paper"][0].upper() + words["paper"][1:]), SENTENCES["same"]
+    return unicode(words["finding"].format(**found)), paper
 
 
 def _along(curves: Curves, parameter: str, is_dry: bool | None = None) -> list[Curve]:
@@ -136,15 +134,18 @@ def _reversal(curves: Curves, parameter: str) -> Found:
 
 
 def _small_loads_and_surfaces(curves: Curves) -> Found:
-    """Up to a load oil changes nothing on any surface; from a roughness on there is a turning
-    point, dry and lubricated."""
+    """Up to a load oil changes nothing on any surface, above it areas are smaller; from a roughness
+    on there is a turning point, dry and lubricated."""
     dry, wet = (_along(curves, "roughness", is_dry=is_dry) for is_dry in (True, False))
     if not dry or len(dry) != len(wet):
         return None
     areas = [np.log([one.values[AREA] for one in each]) for each in (dry, wet)]
-    apart = np.abs(areas[1] - areas[0]).max(axis=0)
+    change = areas[1] - areas[0]
+    apart = np.abs(change).max(axis=0)
     turning = [one for one, other in zip(dry, wet, strict=True) if _turns(one) and _turns(other)]
-    if apart[0] > SIMILAR or apart[-1] < SIMILAR or not turning or turning != dry[-len(turning) :]:
+    if apart[0] > SIMILAR or apart[-1] < SIMILAR or change.max() > LINE:
+        return None
+    if not turning or turning != dry[-len(turning) :]:
         return None
     load = first_fall(dry[0].values["load"], SIMILAR - apart)
     return {
@@ -183,7 +184,8 @@ def _shift_by_viscosity(curves: Curves) -> Found:
     loads = [_top(one) for one in (*turning[:1], *mixed)]
     if not mixed or np.ptp(heights) > LINE or not _rise(loads, LINE):
         return None
-    return {}
+    factor = f"{loads[-1] / loads[0]:.2g}"
+    return {"viscosity": _number(mixed[-1], "viscosity"), "factor": factor}
 
 
 def _turning_by_surface(curves: Curves) -> Found:
@@ -215,7 +217,12 @@ def _shift_by_density(curves: Curves) -> Found:
     for surface in surfaces:
         loads = [_top(one) for one, is_in in zip(surface, common, strict=True) if is_in]
         growths.append(loads[-1] / loads[0])
-    return {} if _rise(growths, LINE) else None
+    if not _rise(growths, LINE):
+        return None
+    ends = [one for one, is_in in zip(surfaces[0], common, strict=True) if is_in]
+    low, high = (power_text(ends[place].condition.particle_density) for place in (0, -1))
+    *first, last = (f"{each:.2g}" for each in growths)
+    return {"low": low, "high": high, "growths": f"{', '.join(first)} and {last}"}
 
 
 FOUND: dict[str, Callable[[Curves], Found]] = {

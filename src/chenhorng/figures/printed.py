@@ -33,7 +33,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 3.1,
     },
     EVERY_LOAD: {
-        "label": "printed, between the strokes",
+        "label": "printed for loads between strokes",
         "color": "black",
         "linestyle": "-",
         "linewidth": 0.9,
@@ -43,7 +43,7 @@ LOOKS: dict[str, dict[str, Any]] = {
         "zorder": 2.9,
     },
     ALONG_X: {
-        "label": "printed, without height",
+        "label": "printed position along x",
         "color": "black",
         "linestyle": (0, (4.0, 1.0, 1.0, 1.0)),
         "linewidth": 1.3,

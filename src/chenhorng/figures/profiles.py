@@ -70,7 +70,7 @@ def _series(rows) -> Iterator[Series]:
 def _title(text, series, acceptance) -> str:
     """The title of a panel: the acceptable levels, and whether the valley is open at an end."""
     low, high = acceptable_ends(series.x, series.y, acceptance)
-    return text.format(f"{low:.3g}", f"{high:.3g}")
+    return text.format(f"{low:.2g}", f"{high:.2g}")
 
 
 def _draw(axes: Axes, panel: Panel, acceptance: float) -> None:

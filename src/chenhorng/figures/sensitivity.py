@@ -44,7 +44,7 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
         series.append(Series(CURVE, name, *(CORNERS + cell[::-1]).T))
     decisive = len({*np.argmax(np.abs(values), axis=0).tolist()})
     words = FIGURES["sensitivity"]
-    title = words["panel"].format(NUMBERS[decisive].capitalize())
+    title = words["panel"].format(NUMBERS[decisive])
     figure = empty_panels(
         [Panel(title, "result", "elasticity", series)],
         (TWO_COLUMNS, ROW * len(inputs) + BESIDE),
@@ -64,7 +64,7 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
         words["faint"].format(LEAST): negligible,
         words["missing"]: missing,
     }
-    texts = [f"{what} {'; '.join(each)}." for what, each in notes.items() if each]
+    texts = [f"{what} {', '.join(each)}." for what, each in notes.items() if each]
     lines = [
         textwrap.fill(text.replace(" = ", "\xa0=\xa0").replace(" nm", "\xa0nm"), LETTERS)
         for text in texts

@@ -197,7 +197,7 @@ class CurveFigure:
         several = len({(each.x, each.y) for each in self.contents}) > 1
         shown = panel_title(content.x, content.y) if several or not own else ""
         return Panel(
-            title="\n".join(filter(None, (shown, ", ".join(filter(None, (own, content.remark)))))),
+            title="\n".join(filter(None, (shown, " ".join(filter(None, (own, content.remark)))))),
             x=content.x,
             y=content.y,
             series=series,

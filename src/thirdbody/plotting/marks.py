@@ -32,7 +32,11 @@ OF_STATUS = {
 # how matplotlib draws each kind of mark; those with a label have an entry in the key, in this order
 LOOKS: dict[str, dict[str, Any]] = {
     TURNING_POINTS: PEAK
-    | {"label": "turning point (TPCA)", "markerfacecolor": "C1", "markeredgecolor": "black"},
+    | {
+        "label": f"turning point (rise ≥ {PROMINENCE:g})",
+        "markerfacecolor": "C1",
+        "markeredgecolor": "black",
+    },
     SLIGHT: PEAK
     | {
         "label": f"peak that rises by less than {PROMINENCE:g}",

@@ -81,14 +81,14 @@ export function sampleOf({ fill, dry, thin, mine, mark, marker, hasEnds, isUprig
 
 // Entries of the key for what charts show beside their curves, by the lists of a spec.
 const KEY = {
-  stars: { text: "turning point (TPCA)", mark: "star" },
+  stars: { text: "turning point (rise ≥ 0.02)", mark: "star" },
   slight: { text: "peak that rises by less than 0.02", mark: "slight" },
   locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   computed: { text: "bend or crossing, computed", mark: "computed" },
-  levels: { text: "printed, between the strokes", color: "var(--ink)", kind: "level", hasEnds: true },
+  levels: { text: "printed for loads between strokes", color: "var(--ink)", kind: "level", hasEnds: true },
   windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
-  limits: { text: "printed, without height", color: "var(--ink)", kind: "limit", isUpright: true },
+  limits: { text: "printed position along x", color: "var(--ink)", kind: "limit", isUpright: true },
   ofAll: { text: "the same, for all surfaces", color: "var(--ink)", kind: "limit all", isUpright: true },
   strips: { text: "tolerance of a printed line", fill: "var(--tolerance)", kind: "strip" },
   ranges: { text: "range of the ensemble", fill: "var(--range)" },

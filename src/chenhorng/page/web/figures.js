@@ -210,7 +210,7 @@ const bracketOver = (ends, text, color = "var(--ink)") => (ends.length === 2 ? [
 function titleOf(x, y, ...own) {
   const { words, symbol } = VARIABLES[x];
   const over = words.includes("load") || x === "diameter_ratio" ? "" : ` over ${symbol}`;
-  return [VARIABLES[y].words + over, ...own, content.remarks[y]].filter(Boolean).join(", ");
+  return [[VARIABLES[y].words + over, ...own].join(", "), content.remarks[y]].filter(Boolean).join(" ");
 }
 
 // The spec of a chart of curves, whose axes also show some places [x, y].
