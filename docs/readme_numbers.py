@@ -111,9 +111,9 @@ def findings_block(move: float = 0.0) -> str:
     held, of = in_no_finding(findings, judged["statements"])
     score = (
         f"{judged['held']} of {judged['judged']} checkable statements of the paper hold, with one "
-        f"set of inputs. With inputs that were found without a statement's own figure, "
-        f"{judged['predicted']} of {judged['predicted_of']} hold. Five sentences of ours sum up "
-        f"the paper. {RULE} {of} statements test none of the five; {held} of them hold."
+        f"set of inputs. {judged['predicted']} of {judged['predicted_of']} are predicted: they hold "
+        f"with inputs that were found without their figure. Five sentences of ours sum up the "
+        f"paper. {RULE} {of} statements test none of the five; {held} of them hold."
     )
     lines = [fill(score, 120), ""]
     for place, each in enumerate(judged_findings(findings, judged["statements"], move), start=1):
@@ -121,7 +121,7 @@ def findings_block(move: float = 0.0) -> str:
         failed = f"; failures: {', '.join(parts)}" if parts else ""
         line = (
             f"{place}. {each['mark']} **{each['outcome'].capitalize()}** ({each['held']} of "
-            f"{each['judged']} statements hold, {each['predicted']} without their figures{failed})."
+            f"{each['judged']} statements hold, {each['predicted']} are predicted{failed})."
             f" {_typeset(each['sentence'])} "
             f"*{each['figure']}: {_typeset(each['numbers'])}*"
         )

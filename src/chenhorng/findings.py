@@ -11,8 +11,8 @@ REPRODUCED, IN_PART, NOT = "reproduced", "reproduced in part", "not reproduced"
 MARKS = {REPRODUCED: "✓", IN_PART: "½", NOT: "✗"}
 LEAST = 0.5  # of the statements hold, if the finding is reproduced in part
 RULE = (
-    "If all statements that test a finding hold, it is reproduced; if at least half of them do, in "
-    "part; otherwise not."
+    "A finding is reproduced if all statements that test it hold, in part if at least half do, "
+    "otherwise not."
 )
 
 

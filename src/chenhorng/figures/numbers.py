@@ -16,7 +16,7 @@ from thirdbody.plotting.panels import CURVE, Panel, Series
 UPRIGHT = "upright"  # how a number along x alone is drawn
 BAR = "_bar"  # label of the bar of a number, which has no entry in the key
 SAME = 0.005  # numbers closer than this are one with more or fewer digits, in their size
-LEVEL, LEVEL_PAD = 0.08, 10.5  # of brackets over each other: in heights of a panel, and in points
+LEVEL, LEVEL_PAD = 0.08, 12.5  # of brackets over each other: in heights of a panel, and in points
 BRACKET_NAME = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}  # on its line
 
 
