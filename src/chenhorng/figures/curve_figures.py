@@ -76,7 +76,7 @@ CURVE_FIGURES: dict[str, CurveFigure] = {
 }
 LEAST_SIZE = 7.0  # of what the paper says, below the title [points]
 TITLE_LINE = 0.14  # height of a line above the panels [inches]
-BOLD, LEAST = 14.2, 18.0  # characters of both in an inch
+BOLD, LEAST = 14.4, 18.0  # characters of both in an inch
 WITH_LOCUS = ("fig09",)  # a line joins the turning points in panels of areas
 
 
