@@ -19,6 +19,7 @@ import pandas as pd
 from thirdbody.bearings import hardness_notes, hertz_contact
 from thirdbody.conditions import OutOfRangeWarning, axis_of, check_count
 from thirdbody.core.film import film_parameter
+from thirdbody.core.regimes import WITHOUT_VALUES
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import Ensemble, range_over_members
 from thirdbody.notes import (
@@ -149,11 +150,23 @@ def turning_load(
         f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
         f"stands out by {PROMINENCE:g} on both sides",
         f"particle sizes are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
+        *_last_load_notes(parameters, conditions, between_N[1]),
         *(["A_sa,t* still rises at the last load"] if values["is_cut"] else []),
         *_ensemble_notes(parameters, conditions, {"load_N": values["load_N"]}),
     ]
     title = f"Turning point at {_words(conditions)}"
     return _table(title, rows, notes, math.isfinite(values["load_N"]))
+
+
+def _last_load_notes(parameters, conditions, last) -> list[str]:
+    """A note if the ``last`` load [N] has no dry solution."""
+    dry = {**conditions, "viscosity_cSt": 0.0, "load_N": last}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", OutOfRangeWarning)  # turning_point has warned already
+        status = str(solve(**dry, parameters=parameters).solution_status)
+    if status not in WITHOUT_VALUES:
+        return []
+    return [f"dry at {last:g} N, {status}: {STATUS_MEANINGS[status]}; a dry curve ends before"]
 
 
 TURNING = {

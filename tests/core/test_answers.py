@@ -114,6 +114,17 @@ def test_the_turning_point_is_a_maximum_and_its_sizes_have_one(inputs):
     assert at_sizes["exists"].tolist() == [False, True, True, False]
 
 
+@pytest.mark.parametrize("viscosity", [0.0, 90.0])
+def test_a_last_load_that_is_not_carried_is_said_and_leaves_the_answer(inputs, viscosity):
+    given = without("load_N", viscosity_cSt=viscosity, particle_diameter_nm=300.0)
+    carried, more = (answers.turning_load(inputs, given, (0.01, last)) for last in (80.0, 1e4))
+    assert more["agree"].tolist() == [2] * 6
+    assert more["value"].tolist() == pytest.approx(carried["value"].tolist(), rel=0.05)
+    (note,) = [note for note in more.attrs["notes"] if "load_exceeded" in note]
+    assert note.startswith("dry at 10000 N, load_exceeded: ")
+    assert not [note for note in carried.attrs["notes"] if "load_exceeded" in note]
+
+
 @pytest.mark.parametrize("along", ["load_N", "viscosity_cSt", "roughness_nm"])
 def test_a_curve_is_what_solve_gives(inputs, along):
     table = answers.curve(inputs, without(along), along, (80.0, 120.0), 5)
