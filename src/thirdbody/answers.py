@@ -22,6 +22,7 @@ from thirdbody.core.film import film_parameter
 from thirdbody.core.regimes import WITHOUT_VALUES
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import Ensemble, range_over_members
+from thirdbody.inputs import or_calibrated
 from thirdbody.notes import (
     area_note,
     few_notes,
@@ -205,7 +206,10 @@ def curve(
     best = points.to_dataframe().iloc[: len(numbers)]
     table = pd.DataFrame(columns | {name: best[name].to_numpy() for name in FLAGS})
     given = {**conditions, along: numbers}
-    table.attrs["notes"] = outside_notes(given) + hardness_notes(given["load_N"], parameters)
+    table.attrs["notes"] = [
+        *outside_notes(given, or_calibrated(None).speed),
+        *hardness_notes(given["load_N"], parameters),
+    ]
     return table
 
 
@@ -384,18 +388,18 @@ def _notes(parameters, conditions, status) -> list[str]:
 
 
 def _ensemble_notes(parameters, conditions, found: Interface | None = None) -> list[str]:
-    """The notes on conditions outside Table 2, on the nominal area, on the speed if there is oil,
-    on the sizes if there are particles, and on ranges.
+    """The notes on conditions outside Table 2, on the nominal area, on the speed of an oil unless
+    it is a condition, on the sizes if there are particles, and on ranges.
 
     ``found`` has the values of a condition that was searched along.
     """
     given = {**conditions, **(found or {})}
     notes = [
-        *outside_notes(given),
+        *outside_notes(given, or_calibrated(None).speed),
         *hardness_notes(given.get("load_N", ()), parameters),
         area_note(parameters),
     ]
-    if conditions.get("viscosity_cSt") != 0.0:
+    if conditions.get("viscosity_cSt") != 0.0 and "speed_m_per_s" not in given:
         notes += speed_notes(parameters)
     size, roughness, density = map(conditions.get, LAYER)
     if size is None or roughness is None:  # searched along

@@ -9,28 +9,34 @@ from numpy.typing import ArrayLike
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, mean_and_largest
 from thirdbody.ensembles import FITTED, Ensemble
-from thirdbody.variables import CONDITIONS, decimal
+from thirdbody.variables import CONDITIONS, SPEED, decimal
+
+SPEED_DIGITS = 3  # of the speed that follows from U/nu
 
 
-def outside_notes(conditions: Mapping[str, ArrayLike]) -> list[str]:
+def outside_notes(conditions: Mapping[str, ArrayLike], speed: float) -> list[str]:
     """A note for each of the ``conditions`` by alias, in its unit, that is outside Table 2.
 
-    0 is never outside: it stands for no oil or no particles.
+    The paper has one ``speed`` [m/s], that of its inputs.  0 is never outside: it stands for no
+    oil, no particles, or rest.
     """
     notes = []
     for axis in CONDITIONS.values():
         values = np.asarray(conditions.get(axis.alias, ()), float)
         if values.any():
             least = np.min(values, initial=np.inf, where=values != 0.0)
-            ends = decimal([least, np.max(values)], 12)  # 80 N as F_t* and back is 80 N again
-            if ends[0] < axis.paper[0] or ends[1] > axis.paper[1]:
-                texts = [f"{float(f'{end:.4g}'):g}" for end in ends]
-                given = " to ".join(dict.fromkeys(texts))
-                first, last = axis.paper
+            paper, digits = axis.paper, 12  # 80 N as F_t* and back is 80 N again
+            if axis is SPEED:
+                digits = SPEED_DIGITS
+                paper = 2 * (decimal(speed, digits).item(),)
+            ends = decimal([least, np.max(values)], digits)
+            if ends[0] < paper[0] or ends[1] > paper[1]:
                 unit = axis.alias_unit
-                notes.append(
-                    f"{axis.words} {given} {unit}: the paper has {first:g} to {last:g} {unit}"
+                given, known = (
+                    " to ".join(dict.fromkeys(f"{float(f'{end:.4g}'):g}" for end in both))
+                    for both in (ends, paper)
                 )
+                notes.append(f"{axis.words} {given} {unit}: the paper has {known} {unit}")
     return notes
 
 
@@ -93,7 +99,7 @@ def speed_notes(ensemble: Ensemble) -> list[str]:
     density = ensemble.setup.oil_density_kg_per_m3
     if density is None:
         return []
-    speed = f"an entrainment speed of {ensemble.speed:.3g} m/s"
+    speed = f"an entrainment speed of {ensemble.speed:.{SPEED_DIGITS}g} m/s"
     note = f"with an oil of {density:.4g} kg/m3, U/nu is for {speed}"
     return [note]
 

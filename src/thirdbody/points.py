@@ -364,7 +364,7 @@ def _notes(solution: Solution) -> list[str]:
         given[CONDITIONS[name].alias] = CONDITIONS[name].from_si(np.asarray(values))
     given["load_N"] *= parameters.newtons_per_load
     return [
-        *outside_notes(given),
+        *outside_notes(given, or_calibrated(None).speed),
         *hardness_notes(given["load_N"], parameters),
         area_note(parameters),
         ratios_note(parameters),

@@ -352,7 +352,7 @@ def turning_window(
     return _of_members(search, ensemble, members)
 
 
-def _last_load(first, last, roughness, density, parameters) -> float:
+def _last_load(first, last, roughness, density, parameters):
     """The ``last`` load F_t* [1] of the curves of a window, or the largest that all sizes carry dry
     if this is less.
 

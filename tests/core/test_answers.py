@@ -238,6 +238,28 @@ def test_a_condition_that_the_paper_has_not_is_said(inputs, changes, note):
         assert any(each.startswith(HARDER) for each in notes) == ("load_N" in changes)
 
 
+def test_a_speed_that_the_paper_has_not_is_said_and_no_other_is(inputs):
+    mine = tb.bearing(inputs, speed_m_per_s=2.0, oil_density_kg_per_m3=870.0)
+    speed = f"{inputs.speed:.3g}"
+
+    def notes(given, parameters=inputs):
+        told = answers.state(parameters, given).attrs["notes"]
+        printed = repr(tb.solve(**given, parameters=parameters)).splitlines()
+        about = [[note for note in each if "speed" in note] for each in (told, printed)]
+        assert about[0] == about[1]
+        return about[0]
+
+    for parameters in (inputs, mine):
+        told = notes(ENGINEERING | {"speed_m_per_s": 100.0}, parameters)
+        assert told == [f"entrainment speed 100 m/s: the paper has {speed} m/s"]
+    for own in (inputs.speed, float(speed), 0.0):
+        assert notes(ENGINEERING | {"speed_m_per_s": own}) == []
+    table = answers.curve(inputs, ENGINEERING, "speed_m_per_s", (1.0, 8.0), 2)
+    assert f"entrainment speed 1 to 8 m/s: the paper has {speed} m/s" in table.attrs["notes"]
+    table = answers.changes_along(inputs, ENGINEERING, "speed_m_per_s", None)
+    assert not [note for note in table.attrs["notes"] if "U/nu" in note]
+
+
 @pytest.mark.parametrize("end", [0, 1])
 def test_the_ends_of_the_paper_are_not_outside_nor_is_0(inputs, end):
     ends = {axis.alias: axis.paper[end] for axis in AXES.values()}
