@@ -35,7 +35,7 @@ from thirdbody.notes import (
 )
 from thirdbody.points import solve
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
-from thirdbody.variables import FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
+from thirdbody.variables import FLAGS, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS, VARIABLES
 
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # 1 minus another row
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
@@ -114,7 +114,7 @@ def changes_along(
     for key in dict.fromkeys([*best, *(key for each in of_members for key in each)]):
         flag, before, after, number = key
         row = {
-            "symbol": axis.symbol,
+            "symbol": (NORMAL_LOAD if along == "load_N" else axis).symbol,
             "quantity": f"{before} to {after}" + (f", number {number + 1}" if number else ""),
             "unit": axis.alias_unit,
         }

@@ -93,6 +93,14 @@ def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):
     assert (table.loc[0, "agree"], table.loc[0, "members"]) == (2, 2)
 
 
+@pytest.mark.parametrize(("along", "symbol"), [("load_N", "F_t"), ("viscosity_cSt", "nu")])
+def test_a_change_has_the_symbol_of_its_unit(inputs, along, symbol):
+    table = answers.changes_along(inputs, without(along), along, None)
+    assert set(zip(table["symbol"], table["unit"])) == {
+        (symbol, AXES[along.split("_")[0]].alias_unit)
+    }
+
+
 def test_what_is_not_passed_is_not_found(inputs):
     table = answers.changes_along(
         inputs, without("load_N", viscosity_cSt=0.0), "load_N", (5.6, 6.0)
