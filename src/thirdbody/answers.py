@@ -24,13 +24,14 @@ from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import Ensemble, range_over_members
 from thirdbody.inputs import or_calibrated
 from thirdbody.notes import (
+    WIDTH,
     area_note,
     few_notes,
-    label_note,
+    layer_notes,
+    note_lines,
     number_text,
     outside_notes,
     range_note,
-    sizes_note,
     speed_notes,
 )
 from thirdbody.points import solve
@@ -41,8 +42,6 @@ COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # 1 minus ano
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
 INVALID = "outside_film_formula", "area_exceeded"  # changes with these statuses are left out
 DIGITS = 3  # of a number, or fewer if its range is wide
-WIDTH = 80  # letters of a line of text
-LAYER = "particle_diameter_nm", "roughness_nm", "particle_density_per_m2"
 COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
 Interface = Mapping[str, Any]  # the conditions of an interface, by alias
 
@@ -228,13 +227,13 @@ def table_text(table: pd.DataFrame) -> str:
             unit = "" if row["unit"] == "1" else f" [{row['unit']}]"
             numbers.append([row["symbol"], *texts, _range_text(row), row["quantity"] + unit])
     parts = [numbers if len(numbers) > 1 else [["none"]], states]
-    notes = [
-        textwrap.fill(note, WIDTH, initial_indent="  ", subsequent_indent="    ")
-        for note in table.attrs["notes"]
-    ]
     title = textwrap.fill(table.attrs["title"], WIDTH)
     return "\n\n".join(
-        [title, *("\n".join(aligned(part)) for part in parts if part), "\n".join(notes)]
+        [
+            title,
+            *("\n".join(aligned(part)) for part in parts if part),
+            note_lines(table.attrs["notes"]),
+        ]
     )
 
 
@@ -401,11 +400,7 @@ def _ensemble_notes(parameters, conditions, found: Interface | None = None) -> l
     ]
     if conditions.get("viscosity_cSt") != 0.0 and "speed_m_per_s" not in given:
         notes += speed_notes(parameters)
-    size, roughness, density = map(conditions.get, LAYER)
-    if size is None or roughness is None:  # searched along
-        notes += [label_note(parameters)] if 0.0 not in (size, density) else []
-    elif size != 0.0 and density != 0.0:
-        notes.append(sizes_note(1e-9 * size, 1e-9 * roughness, parameters))
+    notes += layer_notes(conditions, parameters.best)
     return [*notes, range_note(parameters)]
 
 

@@ -206,7 +206,7 @@ def _show(table: Any, as_json: bool) -> int:
 
 def _tell(kind: str, message: object) -> None:
     """Print a message on standard error, as wide as an answer."""
-    from thirdbody.answers import WIDTH
+    from thirdbody.notes import WIDTH
 
     print(textwrap.fill(f"{kind}: {message}", WIDTH, subsequent_indent="  "), file=sys.stderr)
 

@@ -1,7 +1,8 @@
 """Notes below an answer, each a sentence: on conditions that the paper has not, on the sizes of
 particles, on A_n, the speed and the range."""
 
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +12,15 @@ from thirdbody.core.particles import ParticleLayer, mean_and_largest
 from thirdbody.ensembles import FITTED, Ensemble
 from thirdbody.variables import CONDITIONS, SPEED, decimal
 
+WIDTH = 80  # letters of a line of text
 SPEED_DIGITS = 3  # of the speed that follows from U/nu
+
+
+def note_lines(notes: Iterable[str]) -> str:
+    """The ``notes`` as text of ``WIDTH`` columns."""
+    return "\n".join(
+        textwrap.fill(note, WIDTH, initial_indent="  ", subsequent_indent="    ") for note in notes
+    )
 
 
 def outside_notes(conditions: Mapping[str, ArrayLike], speed: float) -> list[str]:
@@ -72,6 +81,23 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
         f"particle size x_a = {x_a:.4g} nm, a label: {sizes_words(parameters, x_a, 'nm')}; "
         f"particles carry load at separations d below {number_text(1e9 * layer.reach[0])} nm"
     )
+
+
+def layer_notes(conditions: Mapping[str, ArrayLike], parameters: Parameters) -> list[str]:
+    """A note on what x_a stands for, if the ``conditions`` by alias have particles.
+
+    It has lengths for one x_a on one roughness.  A condition that is missing is searched along.
+    """
+    size, roughness, density = (
+        np.unique(np.asarray(conditions.get(name, np.nan), float))
+        for name in ("particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
+    )
+    size = size[size != 0.0]
+    if not (size.size and density.any()):
+        return []
+    if size.size == roughness.size == 1 and np.isfinite([size, roughness]).all():
+        return [sizes_note(1e-9 * size.item(), 1e-9 * roughness.item(), parameters)]
+    return [label_note(parameters)]
 
 
 def few_notes(per_m2: float, area: float) -> list[str]:

@@ -219,6 +219,14 @@ def test_numbers_have_three_digits_or_as_many_as_are_certain(value, low, high, t
     assert line.strip().split(maxsplit=2)[1:] == [text for text in texts if text]
 
 
+def printed_notes(solution):
+    """The notes below a printed solution, each in one line."""
+    lines = repr(solution).splitlines()
+    assert max(map(len, lines)) <= answers.WIDTH
+    text = "\n".join(line for line in lines[1:] if line.startswith(" "))
+    return text.replace("\n    ", " ").replace("  ", "").splitlines()
+
+
 OUTSIDE = [
     ({"load_N": 10_000.0}, "load 10000 N: the paper has 0.04 to 80 N"),
     ({"viscosity_cSt": 150.1}, "viscosity 150.1 cSt: the paper has 0 to 150 cSt"),
@@ -240,7 +248,7 @@ def test_a_condition_that_the_paper_has_not_is_said(inputs, changes, note):
         answers.state(inputs, given).attrs["notes"],
         answers.compare_interfaces(inputs, ENGINEERING, inputs, given).attrs["notes"],
         solution.to_dataframe().attrs["notes"],
-        repr(solution).splitlines(),
+        printed_notes(solution),
     ):
         assert [each for each in notes if "the paper has" in each] == [note]
         assert any(each.startswith(HARDER) for each in notes) == ("load_N" in changes)
@@ -252,7 +260,7 @@ def test_a_speed_that_the_paper_has_not_is_said_and_no_other_is(inputs):
 
     def notes(given, parameters=inputs):
         told = answers.state(parameters, given).attrs["notes"]
-        printed = repr(tb.solve(**given, parameters=parameters)).splitlines()
+        printed = printed_notes(tb.solve(**given, parameters=parameters))
         about = [[note for note in each if "speed" in note] for each in (told, printed)]
         assert about[0] == about[1]
         return about[0]
@@ -283,7 +291,7 @@ def test_many_points_have_one_note_for_each_condition(inputs):
     outside, harder, *others = notes
     assert outside == "load 0.01 to 8000 N: the paper has 0.04 to 80 N"
     assert harder.startswith("load 8000 N: the mean Hertz pressure is 5.23 GPa")
-    assert not [note for note in others if "load" in note]
+    assert not [note for note in others if note.startswith("load ")]
 
 
 def test_what_a_search_finds_outside_the_paper_is_said(inputs):
@@ -309,3 +317,29 @@ def test_each_answer_says_what_x_a_stands_for(inputs, along):
     if along == "load_N":
         table = answers.changes_along(inputs, without(along, particle_diameter_nm=0.0), along, None)
         assert not [note for note in table.attrs["notes"] if "x_a" in note]
+
+
+NO_PARTICLES = {"particle_diameter_nm": 0.0}, {"particle_density_per_m2": 0.0}
+
+
+@pytest.mark.parametrize(
+    ("changes", "start"),
+    [
+        ({}, "particle size x_a = 500 nm, a label: "),
+        ({"load_N": [1.0, 10.0], "particle_diameter_nm": [0.0, 500.0]}, "particle size x_a = 500"),
+        ({"particle_diameter_nm": [300.0, 500.0]}, "particle size x_a, a label: "),
+        ({"roughness_nm": [100.0, 300.0]}, "particle size x_a, a label: "),
+        *((changes, None) for changes in NO_PARTICLES),
+    ],
+)
+def test_a_solution_says_once_what_x_a_stands_for(inputs, changes, start):
+    given = ENGINEERING | changes
+    solution = tb.solve(**given, parameters=inputs)
+    notes = solution.to_dataframe().attrs["notes"]
+    assert printed_notes(solution) == notes
+    told = [note for note in notes if "x_a" in note]
+    assert len(told) == (start is not None)
+    if start:
+        assert told[0].startswith(start)
+    if not changes:
+        assert told[0] in answers.state(inputs, given).attrs["notes"]
