@@ -4,6 +4,7 @@ Functions import the rest of the library when they answer, so that ``thirdbody -
 """
 
 import json
+import math
 import sys
 import textwrap
 import warnings
@@ -69,6 +70,9 @@ def curve(
 
     conditions = _conditions(interface, without=along)
     alias = CONDITIONS[along].alias
+    for option, end in (("--from", first), ("--to", last)):
+        if not 0.0 < end < math.inf:  # points are evenly spaced in the logarithm
+            raise ValueError(f"{option} is {end:g}; allowed: a positive number")
     table = answers.curve(_parameters(inputs), conditions, alias, (first, last), count)
     if plot is not None:
         from thirdbody.plotting.drawing import save_figure
@@ -333,7 +337,11 @@ def _parser() -> ArgumentParser:
     question.add_argument("--along", required=True, **along)
     _add_ends(question, required=True)
     question.add_argument(
-        "--count", type=int, default=60, metavar="NUMBER", help="number of points; default: 60"
+        "--count",
+        type=int,
+        default=60,
+        metavar="NUMBER",
+        help="number of points, evenly spaced in the logarithm; default: 60",
     )
     question.add_argument("--csv", help="table to write, - for standard output", **FILE)
     question.add_argument("--plot", help="figure to write", **FILE)
