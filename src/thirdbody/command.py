@@ -10,7 +10,7 @@ import textwrap
 import warnings
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, NoReturn
 
 from thirdbody.variables import AXES, CONDITIONS
 
@@ -209,10 +209,14 @@ def _show(table: Any, as_json: bool) -> int:
 
 
 def _tell(kind: str, message: object) -> None:
-    """Print a message on standard error, as wide as an answer."""
+    """Print a message on standard error, as wide as an answer; options and paths stay whole."""
     from thirdbody.notes import WIDTH
 
-    print(textwrap.fill(f"{kind}: {message}", WIDTH, subsequent_indent="  "), file=sys.stderr)
+    wrap = textwrap.TextWrapper(
+        WIDTH, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
+    )
+    for line in f"{kind}: {message}".splitlines():
+        print(wrap.fill(line), file=sys.stderr)
 
 
 def _write(text: str, path: str) -> None:
@@ -249,9 +253,18 @@ def _flag(name: str) -> str:
     return _option(CONDITIONS[name].alias)
 
 
-def _options(title: str) -> tuple[ArgumentParser, Callable]:
+class _Parser(ArgumentParser):
+    """A parser whose errors are printed as all others."""
+
+    def error(self, message: str) -> NoReturn:
+        self.print_usage(sys.stderr)
+        _tell("error", message)
+        raise SystemExit(BAD_INPUT)
+
+
+def _options(title: str) -> tuple[_Parser, Callable]:
     """A parser of options that several questions share, and its method to add an option."""
-    shared = ArgumentParser(add_help=False)
+    shared = _Parser(add_help=False)
     return shared, shared.add_argument_group(title).add_argument
 
 
@@ -269,7 +282,7 @@ def _add_ends(
 
 def _parser() -> ArgumentParser:
     """The parser of all questions."""
-    parser = ArgumentParser(
+    parser = _Parser(
         "thirdbody",
         description="Contact of rough surfaces with hard particles and an oil film between them.",
         epilog="Exit codes: 0 answered, 1 no such value, 2 bad input.",
@@ -278,9 +291,7 @@ def _parser() -> ArgumentParser:
     parser.add_argument("--version", action="store_true", help="print the version")
     questions = parser.add_subparsers(title="questions", metavar="QUESTION")
 
-    def ask(
-        answer: Callable[..., int], *example: str, options: list[ArgumentParser]
-    ) -> ArgumentParser:
+    def ask(answer: Callable[..., int], *example: str, options: list[_Parser]) -> ArgumentParser:
         """Add the sub-command that calls the function ``answer``."""
         name = answer.__name__.replace("_", "-")
         lines = " \\\n    ".join(example)
@@ -394,5 +405,5 @@ def main(arguments: list[str] | None = None) -> int:
             _check_files(options)
             return options.pop("answer")(**options)
         except (ValueError, TypeError, OSError, ImportError) as error:
-            print(f"error: {error}", file=sys.stderr)
+            _tell("error", error)
             return BAD_INPUT
