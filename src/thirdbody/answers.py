@@ -33,6 +33,7 @@ from thirdbody.notes import (
     outside_notes,
     range_note,
     speed_notes,
+    wrapped,
 )
 from thirdbody.points import solve
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
@@ -227,7 +228,7 @@ def table_text(table: pd.DataFrame) -> str:
             unit = "" if row["unit"] == "1" else f" [{row['unit']}]"
             numbers.append([row["symbol"], *texts, _range_text(row), row["quantity"] + unit])
     parts = [numbers if len(numbers) > 1 else [["none"]], states]
-    title = textwrap.fill(table.attrs["title"], WIDTH)
+    title = wrapped(table.attrs["title"])
     return "\n\n".join(
         [
             title,

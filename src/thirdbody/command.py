@@ -6,7 +6,6 @@ Functions import the rest of the library when they answer, so that ``thirdbody -
 import json
 import math
 import sys
-import textwrap
 import warnings
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
@@ -209,14 +208,11 @@ def _show(table: Any, as_json: bool) -> int:
 
 
 def _tell(kind: str, message: object) -> None:
-    """Print a message on standard error, as wide as an answer; options and paths stay whole."""
-    from thirdbody.notes import WIDTH
+    """Print a message on standard error, as wide as an answer."""
+    from thirdbody.notes import wrapped
 
-    wrap = textwrap.TextWrapper(
-        WIDTH, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
-    )
     for line in f"{kind}: {message}".splitlines():
-        print(wrap.fill(line), file=sys.stderr)
+        print(wrapped(line, others="  "), file=sys.stderr)
 
 
 def _write(text: str, path: str) -> None:

@@ -1,6 +1,7 @@
 """Notes below an answer, each a sentence: on conditions that the paper has not, on the sizes of
 particles, on A_n, the speed and the range."""
 
+import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
@@ -10,17 +11,33 @@ from numpy.typing import ArrayLike
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, mean_and_largest
 from thirdbody.ensembles import FITTED, Ensemble
+from thirdbody.symbols import TIGHT
 from thirdbody.variables import CONDITIONS, SPEED, decimal
 
 WIDTH = 80  # letters of a line of text
 SPEED_DIGITS = 3  # of the speed that follows from U/nu
 
 
+def wrapped(text: str, first: str = "", others: str = "") -> str:
+    """A text in lines of ``WIDTH`` columns that begin with ``first`` and ``others``.
+
+    A number stays on the line of its unit; options and paths stay whole.
+    """
+    tight = re.sub(TIGHT, "\N{NO-BREAK SPACE}", text)
+    lines = textwrap.fill(
+        tight,
+        WIDTH,
+        initial_indent=first,
+        subsequent_indent=others,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return lines.replace("\N{NO-BREAK SPACE}", " ")
+
+
 def note_lines(notes: Iterable[str]) -> str:
     """The ``notes`` as text of ``WIDTH`` columns."""
-    return "\n".join(
-        textwrap.fill(note, WIDTH, initial_indent="  ", subsequent_indent="    ") for note in notes
-    )
+    return "\n".join(wrapped(note, "  ", "    ") for note in notes)
 
 
 def outside_notes(conditions: Mapping[str, ArrayLike], speed: float) -> list[str]:

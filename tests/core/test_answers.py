@@ -13,7 +13,7 @@ from thirdbody import answers
 from thirdbody.core.film import film_parameter
 from thirdbody.core.particles import mean_and_largest
 from thirdbody.ensembles import FITTED
-from thirdbody.variables import AXES, FLAGS, QUANTITIES
+from thirdbody.variables import AXES, CONDITIONS, FLAGS, QUANTITIES
 
 LAYER = {name: ENGINEERING[name] for name in ("roughness_nm", "particle_density_per_m2")}
 
@@ -225,6 +225,17 @@ def printed_notes(solution):
     assert max(map(len, lines)) <= answers.WIDTH
     text = "\n".join(line for line in lines[1:] if line.startswith(" "))
     return text.replace("\n    ", " ").replace("  ", "").splitlines()
+
+
+@pytest.mark.parametrize("size", [500.0, 512.25, 1012.25])
+def test_a_number_stays_on_the_line_of_its_unit(inputs, size):
+    given = ENGINEERING | {"particle_diameter_nm": size, "speed_m_per_s": 4.0}
+    table = answers.state(inputs, given)
+    lines = answers.table_text(table).splitlines()
+    title = lines[: lines.index("")]
+    assert " ".join(title) == table.attrs["title"] and len(title) == 2
+    units = {axis.alias_unit for axis in CONDITIONS.values()}
+    assert not {line.split()[0].strip(",;") for line in lines if line.strip()} & units
 
 
 OUTSIDE = [
