@@ -19,28 +19,30 @@ import pandas as pd
 from thirdbody.bearings import hardness_notes, hertz_contact
 from thirdbody.conditions import OutOfRangeWarning, axis_of, check_count
 from thirdbody.core.film import film_parameter
+from thirdbody.core.regimes import WITHOUT_VALUES
 from thirdbody.core.turning_points import PROMINENCE
 from thirdbody.ensembles import Ensemble, range_over_members
+from thirdbody.inputs import or_calibrated
 from thirdbody.notes import (
+    WIDTH,
     area_note,
     few_notes,
-    label_note,
+    layer_notes,
+    note_lines,
     number_text,
     outside_notes,
     range_note,
-    sizes_note,
     speed_notes,
+    wrapped,
 )
 from thirdbody.points import solve
 from thirdbody.searches import LOADS, RATIOS, transitions, turning_point, turning_window
-from thirdbody.variables import FLAGS, QUANTITIES, STATUS_MEANINGS, VARIABLES
+from thirdbody.variables import FLAGS, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS, VARIABLES
 
 COMPLEMENTS = "surface_contact_area_ratio", "fluid_load_fraction"  # 1 minus another row
 SHOWN = [name for name in (*QUANTITIES, *FLAGS) if name not in COMPLEMENTS]
 INVALID = "outside_film_formula", "area_exceeded"  # changes with these statuses are left out
 DIGITS = 3  # of a number, or fewer if its range is wide
-WIDTH = 80  # letters of a line of text
-LAYER = "particle_diameter_nm", "roughness_nm", "particle_density_per_m2"
 COLUMNS = ["symbol", "quantity", "unit", "value", "low", "high", "agree", "members"]
 Interface = Mapping[str, Any]  # the conditions of an interface, by alias
 
@@ -112,7 +114,7 @@ def changes_along(
     for key in dict.fromkeys([*best, *(key for each in of_members for key in each)]):
         flag, before, after, number = key
         row = {
-            "symbol": axis.symbol,
+            "symbol": (NORMAL_LOAD if along == "load_N" else axis).symbol,
             "quantity": f"{before} to {after}" + (f", number {number + 1}" if number else ""),
             "unit": axis.alias_unit,
         }
@@ -149,11 +151,23 @@ def turning_load(
         f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
         f"stands out by {PROMINENCE:g} on both sides",
         f"particle sizes are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
+        *_last_load_notes(parameters, conditions, between_N[1]),
         *(["A_sa,t* still rises at the last load"] if values["is_cut"] else []),
         *_ensemble_notes(parameters, conditions, {"load_N": values["load_N"]}),
     ]
     title = f"Turning point at {_words(conditions)}"
     return _table(title, rows, notes, math.isfinite(values["load_N"]))
+
+
+def _last_load_notes(parameters, conditions, last) -> list[str]:
+    """A note if the ``last`` load [N] has no dry solution."""
+    dry = {**conditions, "viscosity_cSt": 0.0, "load_N": last}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", OutOfRangeWarning)  # turning_point has warned already
+        status = str(solve(**dry, parameters=parameters).solution_status)
+    if status not in WITHOUT_VALUES:
+        return []
+    return [f"dry at {last:g} N, {status}: {STATUS_MEANINGS[status]}; a dry curve ends before"]
 
 
 TURNING = {
@@ -192,7 +206,10 @@ def curve(
     best = points.to_dataframe().iloc[: len(numbers)]
     table = pd.DataFrame(columns | {name: best[name].to_numpy() for name in FLAGS})
     given = {**conditions, along: numbers}
-    table.attrs["notes"] = outside_notes(given) + hardness_notes(given["load_N"], parameters)
+    table.attrs["notes"] = [
+        *outside_notes(given, or_calibrated(None).speed),
+        *hardness_notes(given["load_N"], parameters),
+    ]
     return table
 
 
@@ -211,13 +228,13 @@ def table_text(table: pd.DataFrame) -> str:
             unit = "" if row["unit"] == "1" else f" [{row['unit']}]"
             numbers.append([row["symbol"], *texts, _range_text(row), row["quantity"] + unit])
     parts = [numbers if len(numbers) > 1 else [["none"]], states]
-    notes = [
-        textwrap.fill(note, WIDTH, initial_indent="  ", subsequent_indent="    ")
-        for note in table.attrs["notes"]
-    ]
-    title = textwrap.fill(table.attrs["title"], WIDTH)
+    title = wrapped(table.attrs["title"])
     return "\n\n".join(
-        [title, *("\n".join(aligned(part)) for part in parts if part), "\n".join(notes)]
+        [
+            title,
+            *("\n".join(aligned(part)) for part in parts if part),
+            note_lines(table.attrs["notes"]),
+        ]
     )
 
 
@@ -371,24 +388,20 @@ def _notes(parameters, conditions, status) -> list[str]:
 
 
 def _ensemble_notes(parameters, conditions, found: Interface | None = None) -> list[str]:
-    """The notes on conditions outside Table 2, on the nominal area, on the speed if there is oil,
-    on the sizes if there are particles, and on ranges.
+    """The notes on conditions outside Table 2, on the nominal area, on the speed of an oil unless
+    it is a condition, on the sizes if there are particles, and on ranges.
 
     ``found`` has the values of a condition that was searched along.
     """
     given = {**conditions, **(found or {})}
     notes = [
-        *outside_notes(given),
+        *outside_notes(given, or_calibrated(None).speed),
         *hardness_notes(given.get("load_N", ()), parameters),
         area_note(parameters),
     ]
-    if conditions.get("viscosity_cSt") != 0.0:
+    if conditions.get("viscosity_cSt") != 0.0 and "speed_m_per_s" not in given:
         notes += speed_notes(parameters)
-    size, roughness, density = map(conditions.get, LAYER)
-    if size is None or roughness is None:  # searched along
-        notes += [label_note(parameters)] if 0.0 not in (size, density) else []
-    elif size != 0.0 and density != 0.0:
-        notes.append(sizes_note(1e-9 * size, 1e-9 * roughness, parameters))
+    notes += layer_notes(conditions, parameters.best)
     return [*notes, range_note(parameters)]
 
 

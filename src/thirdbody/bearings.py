@@ -145,7 +145,7 @@ def bearing(
     OutOfRangeWarning
         For unusual numbers.
     UserWarning
-        For an A_n that is far from those of all members.
+        For an A_n that is far from those of all members, or another than they all share.
 
     Examples
     --------

@@ -4,12 +4,12 @@ Functions import the rest of the library when they answer, so that ``thirdbody -
 """
 
 import json
+import math
 import sys
-import textwrap
 import warnings
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, NoReturn
 
 from thirdbody.variables import AXES, CONDITIONS
 
@@ -69,6 +69,9 @@ def curve(
 
     conditions = _conditions(interface, without=along)
     alias = CONDITIONS[along].alias
+    for option, end in (("--from", first), ("--to", last)):
+        if not 0.0 < end < math.inf:  # points are evenly spaced in the logarithm
+            raise ValueError(f"{option} is {end:g}; allowed: a positive number")
     table = answers.curve(_parameters(inputs), conditions, alias, (first, last), count)
     if plot is not None:
         from thirdbody.plotting.drawing import save_figure
@@ -206,9 +209,10 @@ def _show(table: Any, as_json: bool) -> int:
 
 def _tell(kind: str, message: object) -> None:
     """Print a message on standard error, as wide as an answer."""
-    from thirdbody.answers import WIDTH
+    from thirdbody.notes import wrapped
 
-    print(textwrap.fill(f"{kind}: {message}", WIDTH, subsequent_indent="  "), file=sys.stderr)
+    for line in f"{kind}: {message}".splitlines():
+        print(wrapped(line, others="  "), file=sys.stderr)
 
 
 def _write(text: str, path: str) -> None:
@@ -245,9 +249,18 @@ def _flag(name: str) -> str:
     return _option(CONDITIONS[name].alias)
 
 
-def _options(title: str) -> tuple[ArgumentParser, Callable]:
+class _Parser(ArgumentParser):
+    """A parser whose errors are printed as all others."""
+
+    def error(self, message: str) -> NoReturn:
+        self.print_usage(sys.stderr)
+        _tell("error", message)
+        raise SystemExit(BAD_INPUT)
+
+
+def _options(title: str) -> tuple[_Parser, Callable]:
     """A parser of options that several questions share, and its method to add an option."""
-    shared = ArgumentParser(add_help=False)
+    shared = _Parser(add_help=False)
     return shared, shared.add_argument_group(title).add_argument
 
 
@@ -265,7 +278,7 @@ def _add_ends(
 
 def _parser() -> ArgumentParser:
     """The parser of all questions."""
-    parser = ArgumentParser(
+    parser = _Parser(
         "thirdbody",
         description="Contact of rough surfaces with hard particles and an oil film between them.",
         epilog="Exit codes: 0 answered, 1 no such value, 2 bad input.",
@@ -274,9 +287,7 @@ def _parser() -> ArgumentParser:
     parser.add_argument("--version", action="store_true", help="print the version")
     questions = parser.add_subparsers(title="questions", metavar="QUESTION")
 
-    def ask(
-        answer: Callable[..., int], *example: str, options: list[ArgumentParser]
-    ) -> ArgumentParser:
+    def ask(answer: Callable[..., int], *example: str, options: list[_Parser]) -> ArgumentParser:
         """Add the sub-command that calls the function ``answer``."""
         name = answer.__name__.replace("_", "-")
         lines = " \\\n    ".join(example)
@@ -333,7 +344,11 @@ def _parser() -> ArgumentParser:
     question.add_argument("--along", required=True, **along)
     _add_ends(question, required=True)
     question.add_argument(
-        "--count", type=int, default=60, metavar="NUMBER", help="number of points; default: 60"
+        "--count",
+        type=int,
+        default=60,
+        metavar="NUMBER",
+        help="number of points, evenly spaced in the logarithm; default: 60",
     )
     question.add_argument("--csv", help="table to write, - for standard output", **FILE)
     question.add_argument("--plot", help="figure to write", **FILE)
@@ -386,5 +401,5 @@ def main(arguments: list[str] | None = None) -> int:
             _check_files(options)
             return options.pop("answer")(**options)
         except (ValueError, TypeError, OSError, ImportError) as error:
-            print(f"error: {error}", file=sys.stderr)
+            _tell("error", error)
             return BAD_INPUT

@@ -32,6 +32,7 @@ BODIES = "ball", "flat", "particle"
 # (below Eq. 8).  The words say why a change of this input alone is wrong.
 BEARING = "thirdbody.bearing changes them together"
 CALIBRATED = "they were found for the value of the calibrated file"
+ROUNDED = 0.1  # a value that differs less from that of the calibrated file is the same, rounded
 BELONGS_TO = {
     "elastic_modulus_surfaces": (
         ("material_parameter", "hardness_parameter", "speed_per_viscosity"),
@@ -40,6 +41,7 @@ BELONGS_TO = {
     "hardness_surface_1": (("hardness_parameter",), BEARING),
     "hardness_surface_2": (("hardness_parameter",), BEARING),
     "ball_radius": (("speed_per_viscosity",), BEARING),
+    "apparent_area": (("summit_parameter", "summit_radius"), CALIBRATED),
     "mean_ratio": (("spread_ratio", "elastic_depth_ratio"), CALIBRATED),
     "particle_plane": (("elastic_depth_ratio", "summit_offset_ratio"), CALIBRATED),
     "film_load": (("summit_parameter", "summit_radius", "apparent_area"), CALIBRATED),
@@ -277,10 +279,11 @@ class Ensemble:
         -----
         UserWarning
             For a modulus, hardness or radius without G, V or U/nu, which depend on it;
-            ``thirdbody.bearing`` changes them together.  For another ``mean_ratio``,
-            ``particle_plane`` or ``film_load`` that all members share, without the inputs that were
-            calibrated for it.  For a number far from those of all members: the other inputs then
-            follow only as far as the members reach.
+            ``thirdbody.bearing`` changes them together.  For another ``apparent_area`` or
+            ``mean_ratio``, by more than 10 %, and another ``particle_plane`` or ``film_load`` that
+            all members share, without the inputs that were calibrated for it.  For a number far
+            from those of all members: the other inputs then follow only as far as the members
+            reach.
 
         Examples
         --------
@@ -358,7 +361,10 @@ def _what_stays(changes: Mapping[str, Any], members: Sequence[Parameters]) -> It
         dependents, reason = BELONGS_TO[name]
         stay = ", ".join(other for other in dependents if other not in changes)
         value, old = changes[name], getattr(before, name)
-        same = value == old if isinstance(value, str) else math.isclose(value, old)
+        tolerance = ROUNDED if reason == CALIBRATED else 1e-9
+        same = value == old or (
+            not isinstance(value, str) and math.isclose(value, old, rel_tol=tolerance)
+        )
         if stay and not same:
             yield f"{name} is changed without {stay}; {reason}"
 

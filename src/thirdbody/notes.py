@@ -1,7 +1,9 @@
 """Notes below an answer, each a sentence: on conditions that the paper has not, on the sizes of
 particles, on A_n, the speed and the range."""
 
-from collections.abc import Mapping
+import re
+import textwrap
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,28 +11,58 @@ from numpy.typing import ArrayLike
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.particles import ParticleLayer, mean_and_largest
 from thirdbody.ensembles import FITTED, Ensemble
-from thirdbody.variables import CONDITIONS, decimal
+from thirdbody.symbols import TIGHT
+from thirdbody.variables import CONDITIONS, SPEED, decimal
+
+WIDTH = 80  # letters of a line of text
+SPEED_DIGITS = 3  # of the speed that follows from U/nu
 
 
-def outside_notes(conditions: Mapping[str, ArrayLike]) -> list[str]:
+def wrapped(text: str, first: str = "", others: str = "") -> str:
+    """A text in lines of ``WIDTH`` columns that begin with ``first`` and ``others``.
+
+    A number stays on the line of its unit; options and paths stay whole.
+    """
+    tight = re.sub(TIGHT, "\N{NO-BREAK SPACE}", text)
+    lines = textwrap.fill(
+        tight,
+        WIDTH,
+        initial_indent=first,
+        subsequent_indent=others,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return lines.replace("\N{NO-BREAK SPACE}", " ")
+
+
+def note_lines(notes: Iterable[str]) -> str:
+    """The ``notes`` as text of ``WIDTH`` columns."""
+    return "\n".join(wrapped(note, "  ", "    ") for note in notes)
+
+
+def outside_notes(conditions: Mapping[str, ArrayLike], speed: float) -> list[str]:
     """A note for each of the ``conditions`` by alias, in its unit, that is outside Table 2.
 
-    0 is never outside: it stands for no oil or no particles.
+    The paper has one ``speed`` [m/s], that of its inputs.  0 is never outside: it stands for no
+    oil, no particles, or rest.
     """
     notes = []
     for axis in CONDITIONS.values():
         values = np.asarray(conditions.get(axis.alias, ()), float)
         if values.any():
             least = np.min(values, initial=np.inf, where=values != 0.0)
-            ends = decimal([least, np.max(values)], 12)  # 80 N as F_t* and back is 80 N again
-            if ends[0] < axis.paper[0] or ends[1] > axis.paper[1]:
-                texts = [f"{float(f'{end:.4g}'):g}" for end in ends]
-                given = " to ".join(dict.fromkeys(texts))
-                first, last = axis.paper
+            paper, digits = axis.paper, 12  # 80 N as F_t* and back is 80 N again
+            if axis is SPEED:
+                digits = SPEED_DIGITS
+                paper = 2 * (decimal(speed, digits).item(),)
+            ends = decimal([least, np.max(values)], digits)
+            if ends[0] < paper[0] or ends[1] > paper[1]:
                 unit = axis.alias_unit
-                notes.append(
-                    f"{axis.words} {given} {unit}: the paper has {first:g} to {last:g} {unit}"
+                given, known = (
+                    " to ".join(dict.fromkeys(f"{float(f'{end:.4g}'):g}" for end in both))
+                    for both in (ends, paper)
                 )
+                notes.append(f"{axis.words} {given} {unit}: the paper has {known} {unit}")
     return notes
 
 
@@ -68,6 +100,23 @@ def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str
     )
 
 
+def layer_notes(conditions: Mapping[str, ArrayLike], parameters: Parameters) -> list[str]:
+    """A note on what x_a stands for, if the ``conditions`` by alias have particles.
+
+    It has lengths for one x_a on one roughness.  A condition that is missing is searched along.
+    """
+    size, roughness, density = (
+        np.unique(np.asarray(conditions.get(name, np.nan), float))
+        for name in ("particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
+    )
+    size = size[size != 0.0]
+    if not (size.size and density.any()):
+        return []
+    if size.size == roughness.size == 1 and np.isfinite([size, roughness]).all():
+        return [sizes_note(1e-9 * size.item(), 1e-9 * roughness.item(), parameters)]
+    return [label_note(parameters)]
+
+
 def few_notes(per_m2: float, area: float) -> list[str]:
     """A note if ``area`` A_n [m2] has less than one particle; otherwise none."""
     count = per_m2 * area
@@ -93,7 +142,7 @@ def speed_notes(ensemble: Ensemble) -> list[str]:
     density = ensemble.setup.oil_density_kg_per_m3
     if density is None:
         return []
-    speed = f"an entrainment speed of {ensemble.speed:.3g} m/s"
+    speed = f"an entrainment speed of {ensemble.speed:.{SPEED_DIGITS}g} m/s"
     note = f"with an oil of {density:.4g} kg/m3, U/nu is for {speed}"
     return [note]
 

@@ -33,7 +33,7 @@ from thirdbody.core.regimes import (
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
 from thirdbody.ensembles import MEMBER, Ensemble, differing
 from thirdbody.inputs import or_calibrated
-from thirdbody.notes import area_note, outside_notes, ratios_note
+from thirdbody.notes import area_note, layer_notes, note_lines, outside_notes, ratios_note
 from thirdbody.progress import progress_bar
 from thirdbody.variables import (
     CONDITIONS,
@@ -307,9 +307,9 @@ class Solution(Variables):
             Conditions have the names in the call, such as ``load_N``.  Variables have the names in
             ``Solution``, with the SI unit at the end if there is one: ``separation_m``.  Others are
             ratios [1].  ``attrs["notes"]`` says to what: areas to A_n, the film thickness to R_x;
-            and which conditions the paper has not.  Flags are categories by name, nan where a point
-            has no state.  The index is that of the columns of pandas, if conditions are such
-            columns.
+            which conditions the paper has not; and what x_a stands for.  Flags are categories by
+            name, nan where a point has no state.  The index is that of the columns of pandas, if
+            conditions are such columns.
 
         Examples
         --------
@@ -333,7 +333,7 @@ class Solution(Variables):
         shape = next(iter(arrays.values())).shape if arrays else ()
         arrays |= codes_to_name(arrays)
         lines = [f"{name:<28}{_in_words(name, array)}" for name, array in arrays.items()]
-        return "\n".join([f"Solution of shape {shape}", *lines, *_notes(self)])
+        return "\n".join([f"Solution of shape {shape}", *lines, note_lines(_notes(self))])
 
     def _repr_html_(self) -> str:
         return self.to_dataframe().to_html(index=self.index is not None, max_rows=60)
@@ -364,10 +364,11 @@ def _notes(solution: Solution) -> list[str]:
         given[CONDITIONS[name].alias] = CONDITIONS[name].from_si(np.asarray(values))
     given["load_N"] *= parameters.newtons_per_load
     return [
-        *outside_notes(given),
+        *outside_notes(given, or_calibrated(None).speed),
         *hardness_notes(given["load_N"], parameters),
         area_note(parameters),
         ratios_note(parameters),
+        *layer_notes(given, parameters.best),
     ]
 
 

@@ -29,11 +29,12 @@ from thirdbody.conditions import (
     read_ends,
     searched_ends,
 )
+from thirdbody.core.contact import Contact
 from thirdbody.core.crossings import Crossings, crossings
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.regimes import LIMITS, LubricationRegime, states_of
 from thirdbody.core.solve import DEFAULT_RTOL, solve_points
-from thirdbody.core.turning_points import PROMINENCE, turning_points
+from thirdbody.core.turning_points import PROMINENCE, load_at, turning_points
 from thirdbody.core.windows import WindowSearch, turning_point_windows
 from thirdbody.ensembles import MEMBER, Ensemble
 from thirdbody.inputs import or_calibrated
@@ -305,7 +306,8 @@ def turning_window(
     """Find the longest range of x_a/sigma, from 0.2 to 3, in which dry contact has a turning point.
 
     Arguments and errors are as in ``turning_point``.  The conditions are the roughness and the
-    particle density.
+    particle density.  The curves end at the largest load that all these sizes carry dry, if it is
+    below the last load.
 
     Returns
     -------
@@ -334,11 +336,11 @@ def turning_window(
         windows_of = WindowSearch(RATIOS, tolerance=TOLERANCE)
         roughness, density = queries.columns["roughness"], queries.columns["particle_density"]
         ends = pd.DataFrame(index=range(queries.size), columns=WINDOW_COLUMNS, dtype=float)
-        for level in np.unique(density):
-            rows = np.flatnonzero(density == level)
-            windows = turning_point_windows(
-                windows_of, roughness[rows], level, loads.with_load(best), best
-            )
+        first, last = loads.with_load(best)
+        lasts = np.array([_last_load(first, last, *row, best) for row in zip(roughness, density)])
+        for level, end in {*zip(density, lasts)}:
+            rows = np.flatnonzero((density == level) & (lasts == end))
+            windows = turning_point_windows(windows_of, roughness[rows], level, (first, end), best)
             ends.loc[rows, WINDOW_COLUMNS] = [
                 [getattr(window, name) for name in WINDOW_COLUMNS] for window in windows
             ]
@@ -348,6 +350,19 @@ def turning_window(
         return _indexed(table | ends.to_dict("series"), queries, every)
 
     return _of_members(search, ensemble, members)
+
+
+def _last_load(first, last, roughness, density, parameters):
+    """The ``last`` load F_t* [1] of the curves of a window, or the largest that all sizes carry dry
+    if this is less.
+
+    It stays where not even the ``first`` load is carried.
+    """
+    sigma, zero = np.full(RATIOS.shape, roughness), np.zeros(RATIOS.shape)
+    solids = Contact.of(RATIOS * roughness, sigma, np.full(RATIOS.shape, density), parameters)
+    carried, _, _ = load_at(solids, viscosity=zero, roughness=sigma, separation=zero)
+    most = (1.0 - TOLERANCE) * carried.min()
+    return most if first < most < last else last
 
 
 WINDOW_COLUMNS = ["low", "low_error", "high", "high_error"]

@@ -13,7 +13,7 @@ from thirdbody import answers
 from thirdbody.core.film import film_parameter
 from thirdbody.core.particles import mean_and_largest
 from thirdbody.ensembles import FITTED
-from thirdbody.variables import AXES, FLAGS, QUANTITIES
+from thirdbody.variables import AXES, CONDITIONS, FLAGS, QUANTITIES
 
 LAYER = {name: ENGINEERING[name] for name in ("roughness_nm", "particle_density_per_m2")}
 
@@ -93,6 +93,14 @@ def test_changes_are_those_of_transitions_with_the_range_of_the_members(inputs):
     assert (table.loc[0, "agree"], table.loc[0, "members"]) == (2, 2)
 
 
+@pytest.mark.parametrize(("along", "symbol"), [("load_N", "F_t"), ("viscosity_cSt", "nu")])
+def test_a_change_has_the_symbol_of_its_unit(inputs, along, symbol):
+    table = answers.changes_along(inputs, without(along), along, None)
+    assert set(zip(table["symbol"], table["unit"])) == {
+        (symbol, AXES[along.split("_")[0]].alias_unit)
+    }
+
+
 def test_what_is_not_passed_is_not_found(inputs):
     table = answers.changes_along(
         inputs, without("load_N", viscosity_cSt=0.0), "load_N", (5.6, 6.0)
@@ -112,6 +120,17 @@ def test_the_turning_point_is_a_maximum_and_its_sizes_have_one(inputs):
     sizes = np.multiply.outer([low, high], [0.99, 1.01]).ravel()
     at_sizes = tb.turning_point(**dry | {"particle_diameter_nm": sizes}, parameters=inputs)
     assert at_sizes["exists"].tolist() == [False, True, True, False]
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 90.0])
+def test_a_last_load_that_is_not_carried_is_said_and_leaves_the_answer(inputs, viscosity):
+    given = without("load_N", viscosity_cSt=viscosity, particle_diameter_nm=300.0)
+    carried, more = (answers.turning_load(inputs, given, (0.01, last)) for last in (80.0, 1e4))
+    assert more["agree"].tolist() == [2] * 6
+    assert more["value"].tolist() == pytest.approx(carried["value"].tolist(), rel=0.05)
+    (note,) = [note for note in more.attrs["notes"] if "load_exceeded" in note]
+    assert note.startswith("dry at 10000 N, load_exceeded: ")
+    assert not [note for note in carried.attrs["notes"] if "load_exceeded" in note]
 
 
 @pytest.mark.parametrize("along", ["load_N", "viscosity_cSt", "roughness_nm"])
@@ -200,6 +219,25 @@ def test_numbers_have_three_digits_or_as_many_as_are_certain(value, low, high, t
     assert line.strip().split(maxsplit=2)[1:] == [text for text in texts if text]
 
 
+def printed_notes(solution):
+    """The notes below a printed solution, each in one line."""
+    lines = repr(solution).splitlines()
+    assert max(map(len, lines)) <= answers.WIDTH
+    text = "\n".join(line for line in lines[1:] if line.startswith(" "))
+    return text.replace("\n    ", " ").replace("  ", "").splitlines()
+
+
+@pytest.mark.parametrize("size", [500.0, 512.25, 1012.25])
+def test_a_number_stays_on_the_line_of_its_unit(inputs, size):
+    given = ENGINEERING | {"particle_diameter_nm": size, "speed_m_per_s": 4.0}
+    table = answers.state(inputs, given)
+    lines = answers.table_text(table).splitlines()
+    title = lines[: lines.index("")]
+    assert " ".join(title) == table.attrs["title"] and len(title) == 2
+    units = {axis.alias_unit for axis in CONDITIONS.values()}
+    assert not {line.split()[0].strip(",;") for line in lines if line.strip()} & units
+
+
 OUTSIDE = [
     ({"load_N": 10_000.0}, "load 10000 N: the paper has 0.04 to 80 N"),
     ({"viscosity_cSt": 150.1}, "viscosity 150.1 cSt: the paper has 0 to 150 cSt"),
@@ -221,10 +259,32 @@ def test_a_condition_that_the_paper_has_not_is_said(inputs, changes, note):
         answers.state(inputs, given).attrs["notes"],
         answers.compare_interfaces(inputs, ENGINEERING, inputs, given).attrs["notes"],
         solution.to_dataframe().attrs["notes"],
-        repr(solution).splitlines(),
+        printed_notes(solution),
     ):
         assert [each for each in notes if "the paper has" in each] == [note]
         assert any(each.startswith(HARDER) for each in notes) == ("load_N" in changes)
+
+
+def test_a_speed_that_the_paper_has_not_is_said_and_no_other_is(inputs):
+    mine = tb.bearing(inputs, speed_m_per_s=2.0, oil_density_kg_per_m3=870.0)
+    speed = f"{inputs.speed:.3g}"
+
+    def notes(given, parameters=inputs):
+        told = answers.state(parameters, given).attrs["notes"]
+        printed = printed_notes(tb.solve(**given, parameters=parameters))
+        about = [[note for note in each if "speed" in note] for each in (told, printed)]
+        assert about[0] == about[1]
+        return about[0]
+
+    for parameters in (inputs, mine):
+        told = notes(ENGINEERING | {"speed_m_per_s": 100.0}, parameters)
+        assert told == [f"entrainment speed 100 m/s: the paper has {speed} m/s"]
+    for own in (inputs.speed, float(speed), 0.0):
+        assert notes(ENGINEERING | {"speed_m_per_s": own}) == []
+    table = answers.curve(inputs, ENGINEERING, "speed_m_per_s", (1.0, 8.0), 2)
+    assert f"entrainment speed 1 to 8 m/s: the paper has {speed} m/s" in table.attrs["notes"]
+    table = answers.changes_along(inputs, ENGINEERING, "speed_m_per_s", None)
+    assert not [note for note in table.attrs["notes"] if "U/nu" in note]
 
 
 @pytest.mark.parametrize("end", [0, 1])
@@ -242,7 +302,7 @@ def test_many_points_have_one_note_for_each_condition(inputs):
     outside, harder, *others = notes
     assert outside == "load 0.01 to 8000 N: the paper has 0.04 to 80 N"
     assert harder.startswith("load 8000 N: the mean Hertz pressure is 5.23 GPa")
-    assert not [note for note in others if "load" in note]
+    assert not [note for note in others if note.startswith("load ")]
 
 
 def test_what_a_search_finds_outside_the_paper_is_said(inputs):
@@ -268,3 +328,29 @@ def test_each_answer_says_what_x_a_stands_for(inputs, along):
     if along == "load_N":
         table = answers.changes_along(inputs, without(along, particle_diameter_nm=0.0), along, None)
         assert not [note for note in table.attrs["notes"] if "x_a" in note]
+
+
+NO_PARTICLES = {"particle_diameter_nm": 0.0}, {"particle_density_per_m2": 0.0}
+
+
+@pytest.mark.parametrize(
+    ("changes", "start"),
+    [
+        ({}, "particle size x_a = 500 nm, a label: "),
+        ({"load_N": [1.0, 10.0], "particle_diameter_nm": [0.0, 500.0]}, "particle size x_a = 500"),
+        ({"particle_diameter_nm": [300.0, 500.0]}, "particle size x_a, a label: "),
+        ({"roughness_nm": [100.0, 300.0]}, "particle size x_a, a label: "),
+        *((changes, None) for changes in NO_PARTICLES),
+    ],
+)
+def test_a_solution_says_once_what_x_a_stands_for(inputs, changes, start):
+    given = ENGINEERING | changes
+    solution = tb.solve(**given, parameters=inputs)
+    notes = solution.to_dataframe().attrs["notes"]
+    assert printed_notes(solution) == notes
+    told = [note for note in notes if "x_a" in note]
+    assert len(told) == (start is not None)
+    if start:
+        assert told[0].startswith(start)
+    if not changes:
+        assert told[0] in answers.state(inputs, given).attrs["notes"]

@@ -38,9 +38,13 @@ REFUSED = [  # a command, and what its refusal names
     (f"{CURVE} --csv no/a.csv", "no/a.csv"),
     (f"{CURVE} --plot a.txt", "txt"),
     (f"{CURVE} --count 1", "count is 1"),
+    (f"{CURVE} --from 0", "error: --from is 0; allowed: a positive number\n"),
+    (f"{CURVE} --from -5", "error: --from is -5; allowed: a positive number\n"),
+    (f"{CURVE} --to inf", "error: --to is inf; allowed: a positive number\n"),
     ("bearing --ball wood", "wood"),
     ("bearing --ball 205,0.7,5", "0.7"),
     ("bearing --speed-m-per-s 2", "speed_m_per_s is 2"),
+    ("bearing --flat steel --particle 205,0.29,4", "particle has a hardness of 4 GPa"),
     (f"compare {STATE.removeprefix('state ')}", "--other-"),
 ]
 
@@ -155,6 +159,7 @@ def test_bad_input_is_named_and_answers_nothing(text, named, capsys):
     assert run(text) == BAD_INPUT
     printed = capsys.readouterr()
     assert printed.out == "" and named in printed.err and "Traceback" not in printed.err
+    assert max(map(len, printed.err.splitlines())) <= 80
 
 
 def test_two_speeds_are_compared_as_two_viscosities(capsys):

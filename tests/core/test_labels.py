@@ -240,7 +240,7 @@ def test_a_coordinate_called_like_a_condition_is_the_condition():
 
 def test_a_table_says_what_areas_and_films_are_relative_to(parameters):
     table = tb.solve(**ENGINEERING, parameters=parameters).to_dataframe()
-    area, ratios = table.attrs["notes"]
+    area, ratios, _ = table.attrs["notes"]
     assert f"A_n of the inputs is {1e6 * parameters.apparent_area:.3g} mm2" in area
     assert f"film_thickness over R_x = {1e3 * parameters.ball_radius:.4g} mm" in ratios
     height = table["film_thickness"] * parameters.ball_radius

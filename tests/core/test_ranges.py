@@ -325,10 +325,23 @@ def test_the_area_of_the_default_does_not_widen_the_share_of_the_solids(defaults
     assert np.ptp(range_of(given)) <= np.ptp(range_of(defaults))
 
 
-OTHERS = {"mean_ratio": lambda value: 1.0 - value}
+OTHERS = {"mean_ratio": lambda value: 1.0 - value, "apparent_area": lambda value: 0.5 * value}
 OTHERS |= {
     name: lambda value, words=words: words[1 - words.index(value)] for name, words in WORDS.items()
 }
+
+
+def test_an_area_other_than_the_calibrated_one_is_told_and_its_rounding_is_not(defaults):
+    assert "apparent_area" not in differing(defaults.members)
+    area_mm2 = 1e6 * defaults.apparent_area
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for factor in (0.92, 1.0, 1.08):
+            tb.bearing(apparent_area_mm2=factor * area_mm2)
+    for factor in (0.01, 0.8, 1.2):
+        with pytest.warns(UserWarning, match="^apparent_area is changed without summit_") as told:
+            tb.bearing(apparent_area_mm2=factor * area_mm2)
+        assert [each.filename for each in told] == [__file__]
 
 
 def test_another_mean_of_the_sizes_than_the_calibrated_one_is_told(defaults):

@@ -152,3 +152,15 @@ def test_of_two_runs_of_sizes_the_longer_is_the_window(parameters, first, ends):
     search = WindowSearch(np.arange(first, 2.5, 0.05), prominence=0.002)
     (window,) = turning_point_windows(search, [500e-9], 1e12, (1e-6, 1e-2), inputs)
     assert_allclose([window.low, window.high], ends, atol=1e-3)
+
+
+def test_a_load_that_dry_surfaces_do_not_carry_leaves_the_window(defaults):
+    surfaces = dict(roughness_nm=[100, 300], particle_density_per_m2=[1e11, 1e11])
+    carried, more = (
+        tb.turning_window(**surfaces, between_N=(0.01, last), parameters=defaults)
+        for last in (800.0, 10_000.0)
+    )
+    assert carried.notna().all(axis=None)
+    assert_allclose(more[["low", "high"]], carried[["low", "high"]], rtol=1e-3)
+    none = tb.turning_window(**surfaces, between_N=(8_000.0, 10_000.0), parameters=defaults)
+    assert none[["low", "high"]].isna().all(axis=None)
