@@ -111,8 +111,8 @@ def findings_block(move: float = 0.0) -> str:
     held, of = in_no_finding(findings, judged["statements"])
     score = (
         f"{judged['held']} of {judged['judged']} checkable statements of the paper hold, with one "
-        f"set of inputs. {judged['predicted']} of {judged['predicted_of']} are predicted: they hold "
-        f"with inputs that were found without their figure. Five sentences of ours sum up the "
+        f"set of inputs. {judged['predicted']} of {judged['predicted_of']} are predicted: they "
+        f"hold with inputs that were found without their figure. Five sentences of ours sum up the "
         f"paper. {RULE} {of} statements test none of the five; {held} of them hold."
     )
     lines = [fill(score, 120), ""]
