@@ -315,6 +315,15 @@ def test_ordering_of_curves():
     assert not identical.holds and identical.score == pytest.approx(1.0 + np.log(2.0))
 
 
+def test_the_distance_in_an_order_is_said_to_be_that_of_the_two_nearest_curves():
+    curves = by_viscosity(*(make_curve(area=factor * LOADS) for factor in (1.0, 1.2, 1.5)))
+    assert judged(ordering(), curves).finding == (
+        "A_t*: in this order, the two nearest apart by up to 20 %."
+    )
+    two = judged(ordering(given=viscosities(2)), curves)
+    assert two.finding == "A_t*: in this order, apart by up to 20 %."
+
+
 def test_bounds_on_other_quantities_choose_the_loads():
     solid = np.where(LOADS < 1e-6, 1.0, 0.5)
     other = make_curve(area=LOADS * (LOADS / 9e-7) ** 0.5, solid=solid)
