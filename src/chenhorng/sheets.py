@@ -314,7 +314,7 @@ def _departures(rows, _printed, _newtons_per_load) -> Sheet:
             "departures",
             {
                 "departure": row["departure"],
-                "inputs": row["inputs"] or "",
+                "inputs": (row["inputs"] or "").replace("_", " "),
                 "holds": _of(row["holds"], row["judged"]),
                 "headline": _of(row["headline"], row["headline_statements"]),
                 "median_deviation": _percent(row["median_deviation"]),

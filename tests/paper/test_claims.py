@@ -289,6 +289,21 @@ def test_a_load_beyond_the_last_fails_where_the_last_is_too_large_already():
         assert verdict.tested is tested and not verdict.holds
 
 
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [
+        ({"load": 1e-5}, "F_t* = 1e-5"),
+        ({"load_max": 1e-5}, "F_t* at most 1e-5"),
+        ({"load_max_N": 2.4}, "F_t at most 2.4 N"),
+        ({"solid_load_fraction": 0.9}, "L_s = 0.9"),
+        ({"solid_load_fraction_min": 0.03}, "L_s at least 0.03"),
+        ({"total_contact_area_slope_max": 0.5}, "the slope of A_t* at most 0.5"),
+    ],
+)
+def test_conditions_on_the_loads_are_written_with_symbols(limit, words):
+    assert least(1.0, given=limit).curves_text.endswith(f"; {words}")
+
+
 def test_a_condition_that_no_load_meets_is_not_tested():
     given = {"solid_load_fraction_max": 0.5}
     claim = make_claim("value", "particle_contact_area_ratio", 0.5, given=given, extreme="minimum")

@@ -123,13 +123,13 @@ def test_departures_are_rows_of_counts_and_deviations():
     row = {"departure": "as it is", "inputs": None, "holds": 100.0, "judged": 115.0}
     row |= {"headline": 16.0, "headline_statements": 18.0}
     row |= {"median_deviation": 0.0288, "mean_deviation": 0.0598}
-    other = row | {"departure": "all take part", "inputs": "participation = 1.0", "holds": 89.0}
+    other = row | {"departure": "all take part", "inputs": "mean_ratio = 1", "holds": 89.0}
     random = row | {"departure": "at random", "holds": 65.0}
     random |= dict.fromkeys(("headline", "median_deviation", "mean_deviation"))
     sheet = sheet_of("departures", [row, other, random], (), NEWTONS)
     assert cells(sheet) == [
         ["as it is", "", "100 of 115", "16 of 18", "2.9 %", "6.0 %"],
-        ["all take part", "participation = 1.0", "89 of 115", "16 of 18", "2.9 %", "6.0 %"],
+        ["all take part", "mean ratio = 1", "89 of 115", "16 of 18", "2.9 %", "6.0 %"],
         ["at random", "", "65 of 115", "", "", ""],
     ]
 

@@ -15,6 +15,7 @@ from pydantic import ConfigDict
 from pydantic.dataclasses import dataclass
 
 from chenhorng.claims.fields import Conditions, checked
+from chenhorng.claims.words import bound
 from chenhorng.configuration.model import one_of
 from chenhorng.places import figures_named
 from chenhorng.sampling import (
@@ -285,7 +286,7 @@ class Claim:
     @property
     def curves_text(self) -> str:
         """The curves, the bounds of the loads, and the reference as text."""
-        loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
+        loads = [bound(*limit) for limit in self.limits.items()]
         text = "; ".join([*_condition_texts(self.conditions), *loads])
         against = ", ".join(_condition_texts(self.reference))
         return f"{text}; held against {against}" if against else text
