@@ -312,6 +312,10 @@ def test_a_condition_that_no_load_meets_is_not_tested():
     assert not verdict.tested and not verdict.holds and verdict.score > 1.0
     drawn = judged(replace(claim, must_be_reached=True), make_curve(ratio=0.5, solid=0.6))
     assert drawn.tested and not drawn.holds
+    assert drawn.finding == (
+        "No load of the paper has L_s at most 0.5, though the paper draws one; "
+        "the nearest misses this by 0.1."
+    )
 
 
 def ordering(direction="increasing", given=None, **fields):

@@ -224,16 +224,15 @@ class Claim:
         except NotReached as short:
             (lack,) = short.args
             text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
-            condition = (
-                "the condition, which the paper draws" if self.must_be_reached else "the condition"
-            )
+            asked = " and ".join(bound(*limit) for limit in self.limits.items())
+            drawn = ", though the paper draws one" if self.must_be_reached else ""
             verdict = Verdict(
                 computed=text,
                 distance=distance,
                 deviation=np.nan,
                 tested=self.must_be_reached,
                 finding=(
-                    f"No load of the paper meets {condition}; the nearest misses it by {lack:.3g}."
+                    f"No load of the paper has {asked}{drawn}; the nearest misses this by {lack:.3g}."
                 ),
             )
         return self._if_visible(verdict, evidence) if self.source == "turning_point" else verdict
