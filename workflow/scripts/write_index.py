@@ -10,9 +10,11 @@ from markupsafe import Markup
 
 from chenhorng.claims.words import COLOURS, FAILS, HOLDS
 from chenhorng.figures.captions import inputs_sentence, labels_sentences
-from chenhorng.findings import RULE, in_no_finding, judged_findings
+from chenhorng.findings import RULE, in_no_finding, judged_findings, worth_of_inputs
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
+from chenhorng.tables import TABLES as COLUMNS
+from chenhorng.tables import read_csv
 from thirdbody.netcdf import read_plain
 from thirdbody.symbols import html
 from thirdbody.version import current
@@ -72,6 +74,9 @@ with job(snakemake) as output:
         "findings": judged_findings(snakemake.params.findings, statements),
         "rule": RULE,
         "others": in_no_finding(snakemake.params.findings, statements),
+        "worth": worth_of_inputs(
+            *(read_csv(snakemake.input[name], COLUMNS[name]) for name in ("departures", "limits"))
+        ),
         "colours": {verdict.split()[0]: colour for verdict, colour in COLOURS.items()},
         "judged": judged,
         "tables": {
