@@ -356,16 +356,17 @@ def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
     ]
     inside = sum(row["inside"] == "yes" for row in rows)
     # a number is printed twice if the same is computed for both
-    apart = counted_once(
-        (row["computed"] or row["id"], HOLDS if row["inside"] == "yes" else FAILS)
-        for row in rows
-        if not row["low"] == row["printed"] == row["high"]
+    wide = [row for row in rows if not row["low"] == row["printed"] == row["high"]]
+    once = counted_once(
+        (row["computed"] or row["id"], HOLDS if row["inside"] == "yes" else FAILS) for row in wide
     )
     note = (
         f"Of {len(rows)} printed numbers {inside} lie within the range of the members of the "
-        "ensemble that were fitted without their figure. Without one that is the whole of its "
-        f"range, which no member misses, {_of(*apart)} do; there one that is printed twice counts "
-        "once, as inside if it is so both times."
+        "ensemble that were fitted without their figure. Members differ from row to row, as each "
+        f"row leaves out the figure of its number. At {len(rows) - len(wide)} of the numbers the "
+        "range is that number alone, so that no member misses it. A number may be printed twice. "
+        "Without the former, and if the latter count once and must lie within both ranges, "
+        f"{_of(*once)} do."
         if rows
         else "The inputs of this run are not the calibrated ones, whose ensemble this table judges."
     )
