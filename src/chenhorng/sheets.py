@@ -284,12 +284,15 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
         for row in rows
     ]
     note = (
-        f"All numbers that the headline statements print; ✗ marks those outside of their "
-        f"tolerances. The median of the deviations is "
+        "The numbers of the headline statements alone: those by which interpretations of the "
+        "equations are compared, as config/calibration.yaml names them. The page of statements has "
+        "all others. ✗ marks numbers outside of their tolerances. The median of the deviations is "
         f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of "
         "H_c are those from 0.04 to 80 N."
     )
-    return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
+    return Sheet(
+        title="Numbers of the headline statements, as printed and computed", note=note, rows=lines
+    )
 
 
 def _miss(is_inside: bool) -> str:
@@ -356,17 +359,17 @@ def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
     ]
     inside = sum(row["inside"] == "yes" for row in rows)
     # a number is printed twice if the same is computed for both
-    wide = [row for row in rows if not row["low"] == row["printed"] == row["high"]]
     once = counted_once(
-        (row["computed"] or row["id"], HOLDS if row["inside"] == "yes" else FAILS) for row in wide
+        (row["computed"] or row["id"], HOLDS if row["inside"] == "yes" else FAILS)
+        for row in rows
+        if not row["low"] == row["printed"] == row["high"]
     )
     note = (
         f"Of {len(rows)} printed numbers {inside} lie within the range of the members of the "
         "ensemble that were fitted without their figure. Members differ from row to row, as each "
-        f"row leaves out the figure of its number. At {len(rows) - len(wide)} of the numbers the "
-        "range is that number alone, so that no member misses it. A number may be printed twice. "
-        "Without the former, and if the latter count once and must lie within both ranges, "
-        f"{_of(*once)} do."
+        "row leaves out the figure of its number. Where the range is the printed number alone, no "
+        f"member misses it. Of the other numbers {_of(*once)} lie within. One that is printed "
+        "twice counts once there, and must lie within both ranges."
         if rows
         else "The inputs of this run are not the calibrated ones, whose ensemble this table judges."
     )

@@ -27,7 +27,8 @@ TABLES = {
     "tpca_windows": "Ranges of x_a/σ in which dry contact has a turning point",
     "transitions": "Loads at which lubrication regime or contact mode change",
     "sensitivity": "How much each unprinted input changes each result",
-    "deviations": "Printed numbers beside computed ones",
+    "deviations": "Numbers of the headline statements beside computed ones; those of all others "
+    "are on the page of statements",
     "departures": "What each departure from the words of the paper is worth",
     "coverage": "Printed numbers, and ranges of the inputs that have not seen them",
     "coverage_of_sets": "Other sets of inputs within the ranges",

@@ -232,7 +232,8 @@ class Claim:
                 deviation=np.nan,
                 tested=self.must_be_reached,
                 finding=(
-                    f"No load of the paper has {asked}{drawn}; the nearest misses this by {lack:.3g}."
+                    f"No load of the paper has {asked}{drawn}; "
+                    f"the nearest misses this by {lack:.3g}."
                 ),
             )
         return self._if_visible(verdict, evidence) if self.source == "turning_point" else verdict
