@@ -433,11 +433,14 @@ def _apparent_area(rows, _printed, _newtons_per_load) -> Sheet:
 
 def _limits(rows, _printed, _newtons_per_load) -> Sheet:
     lines = [
-        _headed(
-            "limits",
-            {name: row[name] or "" for name in ("condition", "quantity", "verdict", "remark")}
-            | {name: rounded(row[name]) for name in ("value", "low", "high")},
-        )
+        {
+            "quantity": f"{row['quantity']}, {row['condition']}",
+            "value": rounded(row["value"]),
+            "verdict": row["verdict"] or "",
+            "low": rounded(row["low"]),
+            "high": rounded(row["high"]),
+            "remark": row["remark"] or "",
+        }
         for row in rows
     ]
     note = (

@@ -169,7 +169,10 @@ def test_a_page_is_the_text_and_needs_no_other_file():
     shown = Sheet(title="One", note="Note.", rows=[{"a": "<b> & c"}, {"a": "x_a"}]).html()
     assert shown.count("<table") == 1 and "Note." in shown
     assert "<td>&lt;b&gt; &amp; c</td>" in shown and "<td><i>x</i><sub>a</sub></td>" in shown
-    assert "src=" not in shown and re.findall('href="(.*?)"', shown) == ["../index.html"]
+    assert "src=" not in shown and re.findall('href="(.*?)"', shown) == [
+        "../index.html",
+        "../claims/claims.html",
+    ]
 
 
 def test_the_points_of_a_column_of_numbers_stand_below_each_other():
