@@ -90,10 +90,18 @@ def claims_block(move: float = 0.0) -> str:
     )
     inside = [row["inside"] == "yes" for row in read_rows("coverage")]
     rows = read_csv(RESULTS / "tables" / "held_out.csv", TABLES["own_claims"])
-    held, of = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
+    known, new = (
+        counted_once(
+            (row["cluster"] or row["id"], row["verdict"])
+            for row in rows
+            if bool(row["figures"]) is in_figures
+        )
+        for in_figures in (True, False)
+    )
     others = (
-        f"Of {of} statements in the abstracts of three other papers on the model, which no search "
-        f"has seen, {held} hold."
+        f"Of {known[1] + new[1]} statements in the abstracts of three other papers on the model, "
+        f"which no search has seen, {known[0] + new[0]} hold: {known[0]} of the {known[1]} that "
+        f"figures of the paper say too, and {new[0]} of the {new[1]} that none says."
     )
     sizes = pd.DataFrame(read_rows("deviations", move))["deviation"].abs()
     deviations = (

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import nan
 from typing import Any
 
+from chenhorng.claims.limits import IMPOSSIBLE
 from chenhorng.claims.words import FAILS, counted_once
 
 REPRODUCED, IN_PART, NOT = "reproduced", "reproduced in part", "not reproduced"
@@ -53,6 +54,22 @@ def judged_findings(
             }
         )
     return found
+
+
+def worth_of_inputs(
+    departures: Iterable[Mapping[str, Any]], limits: Iterable[Mapping[str, Any]]
+) -> dict[str, Any]:
+    """What rows of the tables ``departures`` and ``limits`` say of the inputs: the row ``worded``,
+    in which they are as the text words them, None without one; and the ``impossible`` ones."""
+    worded = (row for row in departures if row["departure"].startswith("baseline: "))
+    return {
+        "worded": next(worded, None),
+        "impossible": [
+            f"{row['quantity']} = {row['value']:.3g} ({row['condition']})"
+            for row in limits
+            if row["verdict"] == IMPOSSIBLE
+        ],
+    }
 
 
 def in_no_finding(

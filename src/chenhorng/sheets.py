@@ -284,12 +284,15 @@ def _deviations(rows, _printed, _newtons_per_load) -> Sheet:
         for row in rows
     ]
     note = (
-        f"All numbers that the headline statements print; ✗ marks those outside of their "
-        f"tolerances. The median of the deviations is "
+        "The numbers of the headline statements alone: those by which interpretations of the "
+        "equations are compared, as config/calibration.yaml names them. The page of statements has "
+        "all others. ✗ marks numbers outside of their tolerances. The median of the deviations is "
         f"{100.0 * median(sizes):.1f} %, the mean {100.0 * fmean(sizes):.1f} %. Ends of ranges of "
         "H_c are those from 0.04 to 80 N."
     )
-    return Sheet(title="Printed numbers and computed ones", note=note, rows=lines)
+    return Sheet(
+        title="Numbers of the headline statements, as printed and computed", note=note, rows=lines
+    )
 
 
 def _miss(is_inside: bool) -> str:
@@ -314,7 +317,7 @@ def _departures(rows, _printed, _newtons_per_load) -> Sheet:
             "departures",
             {
                 "departure": row["departure"],
-                "inputs": row["inputs"] or "",
+                "inputs": (row["inputs"] or "").replace("_", " "),
                 "holds": _of(row["holds"], row["judged"]),
                 "headline": _of(row["headline"], row["headline_statements"]),
                 "median_deviation": _percent(row["median_deviation"]),
@@ -356,16 +359,17 @@ def _coverage(rows, _printed, _newtons_per_load) -> Sheet:
     ]
     inside = sum(row["inside"] == "yes" for row in rows)
     # a number is printed twice if the same is computed for both
-    apart = counted_once(
+    once = counted_once(
         (row["computed"] or row["id"], HOLDS if row["inside"] == "yes" else FAILS)
         for row in rows
         if not row["low"] == row["printed"] == row["high"]
     )
     note = (
         f"Of {len(rows)} printed numbers {inside} lie within the range of the members of the "
-        "ensemble that were fitted without their figure. Without one that is the whole of its "
-        f"range, which no member misses, {_of(*apart)} do; there one that is printed twice counts "
-        "once, as inside if it is so both times."
+        "ensemble that were fitted without their figure. Members differ from row to row, as each "
+        "row leaves out the figure of its number. Where the range is the printed number alone, no "
+        f"member misses it. Of the other numbers {_of(*once)} lie within. One that is printed "
+        "twice counts once there, and must lie within both ranges."
         if rows
         else "The inputs of this run are not the calibrated ones, whose ensemble this table judges."
     )
@@ -429,11 +433,14 @@ def _apparent_area(rows, _printed, _newtons_per_load) -> Sheet:
 
 def _limits(rows, _printed, _newtons_per_load) -> Sheet:
     lines = [
-        _headed(
-            "limits",
-            {name: row[name] or "" for name in ("condition", "quantity", "verdict", "remark")}
-            | {name: rounded(row[name]) for name in ("value", "low", "high")},
-        )
+        {
+            "quantity": f"{row['quantity']}, {row['condition']}",
+            "value": rounded(row["value"]),
+            "verdict": row["verdict"] or "",
+            "low": rounded(row["low"]),
+            "high": rounded(row["high"]),
+            "remark": row["remark"] or "",
+        }
         for row in rows
     ]
     note = (

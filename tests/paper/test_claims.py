@@ -289,6 +289,21 @@ def test_a_load_beyond_the_last_fails_where_the_last_is_too_large_already():
         assert verdict.tested is tested and not verdict.holds
 
 
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [
+        ({"load": 1e-5}, "F_t* = 1e-5"),
+        ({"load_max": 1e-5}, "F_t* at most 1e-5"),
+        ({"load_max_N": 2.4}, "F_t at most 2.4 N"),
+        ({"solid_load_fraction": 0.9}, "L_s = 0.9"),
+        ({"solid_load_fraction_min": 0.03}, "L_s at least 0.03"),
+        ({"total_contact_area_slope_max": 0.5}, "the slope of A_t* at most 0.5"),
+    ],
+)
+def test_conditions_on_the_loads_are_written_with_symbols(limit, words):
+    assert least(1.0, given=limit).curves_text.endswith(f"; {words}")
+
+
 def test_a_condition_that_no_load_meets_is_not_tested():
     given = {"solid_load_fraction_max": 0.5}
     claim = make_claim("value", "particle_contact_area_ratio", 0.5, given=given, extreme="minimum")
@@ -297,6 +312,10 @@ def test_a_condition_that_no_load_meets_is_not_tested():
     assert not verdict.tested and not verdict.holds and verdict.score > 1.0
     drawn = judged(replace(claim, must_be_reached=True), make_curve(ratio=0.5, solid=0.6))
     assert drawn.tested and not drawn.holds
+    assert drawn.finding == (
+        "No load of the paper has L_s at most 0.5, though the paper draws one; "
+        "the nearest misses this by 0.1."
+    )
 
 
 def ordering(direction="increasing", given=None, **fields):
@@ -313,6 +332,15 @@ def test_ordering_of_curves():
     assert not judged(ordering(), by_viscosity(rising[0], *rising[:0:-1])).holds
     identical = judged(ordering(), make_curve())
     assert not identical.holds and identical.score == pytest.approx(1.0 + np.log(2.0))
+
+
+def test_the_distance_in_an_order_is_said_to_be_that_of_the_two_nearest_curves():
+    curves = by_viscosity(*(make_curve(area=factor * LOADS) for factor in (1.0, 1.2, 1.5)))
+    assert judged(ordering(), curves).finding == (
+        "A_t*: in this order, the two nearest apart by up to 20 %."
+    )
+    two = judged(ordering(given=viscosities(2)), curves)
+    assert two.finding == "A_t*: in this order, apart by up to 20 %."
 
 
 def test_bounds_on_other_quantities_choose_the_loads():

@@ -85,3 +85,11 @@ def test_what_is_said_to_be_new_has_no_figure_and_the_rest_names_those_of_the_pa
     figures = {figure for claim in FITTED for figure in claim.all_figures}
     assert all(set(claim.figures) <= figures for claim in HELD_OUT)
     assert any(claim.figures for claim in HELD_OUT) and any(not c.figures for c in HELD_OUT)
+
+
+def test_a_number_that_no_abstract_prints_stands_for_words_of_it():
+    named = [claim for claim in HELD_OUT if np.asarray(claim.published).dtype.kind == "f"]
+    assert named
+    for claim in named:
+        printed = all(f"{value:g}" in claim.quote for value in np.atleast_1d(claim.published))
+        assert printed or (claim.stands_for and claim.stands_for in claim.quote)

@@ -3,7 +3,15 @@
 import pytest
 
 from chenhorng.claims.claims import load_claims
-from chenhorng.findings import IN_PART, NOT, REPRODUCED, in_no_finding, judged_findings, outcome
+from chenhorng.findings import (
+    IN_PART,
+    NOT,
+    REPRODUCED,
+    in_no_finding,
+    judged_findings,
+    outcome,
+    worth_of_inputs,
+)
 from chenhorng.home import config_directory
 from thirdbody.files import read_yaml
 
@@ -50,6 +58,20 @@ def test_the_numbers_are_those_of_the_statements():
     assert moved["numbers"] == "2.2 for 3"
     (none,) = judged_findings([FINDING], [row("a", "fails", "", [None]), row("twice", "holds")])
     assert none["numbers"] == "nan for 3"
+
+
+def test_inputs_are_held_against_the_words_of_the_paper_and_against_what_surfaces_can_have():
+    departures = [{"departure": "as it is"}, {"departure": "baseline: as worded"}]
+    limits = [
+        {"condition": "any", "quantity": "x", "value": 1.234, "verdict": "impossible"},
+        {"condition": "any", "quantity": "y", "value": 1.0, "verdict": "possible"},
+        {"condition": "any", "quantity": "z", "value": 1.0, "verdict": None},
+    ]
+    assert worth_of_inputs(departures, limits) == {
+        "worded": departures[1],
+        "impossible": ["x = 1.23 (any)"],
+    }
+    assert worth_of_inputs(departures[:1], limits[1:]) == {"worded": None, "impossible": []}
 
 
 def test_a_statement_that_does_not_exist_is_named():

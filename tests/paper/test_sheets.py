@@ -123,13 +123,13 @@ def test_departures_are_rows_of_counts_and_deviations():
     row = {"departure": "as it is", "inputs": None, "holds": 100.0, "judged": 115.0}
     row |= {"headline": 16.0, "headline_statements": 18.0}
     row |= {"median_deviation": 0.0288, "mean_deviation": 0.0598}
-    other = row | {"departure": "all take part", "inputs": "participation = 1.0", "holds": 89.0}
+    other = row | {"departure": "all take part", "inputs": "mean_ratio = 1", "holds": 89.0}
     random = row | {"departure": "at random", "holds": 65.0}
     random |= dict.fromkeys(("headline", "median_deviation", "mean_deviation"))
     sheet = sheet_of("departures", [row, other, random], (), NEWTONS)
     assert cells(sheet) == [
         ["as it is", "", "100 of 115", "16 of 18", "2.9 %", "6.0 %"],
-        ["all take part", "participation = 1.0", "89 of 115", "16 of 18", "2.9 %", "6.0 %"],
+        ["all take part", "mean ratio = 1", "89 of 115", "16 of 18", "2.9 %", "6.0 %"],
         ["at random", "", "65 of 115", "", "", ""],
     ]
 
@@ -146,7 +146,8 @@ def test_a_printed_number_that_no_range_misses_or_that_is_a_repeat_is_counted_ap
     common = {"id": "a", "place": "Figure 9", "statement": "A statement."}
     rows = [common | dict(zip(names, row, strict=True)) for row in numbers]
     sheet = sheet_of("coverage", rows, (), NEWTONS)
-    assert "Of 5 printed numbers 3 lie within" in sheet.note and "misses, 1 of 3 do" in sheet.note
+    assert "Of 5 printed numbers 3 lie within" in sheet.note
+    assert "Of the other numbers 1 of 3 lie within." in sheet.note
     assert cells(sheet)[3][2:] == ["1.5e-5", "1.69e-5", "1.01e-5 to 1.49e-5", "no"]
 
 
@@ -168,7 +169,10 @@ def test_a_page_is_the_text_and_needs_no_other_file():
     shown = Sheet(title="One", note="Note.", rows=[{"a": "<b> & c"}, {"a": "x_a"}]).html()
     assert shown.count("<table") == 1 and "Note." in shown
     assert "<td>&lt;b&gt; &amp; c</td>" in shown and "<td><i>x</i><sub>a</sub></td>" in shown
-    assert "src=" not in shown and re.findall('href="(.*?)"', shown) == ["../index.html"]
+    assert "src=" not in shown and re.findall('href="(.*?)"', shown) == [
+        "../index.html",
+        "../claims/claims.html",
+    ]
 
 
 def test_the_points_of_a_column_of_numbers_stand_below_each_other():

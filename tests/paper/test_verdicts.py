@@ -105,7 +105,7 @@ def test_statements_that_repeat_one_another_count_once(twins, count):
 
 def test_the_counts_with_repeats_lead_to_the_count_without():
     page = claims_html(report((HELD, HELD, HELD, MISSED)))
-    assert "4 statements: 2 hold, 1 fail, 1 are contradicted by the paper itself. " in page
+    assert "4 statements: 2 hold, 1 fails, 1 contradicted by the paper itself. " in page
     assert "The 3 that hold or fail are 2 without repeats." in page
 
 

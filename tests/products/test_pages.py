@@ -65,6 +65,11 @@ def test_the_first_screen_and_the_page_of_verdicts_have_one_count_and_one_palett
         assert f"{finding['held']} of {finding['judged']} statements that test it hold" in first
         assert (RESULTS / "figures" / f"{finding['panel']}.svg").is_file()
         assert all(f"claims.html#{row['id']}" in first for row in finding["failed"])
+        repeats = len(finding["failed"]) - (finding["judged"] - finding["held"])
+        part = first[first.index(heading) :].partition("</li>\n<li>")[0]
+        assert ("Which fail, with repeats: " in part) is (repeats > 0)
+    for table in "departures", "limits":
+        assert f'href="tables/{table}.html"' in first
     in_findings = sum(finding["judged"] for finding in findings)
     assert f"{in_findings} of the {content['judged']} test them" in first
     shares = [part for each in findings for part in (each["held"], each["judged"] - each["held"])]

@@ -228,6 +228,8 @@ rule write_index:
         figures=expand("<results>/figures/{figure}.json", figure=FIGURES),
         pictures=expand("<results>/figures/{figure}.png", figure=FIGURES),
         tables=expand("<results>/tables/{table}.html", table=TABLES),
+        departures="<results>/tables/departures.csv",
+        limits="<results>/tables/limits.csv",
         panels=expand("<results>/figures/{panel}.svg", panel=PANELS),
         verdicts="<results>/claims/claims.json",
         explorer="<results>/explorer/index.html",

@@ -10,9 +10,11 @@ from markupsafe import Markup
 
 from chenhorng.claims.words import COLOURS, FAILS, HOLDS
 from chenhorng.figures.captions import inputs_sentence, labels_sentences
-from chenhorng.findings import RULE, in_no_finding, judged_findings
+from chenhorng.findings import RULE, in_no_finding, judged_findings, worth_of_inputs
 from chenhorng.job_log import job
 from chenhorng.markdown import markdown_text
+from chenhorng.tables import TABLES as COLUMNS
+from chenhorng.tables import read_csv
 from thirdbody.netcdf import read_plain
 from thirdbody.symbols import html
 from thirdbody.version import current
@@ -25,7 +27,8 @@ TABLES = {
     "tpca_windows": "Ranges of x_a/σ in which dry contact has a turning point",
     "transitions": "Loads at which lubrication regime or contact mode change",
     "sensitivity": "How much each unprinted input changes each result",
-    "deviations": "Printed numbers beside computed ones",
+    "deviations": "Numbers of the headline statements beside computed ones; those of all others "
+    "are on the page of statements",
     "departures": "What each departure from the words of the paper is worth",
     "coverage": "Printed numbers, and ranges of the inputs that have not seen them",
     "coverage_of_sets": "Other sets of inputs within the ranges",
@@ -72,6 +75,9 @@ with job(snakemake) as output:
         "findings": judged_findings(snakemake.params.findings, statements),
         "rule": RULE,
         "others": in_no_finding(snakemake.params.findings, statements),
+        "worth": worth_of_inputs(
+            *(read_csv(snakemake.input[name], COLUMNS[name]) for name in ("departures", "limits"))
+        ),
         "colours": {verdict.split()[0]: colour for verdict, colour in COLOURS.items()},
         "judged": judged,
         "tables": {

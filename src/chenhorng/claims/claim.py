@@ -15,6 +15,7 @@ from pydantic import ConfigDict
 from pydantic.dataclasses import dataclass
 
 from chenhorng.claims.fields import Conditions, checked
+from chenhorng.claims.words import bound
 from chenhorng.configuration.model import one_of
 from chenhorng.places import figures_named
 from chenhorng.sampling import (
@@ -223,16 +224,16 @@ class Claim:
         except NotReached as short:
             (lack,) = short.args
             text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
-            condition = (
-                "the condition, which the paper draws" if self.must_be_reached else "the condition"
-            )
+            asked = " and ".join(bound(*limit) for limit in self.limits.items())
+            drawn = ", though the paper draws one" if self.must_be_reached else ""
             verdict = Verdict(
                 computed=text,
                 distance=distance,
                 deviation=np.nan,
                 tested=self.must_be_reached,
                 finding=(
-                    f"No load of the paper meets {condition}; the nearest misses it by {lack:.3g}."
+                    f"No load of the paper has {asked}{drawn}; "
+                    f"the nearest misses this by {lack:.3g}."
                 ),
             )
         return self._if_visible(verdict, evidence) if self.source == "turning_point" else verdict
@@ -285,7 +286,7 @@ class Claim:
     @property
     def curves_text(self) -> str:
         """The curves, the bounds of the loads, and the reference as text."""
-        loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
+        loads = [bound(*limit) for limit in self.limits.items()]
         text = "; ".join([*_condition_texts(self.conditions), *loads])
         against = ", ".join(_condition_texts(self.reference))
         return f"{text}; held against {against}" if against else text

@@ -234,14 +234,15 @@ class Ordering(Claim):
         sign = -1.0 if self.direction == "decreasing" else 1.0
         gaps = [sign * gap for gap in self.gaps(evidence)]
         against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
-        text = f"in order, apart by up to {apart:.3g}"
+        whose = "the two nearest " if len(gaps) > 1 else ""  # neighbours, or curve and reference
+        text = f"in order, {whose}apart by up to {apart:.3g}"
         distance = size(max(apart, 0.0), self.relative)
-        finding = f"{NAMES[self.quantity]}: in this order, apart by up to {distance}"
+        finding = f"{NAMES[self.quantity]}: in this order, {whose}apart by up to {distance}"
         if against > ROUNDING:
             text = (
                 f"with the order by up to {max(apart, 0.0):.3g}, against it by up to {against:.3g}"
             )
-            finding += f", elsewhere against it by up to {size(against, self.relative)}"
+            finding += f"; elsewhere against it by up to {size(against, self.relative)}"
         return self.missed(text, np.max([against, 2.0 * self.step - apart]), sentence(finding))
 
 

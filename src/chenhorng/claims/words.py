@@ -21,6 +21,7 @@ SEVERAL = {HOLDS: "hold", FAILS: "fail"}  # of several statements
 # quantities as the subject of a sentence: the symbol, or other words if they are clearer
 NAMES = {name: quantity.symbol for name, quantity in QUANTITIES.items()} | {
     "total_contact_area_slope": "the slope of A_t*",
+    "load": "F_t*",
     "solid_load": "L_s F_t*",
     "real_contact_pressure": "L_s F_t*/A_t*",
     "turning_point_ratio": "A_sa,t* at the turning point",
@@ -40,6 +41,7 @@ BEGINNINGS = {
     "window_low": "Turning points begin at x_a/sigma of",
     "window_high": "Turning points end at x_a/sigma of",
 }
+BOUNDS = {"min": "at least", "max": "at most"}
 EXTREMES = {"minimum": "the least ", "maximum": "the largest "}
 
 
@@ -94,6 +96,16 @@ def beginning(quantity: str, extreme: str, limits: Mapping[str, float], is_chang
         return BEGINNINGS[quantity]
     name = NAMES[quantity]
     return f"{EXTREMES[extreme]}{name.removeprefix('the ')} is" if extreme else f"{name} is"
+
+
+def bound(key: str, value: float) -> str:
+    """A condition on the loads in words, from its key and value: L_s at most 0.9."""
+    if key == "load_max_N":
+        return f"F_t at most {value:g} N"
+    quantity, _, end = key.rpartition("_")
+    if end in BOUNDS:
+        return f"{NAMES[quantity]} {BOUNDS[end]} {number(value)}"
+    return f"{NAMES[key]} = {number(value)}"
 
 
 def number(value: float, digits: int = DIGITS) -> str:
