@@ -94,6 +94,9 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
         for kind, key in {".thin": "hairlines", ".range": "ranged"}.items():
             found = shown.find_elements("css selector", kind)
             assert len(found) == len(record["panels"][place][key]), kind
+        numbers = [*record["panels"][place]["limits"], *record["panels"][place]["levels"]]
+        strips = {str(each["ends"]) for each in numbers if each["is_tolerance_drawn"]}
+        assert len(shown.find_elements("css selector", ".strip")) == len(strips)
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
         assert len(shown.find_elements("css selector", "g:has(> title), .limit")) == len(printed)
         turning = [row for row in of_panel if row["curve"] == "turning points"]

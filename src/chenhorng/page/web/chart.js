@@ -106,10 +106,12 @@ export function keyOfMarks(specs) {
 
 // A spec of a chart; what is not given is empty.
 export function specOf({ lines = [], ...given }) {
-  const { limits = [], ofAll = [] } = given;
+  const { limits = [], ofAll = [], levels = [] } = given;
   const empty = [...Object.keys(KEY), "areas", "borders", "brackets", "crosses", "names"].map((name) => [name, []]);
   const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
-  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts, strips: [...limits, ...ofAll].filter((each) => each.is_tolerance_drawn) };
+  const toleranced = [...limits, ...ofAll, ...levels].filter((each) => each.is_tolerance_drawn);
+  const strips = [...new Map(toleranced.map(({ ends }) => [String(ends), ends])).values()]; // of several curves one
+  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts, strips };
 }
 
 const pen = document.createElement("canvas").getContext("2d");
@@ -392,7 +394,11 @@ function marksOf(spec, { x: toX, y: toY }) {
     const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
-  const strips = spec.strips.map(({ ends: [[low], [high]] }) => `<path class="strip" d="M${inX(low)},${upwards.join("V")}H${inX(high)}V${upwards[0]}Z"/>`);
+  const strips = spec.strips.map(([[left, low], [right, high]]) => {
+    const [from, to] = left === right ? across : [left, right].map(inX);
+    const [bottom, top] = low === null ? upwards : [low, high].map(inY);
+    return `<path class="strip" d="M${from},${bottom}V${top}H${to}V${bottom}Z"/>`;
+  });
   const limit = (kind) => ({ at: [x], color = "var(--ink)", ...look }) => `<path ${classOf(kind, look)} d="M${inX(x)},${upwards.join("V")}" stroke="${color}"/>`;
   const limits = [...spec.limits.map(limit("limit")), ...spec.ofAll.map(limit("limit all"))];
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
@@ -416,7 +422,7 @@ function marksOf(spec, { x: toX, y: toY }) {
     ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, spec.computed.map(shape("computed")), stars.map(shape("star"))].flat().join("");
+  return [...curves, spec.here.map(upright("here")), locus, marks, printed, spec.computed.map(shape("computed")), stars.map(shape("star"))].flat().join("");
 }
 
 // Markers distinguish curves without colour. Each curve has a few, at places of its own.
