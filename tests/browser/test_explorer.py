@@ -87,9 +87,9 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
         of_panel = [row for row in rows if row["panel"] == panel]
         over_load = of_panel[0]["x_name"] != "diameter_ratio"
         curves = {row["curve"] for row in of_panel if row["curve"].startswith("nu =")}
-        printed = [
-            row for row in of_panel if row["curve"].startswith(("printed; ", "printed along x; "))
-        ]
+        marks = record["panels"][place]["printed"]
+        printed = [each for each in marks if each["is_point_drawn"] or each["is_tolerance_drawn"]]
+        printed += record["panels"][place]["limits"]
         shown = explorer.all("#charts figure")[place]
         for kind, key in {".thin": "hairlines", ".range": "ranged"}.items():
             found = shown.find_elements("css selector", kind)
@@ -421,6 +421,21 @@ def test_no_line_ends_between_a_number_and_its_unit(explorer):
     apart = r"\d (?:N|nm|mm²|MPa|cSt|m⁻²|%)(?![\w⁻])| = |Figure \d"
     assert re.findall(apart, texts) == []
     assert len(re.findall(apart, texts.replace("\u00a0", " "))) > 50
+
+
+def test_printed_points_are_those_of_the_figure_in_the_colours_of_their_curves(explorer):
+    """And a star within a diamond leaves its edge free."""
+    explorer.open("figure=fig11", width=390)
+    points, curves, star, diamond = explorer.run(
+        """const panel = document.querySelector('#charts figure');
+        const strokes = (mark) => [...panel.querySelectorAll(mark)].map((each) => each.getAttribute('stroke'));
+        const curve = (label) => strokes(`.line[data-label="${label}"]`);
+        const width = (mark) => panel.querySelector(mark).getBBox().width;
+        return [strokes('.printed'), ['dry', 'ν = 120 cSt'].flatMap(curve), width('.star'), width('.printed')]"""
+    )
+    assert points == curves
+    assert star < diamond
+    assert explorer.one("#charts .printed").value_of_css_property("fill") == "none"
 
 
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):

@@ -11,12 +11,12 @@ const MARKERS = [
 const [LIGHT, DARK] = [[0.05, 0.59], [0.35, 1]]; // ends of the shades, each with enough contrast
 const STEPS = 60; // shades between the ends
 const SHAPES = {
-  star: d3.symbol(d3.symbolStar, 90)(),
-  slight: d3.symbol(d3.symbolStar, 60)(),
-  printed: d3.symbol(d3.symbolDiamond2, 60)(),
+  star: d3.symbol(d3.symbolStar, 24)(),
+  slight: d3.symbol(d3.symbolStar, 24)(),
+  printed: d3.symbol(d3.symbolDiamond2, 77)(),
   doubt: d3.symbol(d3.symbolTimes, 28)(),
   cross: d3.symbol(d3.symbolCross, 110)(),
-  computed: "M0,-6L5.2,-3V3L0,6L-5.2,3V-3Z",
+  computed: "M0,-4.6L4,-2.3V2.3L0,4.6L-4,2.3V-2.3Z",
 };
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
@@ -411,8 +411,11 @@ function marksOf(spec, { x: toX, y: toY }) {
     return `<path ${classOf("tolerance", mark)} d="M${ends.join("L")}" stroke="${mark.color}"/>`;
   };
   const printed = spec.printed.map((mark) => {
-    const diamond = mark.isBar ? "" : shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] });
-    return `<g>${bar(mark)}${diamond}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
+    const drawn = [
+      mark.chosen || mark.is_tolerance_drawn ? bar(mark) : "",
+      mark.chosen || mark.is_point_drawn ? shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] }) : "",
+    ].join("");
+    return drawn && `<g>${drawn}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
   });
   const stars = spec.stars.filter(isShown);
   const locus = `<path class="locus" d="${path(spec.locus) ?? ""}"/>`;

@@ -156,9 +156,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
   const changed = !isCalibrated() || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
-  // at an end of a load percentage the paper names a regime, and the bar alone tells all
-  const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
-  const printed = marksOf(panel.printed, statement, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
+  const [printed, levels, limits] = [panel.printed, panel.levels, panel.limits].map((marks) => marksOf(marks, statement, curves, paper));
   const isRanged = ({ mine, places }) => mine || places.some((place) => panel.ranged.includes(place));
   const ranged = x === "load" ? curves.filter(isRanged) : [];
   const ranges = ranged.map(({ condition, ...look }) => ({ ...look, points: outlineOf(condition, y) }));
@@ -173,15 +171,15 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: ranges.filter(({ points }) => points),
     ranged: ranged.map(({ condition }) => condition),
-    levels: marksOf(panel.levels, statement, curves),
-    ...alongX(marksOf(panel.limits, statement, curves)),
+    levels,
+    ...alongX(limits),
     slight: stars.length && x === "load" && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine, least) : [],
     here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
   };
   // a logarithmic axis leaves out ends far below the curves, in a full film
   const lowest = VARIABLES[y].log ? d3.min(spec.lines.flatMap(({ points }) => points.map((point) => point.y))) : -Infinity;
   const outlines = outlinesIn(`${state.figure} ${letter}`, ranges).filter((point) => point[1] >= lowest);
-  const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
+  const ends = [...printed, ...levels].flatMap((mark) => mark.ends);
   return curvesSpec(spec, engine, [...ends, ...outlines]);
 }
 
@@ -195,8 +193,7 @@ function outlinesIn(panel, ranges) {
 }
 
 // Numbers printed along x alone, with the names of their curves; both ends of a range have one in a bracket.
-function alongX(marks) {
-  const lines = marks.map((mark) => ({ ...mark, color: mark.name || mark.chosen ? mark.color : "var(--ink)" }));
+function alongX(lines) {
   const ranges = [...d3.group(lines, ({ id }) => id).values()].filter(({ length }) => length === 2);
   return {
     limits: lines.map((line) => (ranges.flat().includes(line) ? { ...line, name: "" } : line)),
@@ -224,20 +221,19 @@ function curvesSpec({ x, y, least, lines, ghosts = [], ...given }, engine, marke
   });
 }
 
-// Numbers that the paper prints, in the colours of their curves.
-function marksOf(marks, statement, curves) {
+// Numbers that the paper prints, in the colours of their curves; those of several curves are black.
+function marksOf(marks, statement, curves, paper) {
   return marks.map((mark) => {
-    const stated = content.statements.find(({ id }) => id === mark.id);
     const chosen = statement?.id === mark.id;
-    const [first, ...others] = stated.curves;
-    const curve = curves.find(({ condition }) => isSame(first, condition));
+    const isOwn = ({ mine, places }) => !mine && places.some((place) => isSame(mark.curve, paper[place]));
+    const curve = mark.curve && curves.find(isOwn);
     return {
       ...mark,
       chosen,
       faded: Boolean(statement) && !chosen,
-      name: others.length ? "" : (curve?.name ?? ""),
+      name: curve?.name ?? "",
       color: chosen ? "var(--mine)" : (curve?.color ?? "var(--ink)"),
-      text: stated.statement,
+      text: content.statements.find(({ id }) => id === mark.id).statement,
     };
   });
 }
