@@ -580,6 +580,13 @@ def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer,
     assert "full film" in explorer.one("#charts svg").text + explorer.one("#key").text
 
 
+def test_where_a_name_has_no_room_the_key_has_the_mode_of_each_colour(explorer):
+    explorer.open(width=390)
+    assert len(explorer.all("#charts text.name")) < 5
+    modes = [each.text for each in explorer.all("#key .entry:has(rect)")]
+    assert sorted(modes) == ["hybrid", "particle-surface", "surface-surface"]
+
+
 def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
     """Every corner of the border between boundary and mixed lubrication has L_s = 0.9."""
     explorer.open()

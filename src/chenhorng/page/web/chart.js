@@ -107,7 +107,7 @@ export function keyOfMarks(specs) {
 // A spec of a chart; what is not given is empty.
 export function specOf({ lines = [], ...given }) {
   const { limits = [], ofAll = [], levels = [] } = given;
-  const empty = [...Object.keys(KEY), "areas", "borders", "brackets", "crosses", "names"].map((name) => [name, []]);
+  const empty = [...Object.keys(KEY), "areas", "borders", "brackets", "crosses", "fills", "names"].map((name) => [name, []]);
   const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
   const toleranced = [...limits, ...ofAll, ...levels].filter((each) => each.is_tolerance_drawn);
   const strips = [...new Map(toleranced.map(({ ends }) => [String(ends), ends])).values()]; // of several curves one
@@ -191,7 +191,8 @@ function titleMarkup(name) {
   return typesetInDrawing(unit ? `${symbol} (${unit})` : symbol);
 }
 
-// A chart in an element; returns the function that draws a spec, which returns the names that do not fit.
+// A chart in an element; returns the function that draws a spec. If a name does not fit, this returns the fills
+// of areas, for the key.
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
@@ -236,7 +237,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     crosses.html([...names, ...outside, ...whole].join(""));
     zones.html(zonesOf(spec, scales));
     cursor.html("");
-    return spec.names.filter((_, i) => !names[i]);
+    return names.every(Boolean) ? [] : spec.fills;
   }
 
   function read(event) {
