@@ -71,10 +71,10 @@ function markerOf(rank, x, y, { color, ...look }) {
 const strokeOf = ({ color, dash }) => `stroke="${color}"${dash ? ` stroke-dasharray="${dash}"` : ""}`;
 
 // The drawing of an entry of the key: a fill, or a line of a kind with a marker or a mark on it.
-export function sampleOf({ fill, dry, thin, mine, mark, marker, hasEnds, isUpright, ...given }) {
+export function sampleOf({ fill, dry, thin, mine, mark, marker, hasEnds, ...given }) {
   const { kind = fill ? "area" : kindOf({ dry, thin, mine }), ...look } = given;
   if (fill) return `<rect class="${kind}" x="4" y="1" width="22" height="12" fill="${fill}"/>`;
-  const line = look.color ? `<path class="${kind}" d="${isUpright ? "M15,0V14" : "M1,7H29"}${hasEnds ? "M1,1v12M29,1v12" : ""}" ${strokeOf(look)}/>` : "";
+  const line = look.color ? `<path class="${kind}" d="M1,7H29${hasEnds ? "M1,1v12M29,1v12" : ""}" ${strokeOf(look)}/>` : "";
   const symbol = marker === undefined ? "" : markerOf(marker, 15, 7, { color: look.color });
   return line + symbol + (mark ? shapeOf(mark, 15, 7, { color: "var(--ink)" }) : "");
 }
@@ -87,13 +87,13 @@ const KEY = {
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   computed: { text: "bend or crossing, computed", mark: "computed" },
   levels: { text: "printed for loads between strokes", color: "var(--ink)", kind: "level", hasEnds: true },
-  windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
-  limits: { text: "printed position along x", color: "var(--ink)", kind: "limit", isUpright: true },
-  ofAll: { text: "the same, for all surfaces", color: "var(--ink)", kind: "limit all", isUpright: true },
+  windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window" },
+  limits: { text: "printed position along x", color: "var(--ink)", kind: "limit" },
+  ofAll: { text: "the same, for all surfaces", color: "var(--ink)", kind: "limit all" },
   strips: { text: "tolerance of a printed line", fill: "var(--tolerance)", kind: "strip" },
   ranges: { text: "range of the ensemble", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
-  here: { text: "at your conditions", color: "var(--accent)", kind: "here", isUpright: true },
+  here: { text: "at your conditions", color: "var(--accent)", kind: "here" },
   doubts: { text: "with a remark", mark: "doubt" },
 };
 
