@@ -22,11 +22,13 @@ from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
 from thirdbody.points import solve
 from thirdbody.symbols import html
+from thirdbody.variables import CONDITION_AXES
 
 LARGEST = 3e6  # bytes of the page
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 VIEWS = {"map": "", "figures": "view=figures"}
 NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
+AXES = {axis.name: axis for axis in CONDITION_AXES}
 FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 
 
@@ -445,6 +447,24 @@ def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
     )
     assert full and hollow
     assert "rises by less than 0.02" in explorer.one("#key").text
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_the_answer_is_at_conditions_of_a_curve_and_says_of_which_panels(explorer, figure, page):
+    explorer.open(f"figure={figure}")
+    shown = [explorer.one(f"#condition-{name}").get_attribute("value") for name in AXES]
+    path = page.parents[1] / "figures" / f"{figure}.json"
+    panels = json.loads(path.read_text(encoding="utf-8"))["panels"]
+    compared = [panel for panel in panels if panel["x"] != "diameter_ratio"]
+    point = {
+        name: pytest.approx(float(value) * axis.scale)
+        for value, (name, axis) in zip(shown, AXES.items(), strict=True)
+    }
+    has = [point in panel["curves"] for panel in compared]
+    own = [panel["letter"] for panel, is_own in zip(compared, has, strict=True) if is_own]
+    title = explorer.one("#point caption").text
+    assert has[0]
+    assert re.findall(r"\b[A-F]\b", title.partition("as in panel")[2]) == ([] if all(has) else own)
 
 
 def test_ranges_stand_beside_inputs_and_answers(explorer):

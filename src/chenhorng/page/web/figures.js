@@ -73,6 +73,15 @@ export function isFree(name) {
   return parameterOf(figure).name === name || levelsOf(figure, name).length < 2;
 }
 
+// Which panels of the figure that is shown have the conditions of a point, where others have not: "panel A".
+export function panelsOf(point) {
+  const { curves, panels } = content.figures.find(({ name }) => name === state.figure);
+  const compared = panels.filter(({ x }) => x !== "diameter_ratio");
+  const own = compared.filter((panel) => panel.curves.some((place) => isSame(curves[place], point)));
+  if (state.view !== "figures" || !own.length || own.length === compared.length) return "";
+  return `panel${own.length > 1 ? "s" : ""} ${own.map(({ letter }) => letter).join(" and ")}`;
+}
+
 // Colour, dashes and marker of a curve, as in the figures of the workflow.
 function styleOf({ name, levels, strong }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
