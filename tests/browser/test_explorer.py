@@ -425,6 +425,13 @@ def test_no_line_ends_between_a_number_and_its_unit(explorer):
     assert len(re.findall(apart, texts.replace("\u00a0", " "))) > 50
 
 
+@pytest.mark.parametrize(("newtons", "count"), [(10.5, 4), (1e4, 0)])
+def test_a_load_is_in_the_key_if_a_panel_shows_it(explorer, newtons, count):
+    explorer.open(f"figure=fig04&load_N={newtons}")
+    assert len(explorer.all("#charts .here")) == count
+    assert ("at your conditions" in explorer.one("#key").text) == (count > 0)
+
+
 def test_printed_points_are_those_of_the_figure_in_the_colours_of_their_curves(explorer):
     """And a star within a diamond leaves its edge free."""
     explorer.open("figure=fig11", width=390)

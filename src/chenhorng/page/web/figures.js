@@ -183,13 +183,19 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     levels,
     ...alongX(limits),
     slight: stars.length && x === "load" && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine, least) : [],
-    here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
+    here: x === "load" ? hereOn(engine) : [],
   };
   // a logarithmic axis leaves out ends far below the curves, in a full film
   const lowest = VARIABLES[y].log ? d3.min(spec.lines.flatMap(({ points }) => points.map((point) => point.y))) : -Infinity;
   const outlines = outlinesIn(`${state.figure} ${letter}`, ranges).filter((point) => point[1] >= lowest);
   const ends = [...printed, ...levels].flatMap((mark) => mark.ends);
   return curvesSpec(spec, engine, [...ends, ...outlines]);
+}
+
+// The chosen load F_t*, if it is one of those of the curves.
+function hereOn({ loads: [first, last], newtonsPerLoad }) {
+  const load = state.conditions.load / newtonsPerLoad;
+  return load >= first && load <= last ? [load] : [];
 }
 
 // The points of the ranges of a panel that its axis shows. Until these are computed, the points of before stay, so
