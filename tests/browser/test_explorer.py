@@ -432,6 +432,20 @@ def test_a_load_is_in_the_key_if_a_panel_shows_it(explorer, newtons, count):
     assert ("at your conditions" in explorer.one("#key").text) == (count > 0)
 
 
+@pytest.mark.parametrize("figure", ["fig09", "fig10"])
+def test_panels_over_sizes_name_the_modes_and_end_beside_their_marks(explorer, figure):
+    explorer.open(f"figure={figure}")
+    zones, free = explorer.run(
+        """const panel = [...document.querySelectorAll('#charts figure')].at(-1);
+        const [mark, frame] = ['.strip', 'clipPath rect'].map((each) => [...panel.querySelectorAll(each)].map((one) => one.getBBox()));
+        const right = ({ x, width }) => x + width;
+        return [[...panel.querySelectorAll('.zone')].map((zone) => zone.textContent),
+            (right(frame[0]) - Math.max(...mark.map(right))) / frame[0].width]"""
+    )
+    assert zones == ["s-s", "hybrid", "p-s"]
+    assert free < 0.1
+
+
 def test_printed_points_are_those_of_the_figure_in_the_colours_of_their_curves(explorer):
     """And a star within a diamond leaves its edge free."""
     explorer.open("figure=fig11", width=390)

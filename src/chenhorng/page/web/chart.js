@@ -440,13 +440,13 @@ function markersOf(lines) {
   });
 }
 
-// SVG of the modes or regimes: the middle one is shaded, and all have their names beside the panel.
+// SVG of the modes or regimes: the middle one may be shaded, and all have their names beside the panel.
 function zonesOf(spec, { x: toX, y: toY }) {
-  const { limits, zones = [] } = VARIABLES[spec.y.name];
+  const { limits, zones, shaded } = VARIABLES[spec.y.name];
   if (!limits) return "";
   const [[left, right], [low, high]] = [toX.range(), spec.y.domain];
   const edges = [low, ...limits, high].map((edge) => toY(held(edge, low, high)));
-  const shade = `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
+  const shade = shaded ? `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>` : "";
   const names = zones.map((zone, i) => {
     if (edges[i] - edges[i + 1] < 9) return "";
     return `<text class="zone" x="${right + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;

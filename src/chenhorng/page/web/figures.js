@@ -279,11 +279,14 @@ function windowSpec(figure, panel, engine, surface) {
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
   const windows = ends.filter(Number.isFinite);
   const isOwn = ({ id }) => id.startsWith(figure.name);
+  const stars = points.filter(({ y }) => Number.isFinite(y));
+  // panels of several surfaces have the same axis
+  const printed = figure.panels.filter(({ x }) => x === panel.x).flatMap(({ limits }) => limits.flatMap(({ ends }) => ends.map(([end]) => end)));
   const [limits, ofAll] = [panel.limits.filter(isOwn), panel.limits.filter((mark) => !isOwn(mark))];
   return specOf({
     letter: panel.letter,
     title: titleOf(panel.x, panel.y, label),
-    x: axisFor(panel.x, "linear", [...sizes, ...panel.limits.flatMap(({ ends }) => ends.map(([end]) => end))]),
+    x: axisFor(panel.x, "linear", [...stars.map(({ x }) => x), ...windows, ...printed]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color: "none", points }],
     ...{ windows, limits, ofAll },
@@ -292,7 +295,7 @@ function windowSpec(figure, panel, engine, surface) {
       ...bracketOver(limits.map(({ at: [x] }) => x), "printed"),
       ...bracketOver(ofAll.map(({ at: [x] }) => x), "printed for all"),
     ],
-    stars: points.filter(({ y }) => Number.isFinite(y)),
+    stars,
   });
 }
 
