@@ -25,6 +25,7 @@ from thirdbody.symbols import html
 from thirdbody.variables import CONDITION_AXES
 
 LARGEST = 3e6  # bytes of the page
+A4 = 717  # pixels between its margins
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 VIEWS = {"map": "", "figures": "view=figures"}
 NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
@@ -834,6 +835,23 @@ def test_nothing_waits_on_paper(explorer):
         })));"""
     )
     assert left == [True, False]
+
+
+@pytest.mark.parametrize("view", VIEWS.values())
+def test_texts_of_charts_have_seven_points_on_paper(explorer, view):
+    """Charts of a wide screen are drawn anew for the page, and again for the screen."""
+    widths = "[...document.querySelectorAll('#charts svg')].map((svg) => svg.viewBox.baseVal.width)"
+    before = explorer.open(view, width=1920).run(f"return {widths}")
+    explorer.run(f"addEventListener('beforeprint', () => {{ globalThis.drawn = {widths}; }})")
+    explorer.driver.execute_cdp_cmd("Page.printToPDF", {})
+    explorer.wait("return !document.querySelector('[aria-busy=true]')")
+    drawn, after, size = explorer.run(
+        f"""const texts = [...document.querySelectorAll('#charts text')];
+        return [drawn, {widths}, Math.min(...texts.map((text) => parseFloat(getComputedStyle(text).fontSize)))];"""
+    )
+    shrunk = A4 / (drawn[0] * min(len(drawn), 2))
+    assert 0.75 * size * shrunk >= 7.0  # of pixels, in points
+    assert after == before
 
 
 def test_a_move_of_a_slider_redraws_the_curves(explorer):
