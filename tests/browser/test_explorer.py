@@ -22,11 +22,14 @@ from thirdbody.files import read_yaml
 from thirdbody.inputs import load_parameters
 from thirdbody.points import solve
 from thirdbody.symbols import html
+from thirdbody.variables import CONDITION_AXES
 
 LARGEST = 3e6  # bytes of the page
+A4 = 717  # pixels between its margins
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 VIEWS = {"map": "", "figures": "view=figures"}
 NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
+AXES = {axis.name: axis for axis in CONDITION_AXES}
 FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 
 
@@ -87,13 +90,16 @@ def test_every_figure_has_its_curves_marks_key_and_caption(explorer, figure, pag
         of_panel = [row for row in rows if row["panel"] == panel]
         over_load = of_panel[0]["x_name"] != "diameter_ratio"
         curves = {row["curve"] for row in of_panel if row["curve"].startswith("nu =")}
-        printed = [
-            row for row in of_panel if row["curve"].startswith(("printed; ", "printed along x; "))
-        ]
+        marks = record["panels"][place]["printed"]
+        printed = [each for each in marks if each["is_point_drawn"] or each["is_tolerance_drawn"]]
+        printed += record["panels"][place]["limits"]
         shown = explorer.all("#charts figure")[place]
         for kind, key in {".thin": "hairlines", ".range": "ranged"}.items():
             found = shown.find_elements("css selector", kind)
             assert len(found) == len(record["panels"][place][key]), kind
+        numbers = [*record["panels"][place]["limits"], *record["panels"][place]["levels"]]
+        strips = {str(each["ends"]) for each in numbers if each["is_tolerance_drawn"]}
+        assert len(shown.find_elements("css selector", ".strip")) == len(strips)
         assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
         assert len(shown.find_elements("css selector", "g:has(> title), .limit")) == len(printed)
         turning = [row for row in of_panel if row["curve"] == "turning points"]
@@ -420,6 +426,42 @@ def test_no_line_ends_between_a_number_and_its_unit(explorer):
     assert len(re.findall(apart, texts.replace("\u00a0", " "))) > 50
 
 
+@pytest.mark.parametrize(("newtons", "count"), [(10.5, 4), (1e4, 0)])
+def test_a_load_is_in_the_key_if_a_panel_shows_it(explorer, newtons, count):
+    explorer.open(f"figure=fig04&load_N={newtons}")
+    assert len(explorer.all("#charts .here")) == count
+    assert ("at your conditions" in explorer.one("#key").text) == (count > 0)
+
+
+@pytest.mark.parametrize("figure", ["fig09", "fig10"])
+def test_panels_over_sizes_name_the_modes_and_end_beside_their_marks(explorer, figure):
+    explorer.open(f"figure={figure}")
+    zones, free = explorer.run(
+        """const panel = [...document.querySelectorAll('#charts figure')].at(-1);
+        const [mark, frame] = ['.strip', 'clipPath rect'].map((each) => [...panel.querySelectorAll(each)].map((one) => one.getBBox()));
+        const right = ({ x, width }) => x + width;
+        return [[...panel.querySelectorAll('.zone')].map((zone) => zone.textContent),
+            (right(frame[0]) - Math.max(...mark.map(right))) / frame[0].width]"""
+    )
+    assert zones == ["s-s", "hybrid", "p-s"]
+    assert free < 0.1
+
+
+def test_printed_points_are_those_of_the_figure_in_the_colours_of_their_curves(explorer):
+    """And a star within a diamond leaves its edge free."""
+    explorer.open("figure=fig11", width=390)
+    points, curves, star, diamond = explorer.run(
+        """const panel = document.querySelector('#charts figure');
+        const strokes = (mark) => [...panel.querySelectorAll(mark)].map((each) => each.getAttribute('stroke'));
+        const curve = (label) => strokes(`.line[data-label="${label}"]`);
+        const width = (mark) => panel.querySelector(mark).getBBox().width;
+        return [strokes('.printed'), ['dry', 'ν = 120 cSt'].flatMap(curve), width('.star'), width('.printed')]"""
+    )
+    assert points == curves
+    assert star < diamond
+    assert explorer.one("#charts .printed").value_of_css_property("fill") == "none"
+
+
 def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
     explorer.open("figure=fig10")
     full, hollow = (
@@ -427,6 +469,24 @@ def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
     )
     assert full and hollow
     assert "rises by less than 0.02" in explorer.one("#key").text
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_the_answer_is_at_conditions_of_a_curve_and_says_of_which_panels(explorer, figure, page):
+    explorer.open(f"figure={figure}")
+    shown = [explorer.one(f"#condition-{name}").get_attribute("value") for name in AXES]
+    path = page.parents[1] / "figures" / f"{figure}.json"
+    panels = json.loads(path.read_text(encoding="utf-8"))["panels"]
+    compared = [panel for panel in panels if panel["x"] != "diameter_ratio"]
+    point = {
+        name: pytest.approx(float(value) * axis.scale)
+        for value, (name, axis) in zip(shown, AXES.items(), strict=True)
+    }
+    has = [point in panel["curves"] for panel in compared]
+    own = [panel["letter"] for panel, is_own in zip(compared, has, strict=True) if is_own]
+    title = explorer.one("#point caption").text
+    assert has[0]
+    assert re.findall(r"\b[A-F]\b", title.partition("as in panel")[2]) == ([] if all(has) else own)
 
 
 def test_ranges_stand_beside_inputs_and_answers(explorer):
@@ -560,6 +620,13 @@ def test_regions_of_the_map_have_the_names_that_the_library_gives_them(explorer,
     assert kept == len(key)
     explorer.open("viscosity_cSt=150&map_x=roughness")
     assert "full film" in explorer.one("#charts svg").text + explorer.one("#key").text
+
+
+def test_where_a_name_has_no_room_the_key_has_the_mode_of_each_colour(explorer):
+    explorer.open(width=390)
+    assert len(explorer.all("#charts text.name")) < 5
+    modes = [each.text for each in explorer.all("#key .entry:has(rect)")]
+    assert sorted(modes) == ["hybrid", "particle-surface", "surface-surface"]
 
 
 def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
@@ -768,6 +835,23 @@ def test_nothing_waits_on_paper(explorer):
         })));"""
     )
     assert left == [True, False]
+
+
+@pytest.mark.parametrize("view", VIEWS.values())
+def test_texts_of_charts_have_seven_points_on_paper(explorer, view):
+    """Charts of a wide screen are drawn anew for the page, and again for the screen."""
+    widths = "[...document.querySelectorAll('#charts svg')].map((svg) => svg.viewBox.baseVal.width)"
+    before = explorer.open(view, width=1920).run(f"return {widths}")
+    explorer.run(f"addEventListener('beforeprint', () => {{ globalThis.drawn = {widths}; }})")
+    explorer.driver.execute_cdp_cmd("Page.printToPDF", {})
+    explorer.wait("return !document.querySelector('[aria-busy=true]')")
+    drawn, after, size = explorer.run(
+        f"""const texts = [...document.querySelectorAll('#charts text')];
+        return [drawn, {widths}, Math.min(...texts.map((text) => parseFloat(getComputedStyle(text).fontSize)))];"""
+    )
+    shrunk = A4 / (drawn[0] * min(len(drawn), 2))
+    assert 0.75 * size * shrunk >= 7.0  # of pixels, in points
+    assert after == before
 
 
 def test_a_move_of_a_slider_redraws_the_curves(explorer):

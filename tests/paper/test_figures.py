@@ -816,6 +816,16 @@ def test_the_record_of_a_figure_has_its_conditions_and_printed_numbers(name, dat
                 np.testing.assert_allclose(points, expected, rtol=1e-4)
 
 
+def test_a_record_tells_which_of_the_printed_points_that_coincide_is_drawn(datasets, printed):
+    panels = plotted("fig11", datasets, printed=printed["fig11"]).panels
+    ratio, *_ = figure_record(panels, caption("fig11", panels, "A title"))["panels"]
+    points = [mark for mark in ratio["printed"] if mark["is_point_drawn"]]
+    assert [mark["at"] for mark in points] == [[3.27e-6, 0.2], [1.49e-5, 0.2]]
+    assert [mark["curve"]["viscosity"] for mark in points] == [0.0, 120e-6]
+    bars = [mark["ends"] for mark in ratio["printed"] if mark["is_tolerance_drawn"]]
+    assert len(bars) < len(ratio["printed"])
+
+
 @pytest.mark.parametrize("name", ["fig03", "fig06", "fig09", "fig11", "fig12"])
 def test_captions_describe_what_is_drawn(name, datasets, printed):
     from docutils.core import publish_parts

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from thirdbody.plotting.crowding import NAME_SIZE, NEAR, in_axes, keep_apart
@@ -23,12 +24,14 @@ BRACKET_NAME = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}  # on its
 @dataclass(frozen=True, eq=False)
 class Number(Series):
     """A number at a point, at a level, or along x alone (``UPRIGHT``).  ``tolerance`` has x and y
-    of both its ends; ``words`` stand at a range of two numbers along x."""
+    of both its ends; ``words`` stand at a range of two numbers along x.  Once a point is drawn,
+    ``lines`` has it and its bar."""
 
     drawn_as: str = "number"
     tolerance: tuple[NDArray, NDArray] | None = None
     tolerance_look: Mapping[str, Any] = field(default_factory=dict)
     words: str = ""
+    lines: list[Line2D] = field(default_factory=list)
 
     @property
     def labels(self) -> set[str]:
@@ -40,11 +43,12 @@ def draw_numbers(axes: Axes, panel: Panel) -> None:
     numbers = [series for series in panel.series if isinstance(series, Number)]
     for number in numbers:
         if number.tolerance and number.drawn_as != UPRIGHT:
-            axes.plot(number.x, number.y, **number.look)
+            lines = axes.plot(number.x, number.y, **number.look)
             if number.x.size > 1:
                 axes.fill_between(number.x, *number.tolerance[1], **number.tolerance_look)
             else:
-                axes.plot(*number.tolerance, label=BAR, **number.tolerance_look)
+                lines += axes.plot(*number.tolerance, label=BAR, **number.tolerance_look)
+                number.lines[:] = lines
     names = {one.curve: curve_name(one) for one in panel.of_kind(CURVE)}
     drawn: list[Number] = []
     for number in numbers:

@@ -70,7 +70,7 @@ def _panel_record(panel):
         "curves": _conditions(curves),
         "hairlines": _conditions(filter(is_hairline, curves)),
         "ranged": _conditions(ranges_drawn(panel)),
-        "printed": [_mark(series) for series in panel.of_kind(PRINTED)],
+        "printed": [_mark(series) | _drawn(series) for series in panel.of_kind(PRINTED)],
         "limits": [_mark(series) for series in panel.of_kind(ALONG_X)],
         "levels": [_mark(series) for series in panel.of_kind(EVERY_LOAD)],
         "computed": [_at(series) for series in panel.of_kind(COMPUTED)],
@@ -84,10 +84,21 @@ def _conditions(series):
 
 
 def _mark(series):
-    """The printed number of a series: its first point, with both ends of its tolerance, and whether
-    that is drawn; y is None for a number along x alone."""
+    """The printed number of a series: its first point, with its curve if it has one alone, both
+    ends of its tolerance, and whether that is drawn; y is None for a number along x alone."""
     ends = [[_rounded(each) for each in point] for point in zip(*series.tolerance)]
-    return _at(series) | {"ends": ends, "is_tolerance_drawn": bool(series.tolerance_look)}
+    curve = series.curve and series.curve._asdict()
+    further = {"curve": curve, "ends": ends, "is_tolerance_drawn": bool(series.tolerance_look)}
+    return _at(series) | further
+
+
+def _drawn(series):
+    """Whether a printed point and its bar are drawn, or hidden by others that coincide."""
+    point, bar = series.lines
+    return {
+        "is_point_drawn": point.get_markevery() == [True],
+        "is_tolerance_drawn": bool(bar.get_visible()),
+    }
 
 
 def _at(series):

@@ -11,12 +11,12 @@ const MARKERS = [
 const [LIGHT, DARK] = [[0.05, 0.59], [0.35, 1]]; // ends of the shades, each with enough contrast
 const STEPS = 60; // shades between the ends
 const SHAPES = {
-  star: d3.symbol(d3.symbolStar, 90)(),
-  slight: d3.symbol(d3.symbolStar, 60)(),
-  printed: d3.symbol(d3.symbolDiamond2, 60)(),
+  star: d3.symbol(d3.symbolStar, 24)(),
+  slight: d3.symbol(d3.symbolStar, 24)(),
+  printed: d3.symbol(d3.symbolDiamond2, 77)(),
   doubt: d3.symbol(d3.symbolTimes, 28)(),
   cross: d3.symbol(d3.symbolCross, 110)(),
-  computed: "M0,-6L5.2,-3V3L0,6L-5.2,3V-3Z",
+  computed: "M0,-4.6L4,-2.3V2.3L0,4.6L-4,2.3V-2.3Z",
 };
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
@@ -71,10 +71,10 @@ function markerOf(rank, x, y, { color, ...look }) {
 const strokeOf = ({ color, dash }) => `stroke="${color}"${dash ? ` stroke-dasharray="${dash}"` : ""}`;
 
 // The drawing of an entry of the key: a fill, or a line of a kind with a marker or a mark on it.
-export function sampleOf({ fill, dry, thin, mine, mark, marker, hasEnds, isUpright, ...given }) {
+export function sampleOf({ fill, dry, thin, mine, mark, marker, hasEnds, ...given }) {
   const { kind = fill ? "area" : kindOf({ dry, thin, mine }), ...look } = given;
   if (fill) return `<rect class="${kind}" x="4" y="1" width="22" height="12" fill="${fill}"/>`;
-  const line = look.color ? `<path class="${kind}" d="${isUpright ? "M15,0V14" : "M1,7H29"}${hasEnds ? "M1,1v12M29,1v12" : ""}" ${strokeOf(look)}/>` : "";
+  const line = look.color ? `<path class="${kind}" d="M1,7H29${hasEnds ? "M1,1v12M29,1v12" : ""}" ${strokeOf(look)}/>` : "";
   const symbol = marker === undefined ? "" : markerOf(marker, 15, 7, { color: look.color });
   return line + symbol + (mark ? shapeOf(mark, 15, 7, { color: "var(--ink)" }) : "");
 }
@@ -87,13 +87,13 @@ const KEY = {
   printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
   computed: { text: "bend or crossing, computed", mark: "computed" },
   levels: { text: "printed for loads between strokes", color: "var(--ink)", kind: "level", hasEnds: true },
-  windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window", isUpright: true },
-  limits: { text: "printed position along x", color: "var(--ink)", kind: "limit", isUpright: true },
-  ofAll: { text: "the same, for all surfaces", color: "var(--ink)", kind: "limit all", isUpright: true },
+  windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window" },
+  limits: { text: "printed position along x", color: "var(--ink)", kind: "limit" },
+  ofAll: { text: "the same, for all surfaces", color: "var(--ink)", kind: "limit all" },
   strips: { text: "tolerance of a printed line", fill: "var(--tolerance)", kind: "strip" },
   ranges: { text: "range of the ensemble", fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
-  here: { text: "at your conditions", color: "var(--accent)", kind: "here", isUpright: true },
+  here: { text: "at your conditions", color: "var(--accent)", kind: "here" },
   doubts: { text: "with a remark", mark: "doubt" },
 };
 
@@ -106,10 +106,12 @@ export function keyOfMarks(specs) {
 
 // A spec of a chart; what is not given is empty.
 export function specOf({ lines = [], ...given }) {
-  const { limits = [], ofAll = [] } = given;
-  const empty = [...Object.keys(KEY), "areas", "borders", "brackets", "crosses", "names"].map((name) => [name, []]);
+  const { limits = [], ofAll = [], levels = [] } = given;
+  const empty = [...Object.keys(KEY), "areas", "borders", "brackets", "crosses", "fills", "names"].map((name) => [name, []]);
   const doubts = lines.flatMap(({ points }) => points.filter(({ state }) => state && state.status !== "converged"));
-  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts, strips: [...limits, ...ofAll].filter((each) => each.is_tolerance_drawn) };
+  const toleranced = [...limits, ...ofAll, ...levels].filter((each) => each.is_tolerance_drawn);
+  const strips = [...new Map(toleranced.map(({ ends }) => [String(ends), ends])).values()]; // of several curves one
+  return { letter: "", ...Object.fromEntries(empty), ...given, lines, doubts, strips };
 }
 
 const pen = document.createElement("canvas").getContext("2d");
@@ -189,7 +191,8 @@ function titleMarkup(name) {
   return typesetInDrawing(unit ? `${symbol} (${unit})` : symbol);
 }
 
-// A chart in an element; returns the function that draws a spec, which returns the names that do not fit.
+// A chart in an element; returns the function that draws a spec. If a name does not fit, this returns the fills
+// of areas, for the key.
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
@@ -234,7 +237,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     crosses.html([...names, ...outside, ...whole].join(""));
     zones.html(zonesOf(spec, scales));
     cursor.html("");
-    return spec.names.filter((_, i) => !names[i]);
+    return names.every(Boolean) ? [] : spec.fills;
   }
 
   function read(event) {
@@ -392,7 +395,11 @@ function marksOf(spec, { x: toX, y: toY }) {
     const under = faded ? "" : `<path fill="var(--paper)" d="M${outline}"/>`; // several may overlap
     return `${under}<path ${classOf("range", { faded })} d="M${outline}" fill="${color}" stroke="${color}"/>`;
   });
-  const strips = spec.strips.map(({ ends: [[low], [high]] }) => `<path class="strip" d="M${inX(low)},${upwards.join("V")}H${inX(high)}V${upwards[0]}Z"/>`);
+  const strips = spec.strips.map(([[left, low], [right, high]]) => {
+    const [from, to] = left === right ? across : [left, right].map(inX);
+    const [bottom, top] = low === null ? upwards : [low, high].map(inY);
+    return `<path class="strip" d="M${from},${bottom}V${top}H${to}V${bottom}Z"/>`;
+  });
   const limit = (kind) => ({ at: [x], color = "var(--ink)", ...look }) => `<path ${classOf(kind, look)} d="M${inX(x)},${upwards.join("V")}" stroke="${color}"/>`;
   const limits = [...spec.limits.map(limit("limit")), ...spec.ofAll.map(limit("limit all"))];
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
@@ -405,8 +412,11 @@ function marksOf(spec, { x: toX, y: toY }) {
     return `<path ${classOf("tolerance", mark)} d="M${ends.join("L")}" stroke="${mark.color}"/>`;
   };
   const printed = spec.printed.map((mark) => {
-    const diamond = mark.isBar ? "" : shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] });
-    return `<g>${bar(mark)}${diamond}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
+    const drawn = [
+      mark.chosen || mark.is_tolerance_drawn ? bar(mark) : "",
+      mark.chosen || mark.is_point_drawn ? shape("printed")({ ...mark, x: mark.at[0], y: mark.at[1] }) : "",
+    ].join("");
+    return drawn && `<g>${drawn}<title>printed in the paper: ${escaped(mark.text)}</title></g>`;
   });
   const stars = spec.stars.filter(isShown);
   const locus = `<path class="locus" d="${path(spec.locus) ?? ""}"/>`;
@@ -416,7 +426,7 @@ function marksOf(spec, { x: toX, y: toY }) {
     ...spec.doubts.filter(isShown).map(({ x, y }) => shape("doubt")({ x, y })),
     ...spec.slight.filter(isShown).map(shape("slight")),
   ];
-  return [...curves, spec.levels.map(bar), spec.here.map(upright("here")), locus, marks, printed, spec.computed.map(shape("computed")), stars.map(shape("star"))].flat().join("");
+  return [...curves, spec.here.map(upright("here")), locus, marks, printed, spec.computed.map(shape("computed")), stars.map(shape("star"))].flat().join("");
 }
 
 // Markers distinguish curves without colour. Each curve has a few, at places of its own.
@@ -430,13 +440,13 @@ function markersOf(lines) {
   });
 }
 
-// SVG of the modes or regimes: the middle one is shaded, and all have their names beside the panel.
+// SVG of the modes or regimes: the middle one may be shaded, and all have their names beside the panel.
 function zonesOf(spec, { x: toX, y: toY }) {
-  const { limits, zones = [] } = VARIABLES[spec.y.name];
+  const { limits, zones, shaded } = VARIABLES[spec.y.name];
   if (!limits) return "";
   const [[left, right], [low, high]] = [toX.range(), spec.y.domain];
   const edges = [low, ...limits, high].map((edge) => toY(held(edge, low, high)));
-  const shade = `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>`;
+  const shade = shaded ? `<rect fill="var(--zone)" x="${left}" y="${edges[2]}" width="${right - left}" height="${edges[1] - edges[2]}"/>` : "";
   const names = zones.map((zone, i) => {
     if (edges[i] - edges[i + 1] < 9) return "";
     return `<text class="zone" x="${right + 4}" y="${(edges[i] + edges[i + 1]) / 2}" dy="0.32em">${zone}</text>`;

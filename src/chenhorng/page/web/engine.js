@@ -83,9 +83,9 @@ function finish(element) {
   element.removeAttribute("aria-busy");
 }
 
-addEventListener("beforeprint", () => {
+export function finishAll() {
   for (const [element, { steps, isWanted }] of [...waiting]) {
     while (isWanted() && !steps.next().done);
     finish(element);
   }
-});
+}

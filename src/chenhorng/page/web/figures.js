@@ -73,6 +73,15 @@ export function isFree(name) {
   return parameterOf(figure).name === name || levelsOf(figure, name).length < 2;
 }
 
+// Which panels of the figure that is shown have the conditions of a point, where others have not: "panel A".
+export function panelsOf(point) {
+  const { curves, panels } = content.figures.find(({ name }) => name === state.figure);
+  const compared = panels.filter(({ x }) => x !== "diameter_ratio");
+  const own = compared.filter((panel) => panel.curves.some((place) => isSame(curves[place], point)));
+  if (state.view !== "figures" || !own.length || own.length === compared.length) return "";
+  return `panel${own.length > 1 ? "s" : ""} ${own.map(({ letter }) => letter).join(" and ")}`;
+}
+
 // Colour, dashes and marker of a curve, as in the figures of the workflow.
 function styleOf({ name, levels, strong }, condition, mine, hasOil) {
   const dry = hasOil && condition.viscosity === 0;
@@ -156,9 +165,7 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
   const isMoved = ({ condition, places: [place] }) => !isSame(condition, paper[place]);
   const changed = !isCalibrated() || ofPaper.some(isMoved);
   const before = changed ? panel.curves.map((place) => paper[place]) : [];
-  // at an end of a load percentage the paper names a regime, and the bar alone tells all
-  const isBar = ({ at: [, value] }) => x === "load" && VARIABLES[y].zones && (value === 0 || value === 1);
-  const printed = marksOf(panel.printed, statement, curves).map((mark) => ({ ...mark, isBar: isBar(mark) }));
+  const [printed, levels, limits] = [panel.printed, panel.levels, panel.limits].map((marks) => marksOf(marks, statement, curves, paper));
   const isRanged = ({ mine, places }) => mine || places.some((place) => panel.ranged.includes(place));
   const ranged = x === "load" ? curves.filter(isRanged) : [];
   const ranges = ranged.map(({ condition, ...look }) => ({ ...look, points: outlineOf(condition, y) }));
@@ -173,16 +180,22 @@ function panelSpec(panel, curves, engine, { statement, own, figure: { curves: pa
     ghosts: before.map((condition) => defaultEngine().points({ x, y, condition })),
     ranges: ranges.filter(({ points }) => points),
     ranged: ranged.map(({ condition }) => condition),
-    levels: marksOf(panel.levels, statement, curves),
-    ...alongX(marksOf(panel.limits, statement, curves)),
+    levels,
+    ...alongX(limits),
     slight: stars.length && x === "load" && y === "particle_contact_area_ratio" ? slightOf(x, y, curves, engine, least) : [],
-    here: x === "load" && state.conditions.load ? [state.conditions.load / engine.newtonsPerLoad] : [],
+    here: x === "load" ? hereOn(engine) : [],
   };
   // a logarithmic axis leaves out ends far below the curves, in a full film
   const lowest = VARIABLES[y].log ? d3.min(spec.lines.flatMap(({ points }) => points.map((point) => point.y))) : -Infinity;
   const outlines = outlinesIn(`${state.figure} ${letter}`, ranges).filter((point) => point[1] >= lowest);
-  const ends = [...printed, ...spec.levels].flatMap((mark) => mark.ends);
+  const ends = [...printed, ...levels].flatMap((mark) => mark.ends);
   return curvesSpec(spec, engine, [...ends, ...outlines]);
+}
+
+// The chosen load F_t*, if it is one of those of the curves.
+function hereOn({ loads: [first, last], newtonsPerLoad }) {
+  const load = state.conditions.load / newtonsPerLoad;
+  return load >= first && load <= last ? [load] : [];
 }
 
 // The points of the ranges of a panel that its axis shows. Until these are computed, the points of before stay, so
@@ -195,8 +208,7 @@ function outlinesIn(panel, ranges) {
 }
 
 // Numbers printed along x alone, with the names of their curves; both ends of a range have one in a bracket.
-function alongX(marks) {
-  const lines = marks.map((mark) => ({ ...mark, color: mark.name || mark.chosen ? mark.color : "var(--ink)" }));
+function alongX(lines) {
   const ranges = [...d3.group(lines, ({ id }) => id).values()].filter(({ length }) => length === 2);
   return {
     limits: lines.map((line) => (ranges.flat().includes(line) ? { ...line, name: "" } : line)),
@@ -224,20 +236,19 @@ function curvesSpec({ x, y, least, lines, ghosts = [], ...given }, engine, marke
   });
 }
 
-// Numbers that the paper prints, in the colours of their curves.
-function marksOf(marks, statement, curves) {
+// Numbers that the paper prints, in the colours of their curves; those of several curves are black.
+function marksOf(marks, statement, curves, paper) {
   return marks.map((mark) => {
-    const stated = content.statements.find(({ id }) => id === mark.id);
     const chosen = statement?.id === mark.id;
-    const [first, ...others] = stated.curves;
-    const curve = curves.find(({ condition }) => isSame(first, condition));
+    const isOwn = ({ mine, places }) => !mine && places.some((place) => isSame(mark.curve, paper[place]));
+    const curve = mark.curve && curves.find(isOwn);
     return {
       ...mark,
       chosen,
       faded: Boolean(statement) && !chosen,
-      name: others.length ? "" : (curve?.name ?? ""),
+      name: curve?.name ?? "",
       color: chosen ? "var(--mine)" : (curve?.color ?? "var(--ink)"),
-      text: stated.statement,
+      text: content.statements.find(({ id }) => id === mark.id).statement,
     };
   });
 }
@@ -268,11 +279,14 @@ function windowSpec(figure, panel, engine, surface) {
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
   const windows = ends.filter(Number.isFinite);
   const isOwn = ({ id }) => id.startsWith(figure.name);
+  const stars = points.filter(({ y }) => Number.isFinite(y));
+  // panels of several surfaces have the same axis
+  const printed = figure.panels.filter(({ x }) => x === panel.x).flatMap(({ limits }) => limits.flatMap(({ ends }) => ends.map(([end]) => end)));
   const [limits, ofAll] = [panel.limits.filter(isOwn), panel.limits.filter((mark) => !isOwn(mark))];
   return specOf({
     letter: panel.letter,
     title: titleOf(panel.x, panel.y, label),
-    x: axisFor(panel.x, "linear", [...sizes, ...panel.limits.flatMap(({ ends }) => ends.map(([end]) => end))]),
+    x: axisFor(panel.x, "linear", [...stars.map(({ x }) => x), ...windows, ...printed]),
     y: { name: panel.y, log: false, domain: [-0.08, 1.08] },
     lines: [{ label, color: "none", points }],
     ...{ windows, limits, ofAll },
@@ -281,7 +295,7 @@ function windowSpec(figure, panel, engine, surface) {
       ...bracketOver(limits.map(({ at: [x] }) => x), "printed"),
       ...bracketOver(ofAll.map(({ at: [x] }) => x), "printed for all"),
     ],
-    stars: points.filter(({ y }) => Number.isFinite(y)),
+    stars,
   });
 }
 

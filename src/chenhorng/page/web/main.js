@@ -12,7 +12,7 @@ import { SHOWN, showStatements } from "./statements.js";
 import { csvOf, save, svgOf } from "./download.js";
 import { VARIABLES, conditionWords, numberText, stateText, statusText, wordOf } from "./names.js";
 import { definition, rangeSteps } from "./ranges.js";
-import { engineOf, inSlices } from "./engine.js";
+import { engineOf, finishAll, inSlices } from "./engine.js";
 import { escaped, plain, readable, typeset } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
@@ -20,6 +20,7 @@ const CAPTIONS = {
   map: `Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*; a full film has none. The line of the turning
     points ends where no maximum of A_sa,t* stands out by 0.02 within these loads.`,
 };
+const PAPER = "680px"; // width of a page between its margins
 const PAUSE = 150; // milliseconds without a move, after which ranges are computed
 let charts = [];
 let shown = []; // the specs of charts of curves
@@ -157,6 +158,17 @@ document.querySelector(".skip").addEventListener("click", (event) => {
 $("reset").addEventListener("click", () => fromFragment("")); // also where the address does not change
 addEventListener("hashchange", () => fromFragment(location.hash));
 addEventListener("resize", () => requestAnimationFrame(draw));
+// On paper charts are about as wide as they were drawn, so that their texts keep their size.
+function drawWithin(width) {
+  $("drawing").style.width = width;
+  draw();
+}
+addEventListener("beforeprint", () => {
+  drawWithin(PAPER);
+  finishAll();
+});
+addEventListener("afterprint", () => drawWithin(""));
+
 
 // a page that was saved as it stood has them already
 for (const id of ["controls", "charts"]) $(id).replaceChildren();

@@ -5,7 +5,7 @@ import { currentEngine, inSlices, shownRange } from "./engine.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./chart.js";
 import { LIMITS, remembered } from "./model.js";
-import { FULL_FILM, MODE_TEXT, REGIME_TEXT, VARIABLES, ofCondition, scaleFor, valueText, wordOf } from "./names.js";
+import { FULL_FILM, MODE_TEXT, REGIME_TEXT, VARIABLES, modeText, ofCondition, scaleFor, valueText, wordOf } from "./names.js";
 
 const SIZE = 64; // places along each axis, counted from 0; between them, fractions are conditions too
 const STEPS = 7; // of the search for a border between two places
@@ -72,7 +72,8 @@ function* mapSteps(done) {
       const place = fitting(width, height);
       return place && cornerAt(place);
     };
-    names.push({ text, placeFor, fill: fillOf(cells[region[0]]) });
+    const [first] = region;
+    names.push({ text, placeFor, fill: fillOf(cells[first]), mode: modeNameOf(cells[first]) });
     yield;
   }
   const axisOver = (name, scale) => ({ name: ofCondition(name), log: VARIABLES[name].log, domain: scale.domain() });
@@ -91,16 +92,16 @@ function* mapSteps(done) {
     borders: [...layers.slice(AREAS.length), { kind: "turning", rings: turns.map((ring) => ring.map(cornerAt)) }],
     crosses: [{ x: point[x], y: point[y] }],
     names,
+    fills: [...new Map(names.map(({ fill, mode }) => [fill, { fill, text: mode }])).values()],
     rows: PLACES.map((j) => ({ label: "", points: points.slice(j * SIZE, (j + 1) * SIZE) })).reverse(),
   });
   const isDrawn = ({ kind }) => spec.borders.every((border) => border.kind !== kind || border.rings.flat().some(({ onBorder }) => onBorder));
   done(spec, LINES_KEY.filter(isDrawn));
 }
 
-function nameOf({ mode, regime }) {
-  if (mode < 0) return "no solution";
-  return regime === FULL_FILM ? "full film" : `${MODE_TEXT[mode]}, ${REGIME_TEXT[regime]}`;
-}
+const modeNameOf = (cell) => (cell.mode < 0 ? "no solution" : modeText(cell));
+const nameOf = (cell) =>
+  cell.mode < 0 || cell.regime === FULL_FILM ? modeNameOf(cell) : `${modeNameOf(cell)}, ${REGIME_TEXT[cell.regime]}`;
 
 const fillOf = (cell) => AREAS.findLast(({ encloses }) => encloses(cell)).fill;
 

@@ -17,7 +17,7 @@ const DRAWN = {
   surface_contact_area_ratio: FRACTION,
   solid_load_fraction: { ...FRACTION, ...REGIMES },
   fluid_load_fraction: FRACTION,
-  turning_point_ratio: FRACTION,
+  turning_point_ratio: { ...FRACTION, ...MODES, shaded: undefined }, // tolerances are shaded there
   particle_density: { log: true },
 };
 const NOMINAL = {

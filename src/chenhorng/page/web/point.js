@@ -5,6 +5,7 @@ import { currentInputs, currentPoint, memberInputs } from "./state.js";
 import { currentEngine, inSlices, memberEngines, placesAlong } from "./engine.js";
 import { rangeOf } from "./ranges.js";
 import { modeChanges } from "./curves.js";
+import { panelsOf } from "./figures.js";
 import { REGIME_TEXT, VARIABLES, conditionWord, conditionWords } from "./names.js";
 import { FULL_FILM, modeText, notable, numberText, ofCondition, statusText, valueText, withUnit, wordOf } from "./names.js";
 import { escaped, plain, readable, typeset } from "./text.js";
@@ -20,7 +21,8 @@ let shownFor = "";
 export function showPoint(parent) {
   const engine = currentEngine();
   const point = currentPoint();
-  const key = JSON.stringify([point, currentInputs()]);
+  const panels = panelsOf(point);
+  const key = JSON.stringify([point, panels, currentInputs()]);
   if (key === shownFor) return;
   shownFor = key;
   const found = valuesAt(engine, point);
@@ -32,7 +34,7 @@ export function showPoint(parent) {
   const values = VALUES.map((name) => [labelOf(name), numberText(name, found[name], DIGITS), ""]);
   const waiting = axes.map(({ name }) => [wordOf(name), "…"]);
   parent.innerHTML =
-    table(`At ${conditionWords(point).join(", ")}`, [...words, ...values], memberInputs().length ? "range of the ensemble" : "") +
+    table(`At ${conditionWords(point).join(", ")}${panels && `, as in ${panels}`}`, [...words, ...values], memberInputs().length ? "range of the ensemble" : "") +
     table("Contact mode as one condition changes", waiting) +
     `<p>${typeset(sizesText(engine, point))}</p>`;
   const [answer, changes] = parent.querySelectorAll("tbody");

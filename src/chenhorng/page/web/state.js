@@ -8,6 +8,7 @@ import { numberIn, significant } from "./text.js";
 
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
 const USUAL = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
+const ABSENT = 100; // how far from the usual a curve without oil or particles is, in logarithms
 
 // What can be chosen, and its default
 const names = axes.map(({ name }) => name);
@@ -81,15 +82,12 @@ export const currentPoint = () => ({ ...startOf(state.figure), ...chosenConditio
 // Whether the inputs are calibrated ones.
 export const isCalibrated = () => Object.keys(changedInputs()).length === 0;
 
-// The conditions of a figure. If it has several values, the nearest to the usual one counts.
+// The conditions of a curve in the first panel of a figure: the one nearest to the usual conditions.
 function startOf(figure) {
-  const { curves } = content.figures.find(({ name }) => name === figure);
-  const start = ([name, usual]) => {
-    const values = curves.map((curve) => curve[name]).filter((value) => value > 0);
-    const nearest = d3.least(values, (value) => Math.abs(value / usual - 1));
-    return [name, nearest ?? (name in curves[0] ? 0 : usual)];
-  };
-  return Object.fromEntries(Object.entries(USUAL).map(start));
+  const { curves, panels: [{ curves: places }] } = content.figures.find(({ name }) => name === figure);
+  const { load, ...usual } = USUAL;
+  const far = (curve) => ([name, value]) => (curve[name] > 0 ? Math.abs(Math.log(curve[name] / value)) : ABSENT);
+  return { load, ...d3.least(places.map((place) => curves[place]), (curve) => d3.sum(Object.entries(usual), far(curve))) };
 }
 
 const axisNamed = (name) => axes.find((axis) => axis.name === name);
