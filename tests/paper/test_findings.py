@@ -70,9 +70,7 @@ def test_the_order_of_areas_is_that_of_the_title_dry_and_lubricated(name, along,
     finding, (first, last) = said(name, datasets)
     data = datasets[name]
     dry, wet = (shown(data, AREA, along, **medium) for medium in (DRY, OIL))
-    assert (
-        dry.diff(along) < 0.02 * dry.min(along)
-    ).all() and "No dry area grows" in finding
+    assert (dry.diff(along) < 0.02 * dry.min(along)).all() and "No dry area grows" in finding
     rises = (wet.diff(along) > 0.0).all(along)
     assert rises[data["load"] > 1.02 * last].all()
     assert not rises[data["load"] < 0.9 * last][-1]
