@@ -129,7 +129,7 @@ def test_the_turning_point_of_the_title_has_the_height_of_the_dry_one_and_a_larg
     assert (
         3.0
         < factor
-        == pytest.approx(data["load"].values[place] / data["load"].values[dry.argmax()], rel=0.15)
+        == pytest.approx(data["load"].values[place] / data["load"].values[dry.argmax()], abs=0.51)
     )
     assert 0.03 < solid.sel(viscosity=1e-6 * viscosity, method="nearest")[place] < 0.9
 
