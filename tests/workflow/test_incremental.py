@@ -20,7 +20,13 @@ GATHERED = ("tables/tpca_loads.*", "tables/transitions.*")
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
 SHOWING_WINDOWS = ("figures/fig09*", "figures/fig10*")
 # what stands beside the paper's numbers
-PRINTED = ("extracted/printed/*", *FIGURES, "tables/tpca_*", "tables/transitions.*")
+PRINTED = (
+    "extracted/printed/*",
+    "extracted/counts/*",
+    *FIGURES,
+    "tables/tpca_*",
+    "tables/transitions.*",
+)
 PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("figures/fig0[12].*",)
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
@@ -37,6 +43,7 @@ DIGITS += ("tables/apparent_area.*", "tables/limits.*")
 TABLES_SHOWN = ("index.html", "captions.md", "SHA256SUMS")
 PAGE = ("explorer/*", *TABLES_SHOWN)
 ALL = (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *JUDGED, *SENSITIVITY, *PAGE)
+ALL += ("extracted/counts/*",)
 PROFILES = ("tables/profiles.*", "figures/profiles.*")
 ALL += DIGITS + HELD_OUT + SETS + PROFILES
 FORMATS = ("csv", "html", "tex")

@@ -11,7 +11,6 @@ rule judge_claims:
         ],
     output:
         table="<results>/claims/claims.csv",
-        counts="<results>/extracted/counts/all.csv",
         coverage="<results>/extracted/coverage/all.csv",
         text="<results>/claims/claims.md",
         page=report(
@@ -117,6 +116,25 @@ rule gather_profiles:
         "Gather the profiles of the calibration"
     script:
         "../scripts/gather_profiles.py"
+
+
+# apart from the pages of verdicts and from other sets of inputs: figures have the counts
+rule count_claims:
+    output:
+        table="<results>/extracted/counts/all.csv",
+    log:
+        "<logs>/count_claims.log",
+    params:
+        *sources_of("count_claims.py"),
+        *SOFTWARE,
+        CLAIMS_TEXT,
+        claims=CLAIMS,
+        newtons=settings["calibration"]["newtons"],
+        parameters=settings["parameters"],
+    message:
+        "Count the statements that hold"
+    script:
+        "../scripts/count_claims.py"
 
 
 rule gather_printed:

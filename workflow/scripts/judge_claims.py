@@ -3,13 +3,7 @@
 from chenhorng.calibration.choice import printed_numbers
 from chenhorng.claims.claims import load_claims
 from chenhorng.claims.judge import Judge
-from chenhorng.claims.verdicts import (
-    Report,
-    claims_html,
-    claims_json,
-    claims_markdown,
-    counts_by_part,
-)
+from chenhorng.claims.verdicts import Report, claims_html, claims_json, claims_markdown
 from chenhorng.coverage import printed_and_ranges
 from chenhorng.job_log import job
 from chenhorng.tables import TABLES, write_csv
@@ -37,7 +31,6 @@ with job(snakemake) as output:
     numbers = printed_numbers(claims, report.verdicts, settings["headline"])
     covered = printed_and_ranges(claims, numbers, report.members, unseen) if unseen else []
     write_csv(output.coverage, covered, TABLES["coverage"])
-    write_csv(output.counts, counts_by_part(report), TABLES["counts"])
     write_csv(output.table, report.table.to_dict("records"), TABLES["claims"])
     output.text.write_text(claims_markdown(report), encoding="utf-8")
     output.page.write_text(claims_html(report), encoding="utf-8")

@@ -198,16 +198,6 @@ def claims_markdown(report: Report) -> str:
     )
 
 
-def counts_by_part(report: Report) -> list[dict[str, Any]]:
-    """Rows of the table ``counts``: how many statements of each part of the paper have each
-    verdict."""
-    verdicts = report.table["verdict"].groupby(report.table["place"].map(part_of_paper), sort=False)
-    return [
-        {"part": part} | {verdict: int((own == verdict).sum()) for verdict in COLOURS}
-        for part, own in verdicts
-    ]
-
-
 def claims_html(report: Report) -> str:
     """The statements and their verdicts as an HTML table, by figure; readers can show one verdict
     alone.
