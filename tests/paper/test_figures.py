@@ -422,6 +422,15 @@ def test_a_figure_says_how_many_of_its_statements_hold(datasets):
         assert [start + rest for _, start, rest in found if start] == expected
 
 
+@pytest.mark.parametrize("width_mm", [84.0, 174.0])
+def test_the_count_of_statements_stays_on_the_sheet(width_mm, datasets):
+    counts = [{"part": "Figure 4", "holds": 30, "fails": 2, CONTRADICTED: 11, "not tested": 11}]
+    figure = plotted("fig04", datasets, counts=counts, width=width_mm / 25.4)
+    figure.draw_without_rendering()
+    (above,) = (each for each in figure.artists if isinstance(each, Text))
+    assert "30 hold" in above.get_text() and above.get_window_extent().x1 < figure.bbox.x1
+
+
 @pytest.mark.parametrize(
     ("ends", "names"),
     [([0, 0, 0, 1], {"1 … 3", "4"}), ([0, 1, 0, 0, 2], {"1, 3, 4", "2", "5"})],

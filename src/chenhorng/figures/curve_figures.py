@@ -143,7 +143,8 @@ def plot(
     if paper and not panel:
         inches = figure.get_figwidth()
         first = fill(finding or data.attrs["title"], round(BOLD * inches))
-        second = "\n".join((fill(paper, round(LEAST * inches)), *_count(name, counts)))
+        texts = paper, *_count(name, counts)
+        second = "\n".join(fill(text, round(LEAST * inches)) for text in texts)
         _write_above(figure, first, second)
     return figure
 
