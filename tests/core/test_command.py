@@ -78,6 +78,7 @@ def elsewhere(tmp_path, monkeypatch, defaults):
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.setenv("NO_COLOR", "1")
     every = inputs.ensemble_of
+    inputs.or_calibrated(None)  # the library keeps it, with all members
 
     def with_two_members(calibrated):
         ensemble = every(calibrated)
