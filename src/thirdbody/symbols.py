@@ -31,8 +31,11 @@ PER = r"(?<=\b[ms])-(?=\d\b)"  # m-2
 # before a number or alone: no hyphen, and no sign of a power
 MINUS = r"(?<![\w^).])-(?=\.?\d)|(?<= )-(?= )"
 UNIT = r"(?:%|k?N|[nmµ]?m|cSt|[GMk]?Pa)(?![A-Za-z])"
-# spaces at which no line ends: between a number and its unit, and beside a sign
-TIGHT = rf"(?<=[\d{SUPERSCRIPTS}]) (?={UNIT})| (?=[=<>±] )|(?<= [=<>±]) "
+# spaces at which no line ends: between a number and its unit, beside a sign, and in Figure 3
+TIGHT = (
+    rf"(?<=[\d{SUPERSCRIPTS}]) (?={UNIT})| (?=[=<>±] )|(?<= [=<>±]) "
+    r"|(?:(?<=\bFigure)|(?<=\bFigures)|(?<=\bTable)|(?<=\bEq\.)|(?<=\bEqs\.)) (?=\d)"
+)
 TO_BELOW = str.maketrans("aeoxhklmnpstijruv0123456789", "ₐₑₒₓₕₖₗₘₙₚₛₜᵢⱼᵣᵤᵥ₀₁₂₃₄₅₆₇₈₉")
 TO_ABOVE = str.maketrans("-0123456789", SUPERSCRIPTS)
 LATEX_LETTERS = {letter: rf"\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi"}

@@ -11,12 +11,12 @@ import numpy as np
 
 import thirdbody.symbols as symbols
 from chenhorng.claims.words import COLOURS
+from chenhorng.figures import printed
 from chenhorng.figures.curve_figures import RELATIVE_AREA, TURNING_POINTS
-from chenhorng.figures.printed import EDGE, TOLERANCE
 from thirdbody.conditioning import FEWEST, LEAST_SPREAD, NEAR
 from thirdbody.core.parameters import BOUNDS
 from thirdbody.ensembles import RANGE
-from thirdbody.plotting.marks import FROM_ZERO, LEAST_RISE
+from thirdbody.plotting import marks
 from thirdbody.variables import AXES, DERIVED, NORMAL_LOAD, QUANTITIES, STATUS_MEANINGS
 
 HERE = Path(__file__).parent
@@ -38,7 +38,24 @@ MARKUP: dict[str, str | Callable[[re.Match], str]] = {
     r"_\{(\w+(?:,t)?)\}": r"_\1",
     r"\$|\*(?=\w+\*)|(?<=nm)\*|(?<=cSt)\*": "",
 }
-PATTERNS = "SYMBOL", "IN_TEXT", "IN_SYMBOL", "POWER", "WORD", "BELOW", "GREEK", "SUPERSCRIPTS"
+PATTERNS = (
+    *("SYMBOL", "IN_TEXT", "IN_SYMBOL", "POWER", "WORD", "BELOW", "TIGHT"),
+    *("GREEK", "SUPERSCRIPTS"),
+)
+# marks that figures have too, by their names in the page
+MARKS = {
+    "stars": marks.TURNING_POINTS,
+    "slight": marks.SLIGHT,
+    "locus": printed.LOCUS,
+    "printed": printed.PRINTED,
+    "computed": printed.COMPUTED,
+    "levels": printed.EVERY_LOAD,
+    "windows": printed.WINDOW,
+    "limits": printed.ALONG_X,
+    "ofAll": printed.OF_ALL,
+    "strips": "strip",
+    "ranges": marks.BAND,
+}
 OF_PANEL = "curves", "hairlines", "ranged"  # all, the thin ones, those with a range
 STATED = (  # the fields of a statement in claims.json that the page shows
     *("id", "part", "place", "statement", "verdict", "finding"),
@@ -88,6 +105,7 @@ def page_content(
         "statuses": dict(STATUS_MEANINGS),
         # behind the title of a panel
         "remarks": {panel.y: panel.remark for panel in (RELATIVE_AREA, TURNING_POINTS)},
+        "marks": {name: printed.ALL_LOOKS[kind]["label"] for name, kind in MARKS.items()},
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
         "inputs": {
@@ -97,7 +115,7 @@ def page_content(
         "ensemble": list(ensemble),
         "conditioning": {"least_spread": LEAST_SPREAD, "near": NEAR, "fewest": FEWEST},
         "range": RANGE,
-        "slight": {"least_rise": LEAST_RISE, "from_zero": FROM_ZERO},
+        "slight": {"least_rise": marks.LEAST_RISE, "from_zero": marks.FROM_ZERO},
         "rig": dict(rig),
         "figures": [figure_content(name, record) for name, record in figures.items()],
         **{key: judged[key] for key in ("held", "judged", "counts")},
@@ -174,7 +192,7 @@ def page_text(content: Mapping[str, Any]) -> str:
 def _colours() -> str:
     """The colours of verdicts and tolerances, which all products share, as variables of a style."""
     named = {verdict.split()[0]: colour for verdict, colour in COLOURS.items()}
-    named |= {"tolerance": TOLERANCE, "tolerance-edge": EDGE}
+    named |= {"tolerance": printed.TOLERANCE, "tolerance-edge": printed.EDGE}
     return f":root {{ {' '.join(f'--{name}: {colour};' for name, colour in named.items())} }}"
 
 

@@ -1,5 +1,6 @@
 // This draws one panel: axes, curves and marks. It reads what is under the pointer or the arrow keys.
 
+import { content } from "./content.js";
 import { VARIABLES, numberText } from "./names.js";
 import { escaped, plain, powerOfTen, readable, typeset, typesetInDrawing } from "./text.js";
 
@@ -79,19 +80,19 @@ export function sampleOf({ fill, dry, thin, mine, mark, marker, hasEnds, ...give
   return line + symbol + (mark ? shapeOf(mark, 15, 7, { color: "var(--ink)" }) : "");
 }
 
-// Entries of the key for what charts show beside their curves, by the lists of a spec.
+// Entries of the key for what charts show beside their curves, by the lists of a spec; figures have the same words.
 const KEY = {
-  stars: { text: "turning point (rise ≥ 0.02)", mark: "star" },
-  slight: { text: "peak that rises by less than 0.02", mark: "slight" },
-  locus: { text: "locus of turning points", color: "var(--turning)", kind: "locus" },
-  printed: { text: "printed, with tolerance", mark: "printed", color: "var(--ink)", kind: "tolerance" },
-  computed: { text: "bend or crossing, computed", mark: "computed" },
-  levels: { text: "printed for loads between strokes", color: "var(--ink)", kind: "level", hasEnds: true },
-  windows: { text: "computed limits of turning points", color: "var(--accent)", kind: "window" },
-  limits: { text: "printed position along x", color: "var(--ink)", kind: "limit" },
-  ofAll: { text: "the same, for all surfaces", color: "var(--ink)", kind: "limit all" },
-  strips: { text: "tolerance of a printed line", fill: "var(--tolerance)", kind: "strip" },
-  ranges: { text: "range of the ensemble", fill: "var(--range)" },
+  stars: { mark: "star" },
+  slight: { mark: "slight" },
+  locus: { color: "var(--turning)", kind: "locus" },
+  printed: { mark: "printed", color: "var(--ink)", kind: "tolerance" },
+  computed: { mark: "computed" },
+  levels: { color: "var(--ink)", kind: "level", hasEnds: true },
+  windows: { color: "var(--accent)", kind: "window" },
+  limits: { color: "var(--ink)", kind: "limit" },
+  ofAll: { color: "var(--ink)", kind: "limit all" },
+  strips: { fill: "var(--tolerance)", kind: "strip" },
+  ranges: { fill: "var(--range)" },
   ghosts: { text: "the paper's conditions and the calibrated inputs", color: "var(--ghost)", kind: "ghost" },
   here: { text: "at your conditions", color: "var(--accent)", kind: "here" },
   doubts: { text: "with a remark", mark: "doubt" },
@@ -101,7 +102,7 @@ export function keyOfMarks(specs) {
   const shown = Object.keys(KEY).filter((kind) => specs.some((spec) => spec[kind].length));
   const zones = new Set(specs.flatMap(({ y }) => VARIABLES[y.name].shaded ?? []));
   const shaded = zones.size ? [{ text: `shaded: ${[...zones].join(", or ")}`, fill: "var(--zone)" }] : [];
-  return [...shown.map((kind) => KEY[kind]), ...shaded];
+  return [...shown.map((kind) => ({ text: content.marks[kind], ...KEY[kind] })), ...shaded];
 }
 
 // A spec of a chart; what is not given is empty.

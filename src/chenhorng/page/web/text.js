@@ -2,7 +2,7 @@
 
 import { content } from "./content.js";
 
-const { html, symbol, in_text, in_symbol, power, word, below, greek, superscripts } = content.symbols;
+const { html, symbol, in_text, in_symbol, power, word, below, tight, greek, superscripts } = content.symbols;
 const all = (...sources) => new RegExp(sources.join("|"), "gu");
 export const powerOfTen = (exponent) => `10${String(exponent).replace(/./g, (sign) => superscripts["-0123456789".indexOf(sign)])}`;
 const scientific = (factor, exponent) => (factor === "1" ? "" : `${factor}×`) + powerOfTen(Number(exponent));
@@ -16,18 +16,11 @@ const filled = (form, ...texts) => texts.reduce((text, each) => text.replace("{}
 // Texts have symbols such as A_sa,t* and powers such as 3e-6. Markup has a letter, its index, and a power.
 export const lettered = (text) =>
   text.replace(all(word), (name) => greek[name]).replace(all(below), (index) => `_${index.normalize("NFKC")}`);
-// No line breaks between a number and its unit or the word that it counts, nor beside an equals sign.
-const units = new Set(["%", "mm²", "MPa", ...Object.values(content.variables).map(({ unit }) => unit)].filter((unit) => /^\D/.test(unit)));
-const tied = all(
-  `(?<=[\\d⁰¹²³⁴-⁹]) (?=(?:${[...units].join("|")})(?![\\p{L}\\p{N}⁻]))`,
-  "(?<=\\b(?:Figures?|Eqs?\\.|Tables?)) (?=\\d)",
-  " (?== )|(?<= =) ",
-);
 const typesetter = (form, single = in_text) => (text) =>
   lettered(escaped(text))
     .replace(all(symbol, single), (_, letter, index, alone) => filled(form.symbol, letter ?? alone, index ? filled(form.below, index) : "", ""))
     .replace(all(power), (_, factor, sign, digits) => scientific(factor, sign + digits))
-    .replace(tied, "\u00a0");
+    .replace(all(tight), "\u00a0");
 export const typeset = typesetter(html);
 export const typesetSymbol = typesetter(html, in_symbol); // any single letter is a symbol
 export const typesetInDrawing = typesetter({
