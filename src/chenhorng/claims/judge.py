@@ -1,6 +1,5 @@
 """The verdicts on the statements of the paper for any inputs of the model."""
 
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -8,15 +7,7 @@ from typing import Any
 from chenhorng.claims.claim import Claim, Verdict
 from chenhorng.claims.claims import referenced_conditions
 from chenhorng.claims.evidence import FULL_EFFORT, Effort, solve_evidence
-from chenhorng.claims.words import (
-    COLOURS,
-    CONTRADICTED,
-    FAILS,
-    HOLDS,
-    NOT_TESTED,
-    counted_once,
-)
-from chenhorng.places import part_of_paper
+from chenhorng.claims.words import CONTRADICTED, FAILS, HOLDS, NOT_TESTED, counted_once
 from thirdbody.core.parameters import Parameters
 
 Verdicts = dict[str, Verdict]  # by the id of the statement
@@ -73,19 +64,6 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
     if not verdict.tested:
         return NOT_TESTED
     return HOLDS if verdict.holds else FAILS
-
-
-def counts_by_part(claims: Sequence[Claim], verdicts: Verdicts) -> list[dict[str, Any]]:
-    """Rows of the table ``counts``: how many statements of each part of the paper have each
-    verdict."""
-    counts: dict[str, Counter[str]] = {}
-    for claim in claims:
-        own = counts.setdefault(part_of_paper(claim.place), Counter())
-        own[outcome(claim, verdicts[claim.id])] += 1
-    return [
-        {"part": part} | {verdict: own[verdict] for verdict in COLOURS}
-        for part, own in counts.items()
-    ]
 
 
 def count_once(

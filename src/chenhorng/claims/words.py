@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from chenhorng.places import part_of_paper
 from thirdbody.symbols import short
 from thirdbody.variables import QUANTITIES
 
@@ -53,6 +54,18 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
         if verdict in (HOLDS, FAILS):
             held[name] = held.get(name, True) and verdict == HOLDS
     return sum(held.values()), len(held)
+
+
+def counts_by_part(outcomes: Iterable[tuple[str, str]]) -> list[dict[str, Any]]:
+    """Rows of the table ``counts``, from places and verdicts: how many statements of each part of
+    the paper have each verdict."""
+    counts: dict[str, Counter[str]] = {}
+    for place, verdict in outcomes:
+        counts.setdefault(part_of_paper(place), Counter())[verdict] += 1
+    return [
+        {"part": part} | {verdict: own[verdict] for verdict in COLOURS}
+        for part, own in counts.items()
+    ]
 
 
 def counted(counts: Mapping[str, float]) -> str:
