@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chenhorng.scenes import how_to_select
+from thirdbody.core.names import TOTAL_CONTACT_AREA
 from thirdbody.core.parameters import Parameters
 from thirdbody.core.solve import solve_points
 from thirdbody.curves import Condition
 from thirdbody.ensembles import ENDS, RANGE, range_over_members
 from thirdbody.netcdf import FILL_FLOAT, PlainDataset, PlainVariable, curves_of, identity
-from thirdbody.variables import DERIVED, DIMENSIONS, QUANTITIES
+from thirdbody.variables import DERIVED, DIMENSIONS, QUANTITIES, RELATIVE_AREA
 
-AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
 MEMBER_RTOL = 1e-4  # of each member: an error far below the width of a line
 SUFFIXES = "low", "high"
 ATTRIBUTES = {
@@ -59,7 +59,7 @@ def ensemble_range(
             "long_name": relative.label,
         }
         for member in solved:
-            area = member[AREA]
+            area = member[TOTAL_CONTACT_AREA]
             member[RELATIVE_AREA] = np.where(reference < 0, np.nan, area / area[:, reference])
     variables = {}
     for name, own in attributes_of.items():

@@ -353,9 +353,10 @@ NUMBERS = QUANTITIES | {ERROR_BOUND.name: ERROR_BOUND}
 VARIABLES = NUMBERS | FLAGS  # of datasets
 
 # variables that figures and the page derive from the others
+RELATIVE_AREA = "total_contact_area_over_two_body"
 DERIVED = _by_name(
     Variable(
-        name="total_contact_area_over_two_body",
+        name=RELATIVE_AREA,
         symbol="A_t* over dry two-body",
         label="total real contact area over that of dry two-body contact on the same surface",
         title="Area over that of dry two-body contact",

@@ -11,9 +11,10 @@ from chenhorng.figures.numbers import UPRIGHT, Number
 from chenhorng.sampling import area_slope
 from thirdbody.curves import condition_key, row_key
 from thirdbody.plotting import marks
-from thirdbody.plotting.marks import AREA, RATIO, RELATIVE_AREA
+from thirdbody.plotting.marks import AREA, RATIO
 from thirdbody.plotting.panels import Curve, Series
 from thirdbody.plotting.scales import SCALES
+from thirdbody.variables import RELATIVE_AREA
 
 PRINTED, EVERY_LOAD = "printed", "printed at every load"
 ALONG_X, OF_ALL = "printed along x", "printed along x for all surfaces"

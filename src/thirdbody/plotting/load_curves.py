@@ -25,11 +25,12 @@ from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.crowding import hide_repeats, keep_apart, name_ends
 from thirdbody.plotting.drawing import ONE_COLUMN, TWO_COLUMNS, empty_panels
 from thirdbody.plotting.keys import Groups, add_key, handle, is_beside, key_height, key_title
-from thirdbody.plotting.marks import AREA, RELATIVE_AREA
+from thirdbody.plotting.marks import AREA
 from thirdbody.plotting.panels import CURVE, LINE, Curve, Panel, Series
 from thirdbody.plotting.scales import SCALES, panel_title, parameter_title, shared_notes
 from thirdbody.plotting.styles import DRY, DRY_TWO_BODY_TEXT, HAIRLINE, TWO_BODY, Look, curve_styles
 from thirdbody.symbols import mathtext
+from thirdbody.variables import RELATIVE_AREA
 
 MOST_RANGES = 3  # drawn in a panel; the file of the data drawn has all
 CELL_HEIGHT = 2.85  # of a panel with its labels [inches]

@@ -8,11 +8,13 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
+from thirdbody.core.names import PARTICLE_CONTACT_AREA_RATIO, TOTAL_CONTACT_AREA
 from thirdbody.core.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 from thirdbody.plotting.panels import OUTLINE, Curve, Series
 from thirdbody.variables import CONDITION_AXES, STATUS
 
 TURNING_POINTS, SLIGHT, BAND = "turning points", "slight peaks", "band"
+RATIO, AREA = PARTICLE_CONTACT_AREA_RATIO, TOTAL_CONTACT_AREA
 PROMINENCE = 0.02  # of a turning point, as the core has it [1]
 LEAST_RISE = 0.001  # of a slight peak, on both sides [1]
 FROM_ZERO = 0.05  # of a slight peak on a linear axis, in heights of the highest curve
@@ -50,9 +52,6 @@ LOOKS |= {
     status: OF_STATUS | {"marker": marker, "label": status.replace("_", " ")}
     for status, marker in STATUSES.items()
 }
-
-RATIO = "particle_contact_area_ratio"
-AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, Any]]:
