@@ -77,8 +77,9 @@ def curve(
         from thirdbody.plotting.drawing import save_figure
         from thirdbody.plotting.plot import plot_curve
 
-        save_figure(plot_curve(table, alias), plot)
-    _write(table.to_csv(index=False, float_format="%.10g"), csv or "-")
+        save_figure(plot_curve(table, alias, conditions), plot)
+    if csv is not None or plot is None:
+        _write(table.to_csv(index=False, float_format="%.10g"), csv or "-")
     for note in table.attrs["notes"]:
         _tell("note", note)
     return ANSWERED
@@ -350,7 +351,9 @@ def _parser() -> ArgumentParser:
         metavar="NUMBER",
         help="number of points, evenly spaced in the logarithm; default: 60",
     )
-    question.add_argument("--csv", help="table to write, - for standard output", **FILE)
+    question.add_argument(
+        "--csv", help="table to write, - for standard output, the default without --plot", **FILE
+    )
     question.add_argument("--plot", help="figure to write", **FILE)
     ask(
         compare,

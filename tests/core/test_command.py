@@ -229,7 +229,10 @@ def test_a_curve_is_printed_as_it_is_written_and_drawn(capsys):
     printed = capsys.readouterr().out
     assert run(f"{CURVE} --count 3 --csv curve.csv --plot curve.svg") == ANSWERED
     assert Path("curve.csv").read_text(encoding="utf-8") == printed
-    assert Path("curve.svg").read_text(encoding="utf-8").startswith("<?xml")
+    assert run(f"{CURVE} --count 3 --plot alone.svg") == ANSWERED
+    assert capsys.readouterr().out == ""
+    for drawn in ("curve.svg", "alone.svg"):
+        assert Path(drawn).read_text(encoding="utf-8").startswith("<?xml")
     table = pd.read_csv("curve.csv")
     assert table["load_N"].tolist() == pytest.approx([1.0, 2.0**0.5, 2.0])
 

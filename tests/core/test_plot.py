@@ -15,6 +15,7 @@ from thirdbody.plotting import marks
 from thirdbody.plotting.drawing import FORMATS, save_figure
 from thirdbody.plotting.plot import plot_curve
 from thirdbody.plotting.scales import SCALES, axis_label
+from thirdbody.symbols import mathtext
 from thirdbody.variables import AXES as CONDITIONS
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -207,7 +208,11 @@ def test_a_curve_of_one_interface_is_drawn_with_its_range(along, unit):
     ratio = np.linspace(0.2, 0.6, 5)
     table = pd.DataFrame({along: x} | dict.fromkeys(PANELS, ratio))
     table = table.assign(solid_load_fraction_low=ratio - 0.1, solid_load_fraction_high=ratio + 0.1)
-    figure = plot_curve(table, along)
+    others = {"load_N": 5.0, "viscosity_cSt": 90.0, "roughness_nm": 300.0}
+    others.pop(along)
+    figure = plot_curve(table, along, others)
+    other = "ν = 90 cSt" if along == "load_N" else "Fₜ = 5 N"
+    assert figure.legends[0].get_title().get_text() == mathtext(f"{other}, σ = 300 nm")
     assert panels(figure) == PANELS
     first, second = figure.axes[PANELS.index("solid_load_fraction") :]
     np.testing.assert_allclose(first.lines[0].get_xdata(), unit * x, rtol=1e-12)

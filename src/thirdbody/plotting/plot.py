@@ -29,6 +29,7 @@ from thirdbody.plotting.marks import range_series, read_turning_points, status_s
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import SCALES, note
 from thirdbody.plotting.styles import BLUE, Look, level_styles
+from thirdbody.symbols import unicode
 from thirdbody.variables import (
     CONDITIONS,
     DIMENSIONS,
@@ -196,7 +197,7 @@ def _plot_over(
     return draw_panels(panels, [looks if varying else []], common=common, axes=axes, width=width)
 
 
-def plot_curve(table: pd.DataFrame, along: str) -> Figure:
+def plot_curve(table: pd.DataFrame, along: str, conditions: Mapping[str, float]) -> Figure:
     """Draw the variables of one interface along one condition, with their ranges if there are some.
 
     Parameters
@@ -206,11 +207,14 @@ def plot_curve(table: pd.DataFrame, along: str) -> Figure:
         and ``_high`` if it has a range: as in ``thirdbody.answers.curve``.
     along : str
         The condition along x, with its unit: ``load_N``, ``viscosity_cSt``, ...
+    conditions : mapping
+        The other conditions, by such names.  They stand below the panels.
 
     Returns
     -------
     matplotlib.figure.Figure
     """
+    common = [_given_note(alias, value) for alias, value in conditions.items()]
     axis = axis_of(along)
     name, x = axis.name, table[along].to_numpy()
     if along == "load_N":
@@ -219,7 +223,7 @@ def plot_curve(table: pd.DataFrame, along: str) -> Figure:
         x = axis.to_si(x)
     panels = [_panel(name, x, each, {"": table}, [{"color": BLUE}]) for each in LUBRICATED]
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, [])
+        return draw_panels(panels, [], common=common)
 
 
 def _panel(
@@ -246,6 +250,14 @@ def _note(data: xr.Dataset, name: str, value: float) -> str:
         return text
     newtons = data["normal_load"].values[data["load"].values == value].flat[0]
     return f"{text} ({newtons:.3g} N)"
+
+
+def _given_note(alias: str, value: float) -> str:
+    """A condition by its name with the unit, as a note."""
+    if alias == "load_N":
+        return f"{unicode(NORMAL_LOAD.symbol)} = {value:g} N"
+    axis = axis_of(alias)
+    return note(axis.name, float(axis.to_si(value)))
 
 
 def _with_all_dimensions(data: Any) -> xr.Dataset:
