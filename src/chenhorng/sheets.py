@@ -339,11 +339,12 @@ def _held_out(rows, _printed, _newtons_per_load) -> Sheet:
     new = [name for name, row in zip(names, rows, strict=True) if not row["figures"]]
     held, tested = counted_once(names)
     untested = sum(row["verdict"] == NOT_TESTED for row in rows)
+    left_out = f"{untested} cannot be tested within the loads of Table 2. " if untested else ""
     note = (
         "Other papers say this of the same model, and no search for inputs has seen it. "
         f"{held} of {tested} hold, repeats counted once; {_of(*counted_once(new))} where no figure "
-        f"of the paper says the same. {untested} cannot be tested within the loads of Table 2. Curves "
-        "in an order must be apart by their tolerance somewhere."
+        f"of the paper says the same. {left_out}Curves in an order must be apart by their tolerance "
+        "somewhere."
     )
     return Sheet(title="Statements that no search has seen", note=note, rows=lines)
 
@@ -392,17 +393,22 @@ def _coverage_of_sets(rows, _printed, _newtons_per_load) -> Sheet:
 
 
 def _profiles(rows, _printed, _newtons_per_load) -> Sheet:
-    least = min(row["objective"] for row in rows)
+    least: dict[str, float] = {}
+    for row in rows:
+        least[row["along"]] = min(row["objective"], least.get(row["along"], math.inf))
     lines = [
         {
             "held": row["along"].replace("_", " "),
-            "interpretation": row["interpretation"],
+            "W of": "F_t" if row["interpretation"].startswith("total") else "F_f",
             "level": short(f"{row['level']:.4g}"),
-            "rise of the objective": f"{row['objective'] - least:.1f}",
+            "rise of the objective": f"{row['objective'] - least[row['along']]:.1f}",
         }
         for row in rows
     ]
-    note = "All other unknowns are fitted again at each level; the CSV file has them."
+    note = (
+        "All other unknowns are fitted again at each level; the CSV file has them. The rise is above "
+        "the least of the same quantity, as searches end at different heights."
+    )
     return Sheet(title="Profiles of the objective", note=note, rows=lines)
 
 
