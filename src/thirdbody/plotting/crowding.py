@@ -30,7 +30,8 @@ def name_ends(
     """Write ``texts`` beside the ends of their lines, within the frame, whose axis becomes longer
     by the width of the longest one.
 
-    They stand on the side with more ends apart.  ``dry`` lines share no name with others;
+    They stand on the side with more ends apart.  Lines that follow each other and coincide there
+    share a name, but ``dry`` ones not with others;
     ``hairlines`` have a name where there is room.  The axes have their place in the figure."""
     right, left = (_groups(axes, texts, end, dry) for end in (-1, 0))
     at_left = len(left) > len(right)
@@ -55,8 +56,8 @@ def name_ends(
         is_dry = group[0][0] in dry
         if colours == {"black"} and not is_dry:  # black names are of dry contact
             colours = {SEVERAL}
-        of_medium = [text for line, text in texts.items() if (line in dry) == is_dry]
-        text = _joined({texts[line] for line, *_ in group}, of_medium)
+        own = list(dict.fromkeys(texts[line] for line, *_ in group))
+        text = ", ".join(own) if len(own) < 3 else f"{own[0]} … {own[-1]}"
         if is_dry and compares_media and not text.startswith(("dry", "two-body")):
             text = "dry" if all_dry == {line for line, *_ in group} else f"dry {text}"
         name = axes.annotate(
@@ -105,15 +106,13 @@ def _groups(axes, texts, end, dry) -> list[list[tuple[Line2D, float, float]]]:
                 break
         else:
             groups.append([place])
-    order = list(texts)
-    return [sorted(group, key=lambda place: order.index(place[0])) for group in groups]
+    return [run for group in groups for run in _runs(group, places, dry)]
 
 
-def _joined(texts, order) -> str:
-    """Join the names of several curves; of three or more that follow each other in the ``order``,
-    the first and the last."""
-    runs = [[*run] for is_in, run in groupby(dict.fromkeys(order), texts.__contains__) if is_in]
-    return ", ".join(", ".join(run) if len(run) < 3 else f"{run[0]} … {run[-1]}" for run in runs)
+def _runs(group, places, dry) -> list[list]:
+    """A group in the order of the lines, apart where others of their medium lie between them."""
+    of_medium = [place for place in places if (place[0] in dry) == (group[0][0] in dry)]
+    return [[*run] for is_in, run in groupby(of_medium, group.__contains__) if is_in]
 
 
 def _spread(heights, line) -> NDArray:

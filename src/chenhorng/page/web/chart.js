@@ -299,12 +299,13 @@ function namesOf(rows, toY, width) {
   return room > MOST_ROOM * width ? NAMELESS : { ends, atLeft, room };
 }
 
-// Ends of curves that coincide form a group, which has one name, from the highest on. Dry curves form their own.
+// Curves that follow each other and whose ends coincide form a group, which has one name, from the highest on. Dry curves form
+// their own.
 function groupsAt(end, rows, toY) {
   const [bottom, top] = toY.range();
-  const ends = rows.map(({ points, ...row }, rank) => {
+  const ends = rows.map(({ points, ...row }) => {
     const { x, y } = points.at(end);
-    return { ...row, rank, x, y: held(toY(y), top, bottom) };
+    return { ...row, x, y: held(toY(y), top, bottom) };
   });
   const groups = [];
   for (const one of d3.sort(ends, ({ y }) => y)) {
@@ -312,13 +313,23 @@ function groupsAt(end, rows, toY) {
     if (group) group.push(one);
     else groups.push([one]);
   }
-  return groups;
+  return groups.flatMap((group) => runsOf(group, ends));
+}
+
+// A group in the order of the rows, apart where others of their medium lie between them.
+function runsOf(group, ends) {
+  const runs = [[]];
+  for (const one of ends.filter(({ dry }) => dry === group[0].dry)) {
+    if (group.includes(one)) runs.at(-1).push(one);
+    else if (runs.at(-1).length) runs.push([]);
+  }
+  return runs.filter(({ length }) => length);
 }
 
 // The text and colour of a group: black names are of dry contact, and those of several curves are grey.
 function endOf(group, dry, strong) {
   const [{ x, y, dry: isDry }] = group;
-  const names = [...new Set(d3.sort(group, ({ rank }) => rank).map(({ name }) => name))];
+  const names = [...new Set(group.map(({ name }) => name))];
   const colors = new Set(group.map(({ color }) => color));
   const isOne = colors.size === 1 && (isDry || group[0].color !== "var(--ink)");
   let text = names.length < 3 ? names.join(", ") : `${names[0]} … ${names.at(-1)}`;
