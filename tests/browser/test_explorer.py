@@ -468,7 +468,7 @@ def test_maxima_that_do_not_count_are_hollow_as_in_the_figure(explorer):
         explorer.all(f"#charts figure:first-child .{kind}") for kind in ("star", "slight")
     )
     assert full and hollow
-    assert "rises by less than 0.02" in explorer.one("#key").text
+    assert "peak that stands out < 0.02" in explorer.one("#key").text
 
 
 @pytest.mark.parametrize("figure", FIGURES)

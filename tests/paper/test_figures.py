@@ -412,11 +412,11 @@ def test_a_panel_alone_has_no_hairlines_and_the_colours_of_the_figure(datasets):
 
 
 def test_a_figure_says_how_many_of_its_statements_hold(datasets):
-    verdicts = {"holds": 3.0, "fails": 1.0, CONTRADICTED: 2.0, "not tested": 0.0}
-    counts = [{"part": f"Figure {n}"} | verdicts | {"holds": 3.0 + n} for n in (4, 5)]
-    text = f"Of the paper's 10 statements here 7 hold, 1 fails, 2 {CONTRADICTED}."
-    for given, expected in ((counts, [text]), ([], [])):
-        figure = plotted("fig04", datasets, counts=given)
+    words = ["holds"] * 7 + ["fails"] + [CONTRADICTED] * 2
+    given = [{"id": "", "place": f"Figure {n}B", "verdict": word} for n in (4, 5) for word in words]
+    text = f"Of the paper's 10 statements here, with repeats, 7 hold, 1 fails, 2 {CONTRADICTED}."
+    for verdicts, expected in ((given, [text]), ([], [])):
+        figure = plotted("fig04", datasets, verdicts=verdicts)
         texts = [" ".join(each.get_text().split()) for each in figure.findobj(Text)]
         found = [each.partition("Of the paper's") for each in texts]
         assert [start + rest for _, start, rest in found if start] == expected
@@ -424,8 +424,9 @@ def test_a_figure_says_how_many_of_its_statements_hold(datasets):
 
 @pytest.mark.parametrize("width_mm", [84.0, 174.0])
 def test_the_count_of_statements_stays_on_the_sheet(width_mm, datasets):
-    counts = [{"part": "Figure 4", "holds": 30, "fails": 2, CONTRADICTED: 11, "not tested": 11}]
-    figure = plotted("fig04", datasets, counts=counts, width=width_mm / 25.4)
+    words = ["holds"] * 30 + ["fails"] * 2 + [CONTRADICTED, "not tested"] * 11
+    verdicts = [{"id": "", "place": "Figure 4", "verdict": word} for word in words]
+    figure = plotted("fig04", datasets, verdicts=verdicts, width=width_mm / 25.4)
     figure.draw_without_rendering()
     (above,) = (each for each in figure.artists if isinstance(each, Text))
     assert "30 hold" in above.get_text() and above.get_window_extent().x1 < figure.bbox.x1
@@ -433,9 +434,9 @@ def test_the_count_of_statements_stays_on_the_sheet(width_mm, datasets):
 
 @pytest.mark.parametrize(
     ("ends", "names"),
-    [([0, 0, 0, 1], {"1 … 3", "4"}), ([0, 1, 0, 0, 2], {"1, 3, 4", "2", "5"})],
+    [([0, 0, 0, 1], {"1 … 3", "4"}), ([0, 1, 0, 0, 2], {"1", "2", "3, 4", "5"})],
 )
-def test_only_names_of_curves_that_follow_each_other_are_shortened(ends, names):
+def test_only_curves_that_follow_each_other_share_a_name(ends, names):
     axes = Figure().subplots()
     lines = {axes.plot([1, 2], [3, end])[0]: f"{n}" for n, end in enumerate(ends, 1)}
     name_ends(axes, lines, [], {})
@@ -615,7 +616,7 @@ def test_what_is_printed_along_x_alone_stands_across_the_panel(
 
 @pytest.mark.parametrize(("name", "place", "words"), [
     ("fig09", 3, {"printed", "printed for all surfaces", "computed"}),
-    ("fig11", 2, {"70", "120"}),
+    ("fig11", 2, {"printed for 70", "printed for 120"}),
 ])  # fmt: skip
 def test_a_bracket_joins_both_ends_of_a_range(name, place, words, datasets, printed):
     windows = [{"roughness_m": 3e-7, "end": end, "diameter_over_roughness": at}

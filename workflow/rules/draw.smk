@@ -2,7 +2,7 @@
 # all products.  Nothing is solved here.
 
 PRINTED = "<results>/extracted/printed/all.csv"  # the numbers of the paper
-COUNTS = "<results>/extracted/counts/all.csv"  # of statements that hold
+VERDICTS = "<results>/extracted/verdicts/all.csv"
 WINDOWS = "<results>/extracted/tpca_windows/all.csv"
 OF_SCENES = ["tpca_loads", "transitions"]  # tables that gather a part of each figure
 BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
@@ -14,7 +14,7 @@ rule render_figure:
         dataset="<results>/datasets/{scene}.nc",
         turning_points="<results>/extracted/tpca_loads/{scene}.csv",
         printed=PRINTED,
-        counts=lambda wildcards: COUNTS if wildcards.scene in SCENES else [],
+        verdicts=lambda wildcards: VERDICTS if wildcards.scene in SCENES else [],
         windows=lambda wildcards: WINDOWS if wildcards.scene in ("fig09", "fig10") else [],
         ensemble_range=branch(settings["bands"], then="<results>/bands/{scene}.nc", otherwise=[]),
         style=STYLE,

@@ -118,23 +118,23 @@ rule gather_profiles:
         "../scripts/gather_profiles.py"
 
 
-# apart from the pages of verdicts and from other sets of inputs: figures have the counts
-rule count_claims:
+# apart from the pages of verdicts and from other sets of inputs: figures have the verdicts
+rule judge_default:
     output:
-        table="<results>/extracted/counts/all.csv",
+        table="<results>/extracted/verdicts/all.csv",
     log:
-        "<logs>/count_claims.log",
+        "<logs>/judge_default.log",
     params:
-        *sources_of("count_claims.py"),
+        *sources_of("judge_default.py"),
         *SOFTWARE,
         CLAIMS_TEXT,
         claims=CLAIMS,
         newtons=settings["calibration"]["newtons"],
         parameters=settings["parameters"],
     message:
-        "Count the statements that hold"
+        "Judge the statements with the default inputs alone"
     script:
-        "../scripts/count_claims.py"
+        "../scripts/judge_default.py"
 
 
 rule gather_printed:

@@ -17,12 +17,10 @@ with job(snakemake) as output:
     notes = [inputs_sentence(data)]
     if ranges:
         notes.append(f"The ensemble has {len(json.loads(ranges.attrs['ensemble']))} members.")
+    said = headline(figure, data, given["windows"], given["verdicts"])
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         drawing = plot(figure, **given)
-        save(
-            drawing,
-            output.png.with_suffix(""),
-            caption(figure, drawing.panels, data.attrs["title"], notes, headline(figure, data)),
-        )
+        words = caption(figure, drawing.panels, data.attrs["title"], notes, said)
+        save(drawing, output.png.with_suffix(""), words)
     write_wide(drawing.panels, output.wide)
     print(f"{figure}: drawn")

@@ -21,7 +21,7 @@ with job(snakemake) as output:
             ensemble_range=ranges,
             printed=made.printed,
             windows=None,
-            counts=None,
+            verdicts=None,
         )
         with matplotlib.style.context(made.style, after_reset=True):
             drawing = plot(figure, **read_inputs(figure, given), panel=panel)

@@ -56,16 +56,13 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
     return sum(held.values()), len(held)
 
 
-def counts_by_part(outcomes: Iterable[tuple[str, str]]) -> list[dict[str, Any]]:
-    """Rows of the table ``counts``, from places and verdicts: how many statements of each part of
-    the paper have each verdict."""
+def counts_by_part(rows: Iterable[Mapping[str, Any]]) -> dict[str, Counter[str]]:
+    """How many statements of each part of the paper have each verdict, from rows with ``place``
+    and ``verdict``."""
     counts: dict[str, Counter[str]] = {}
-    for place, verdict in outcomes:
-        counts.setdefault(part_of_paper(place), Counter())[verdict] += 1
-    return [
-        {"part": part} | {verdict: own[verdict] for verdict in COLOURS}
-        for part, own in counts.items()
-    ]
+    for row in rows:
+        counts.setdefault(part_of_paper(row["place"]), Counter())[row["verdict"]] += 1
+    return counts
 
 
 def counted(counts: Mapping[str, float]) -> str:

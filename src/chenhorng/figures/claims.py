@@ -18,11 +18,11 @@ DARK = {COLOURS["holds"], COLOURS["fails"]}  # on which numbers are white
 def plot(rows: Sequence[Mapping]) -> Drawing:
     """The number of statements with each verdict, a bar for each part of the paper, from rows of
     the table ``claims``."""
-    by_part = counts_by_part((row["place"], row["verdict"]) for row in rows)
+    by_part = counts_by_part(rows)
     place = np.arange(len(by_part))
     words = FIGURES["claims"]
     counts = {
-        verdict: np.array([counts[verdict] for counts in by_part], float) for verdict in COLOURS
+        verdict: np.array([own[verdict] for own in by_part.values()], float) for verdict in COLOURS
     }
     series = [Series(CURVE, verdict, each, place.astype(float)) for verdict, each in counts.items()]
     held, tested = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
@@ -39,7 +39,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
         ink = "white" if colour in DARK else "black"
         axes.bar_label(bars, texts, label_type="center", color=ink, fontsize=SIZE)
         left += each
-    axes.set_yticks(place, [counts["part"] for counts in by_part])
+    axes.set_yticks(place, [*by_part])
     axes.set(xlim=(0.0, left.max()), ylim=(len(by_part) - 0.5, -0.5), xlabel=words["scale"])
     axes.tick_params(axis="y", length=0)
     axes.spines[["top", "right"]].set_visible(False)

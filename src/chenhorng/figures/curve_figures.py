@@ -8,7 +8,7 @@ from typing import Any
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 
-from chenhorng.claims.words import COLOURS, counted
+from chenhorng.claims.words import counted, counts_by_part
 from chenhorng.figures import printed as printed_marks
 from chenhorng.figures.captions import REMARKS, SENTENCES, place_of
 from chenhorng.figures.findings import headline
@@ -89,7 +89,7 @@ def read_inputs(name: str, files: Any) -> dict[str, Any]:
         "ensemble_range": read_plain(files.ensemble_range) if files.ensemble_range else None,
         "printed": [row for row in rows if row["figure"] == name],
         "windows": read_csv(files.windows, TABLES["tpca_windows"]) if files.windows else (),
-        "counts": read_csv(files.counts, TABLES["counts"]) if files.counts else (),
+        "verdicts": read_csv(files.verdicts, TABLES["verdicts"]) if files.verdicts else (),
     }
 
 
@@ -100,14 +100,14 @@ def plot(
     ensemble_range: PlainDataset | None = None,
     printed: Sequence[Mapping] = (),
     windows: Sequence[Mapping] = (),
-    counts: Sequence[Mapping] = (),
+    verdicts: Sequence[Mapping] = (),
     width: float | None = None,
     panel: str = "",
 ) -> Figure:
     """Draw the figure ``name`` of the paper, or that of any other scene, or one ``panel``.
 
-    ``printed``, ``windows`` and ``counts`` are rows of the tables ``printed``, those of this
-    figure, ``tpca_windows`` and ``counts``; the other arguments and errors are those of
+    ``printed``, ``windows`` and ``verdicts`` are rows of the tables ``printed``, those of this
+    figure, ``tpca_windows`` and ``verdicts``; the other arguments and errors are those of
     ``CurveFigure.plot``.
     """
 
@@ -139,11 +139,11 @@ def plot(
         axes.sharex(over_sizes[0])
     if len(over_sizes) > 1:
         over_sizes[0].autoscale(axis="x")
-    finding, paper = headline(name, data)
+    finding, paper = headline(name, data, windows, verdicts)
     if paper and not panel:
         inches = figure.get_figwidth()
         first = fill(finding or data.attrs["title"], round(BOLD * inches))
-        texts = paper, *_count(name, counts)
+        texts = paper, *_count(name, verdicts)
         second = "\n".join(fill(text, round(LEAST * inches)) for text in texts)
         _write_above(figure, first, second)
     return figure
@@ -159,10 +159,7 @@ def _write_above(figure: Figure, first: str, second: str) -> None:
     figure.add_artist(below)
 
 
-def _count(name: str, counts: Sequence[Mapping]) -> list[str]:
+def _count(name: str, verdicts: Sequence[Mapping]) -> list[str]:
     """How many statements about a figure of the paper have each verdict, if they were judged."""
-    return [
-        SENTENCES["count"].format(all=sum(row[verdict] for verdict in COLOURS), each=counted(row))
-        for row in counts
-        if row["part"] == place_of(name)
-    ]
+    own = counts_by_part(verdicts).get(place_of(name))
+    return [SENTENCES["count"].format(all=own.total(), each=counted(own))] if own else []

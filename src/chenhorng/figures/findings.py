@@ -5,7 +5,6 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from chenhorng.claims.between_curves import crossings
 from chenhorng.claims.courses import peak_height
 from chenhorng.figures.captions import FIGURES, SENTENCES
 from chenhorng.sampling import first_fall, logarithm
@@ -18,6 +17,7 @@ from thirdbody.symbols import power_text, unicode
 from thirdbody.variables import AXES
 
 SOLID = "solid_load_fraction"
+IN_PART = "in part"  # holds what the paper says, where some of its statements hold and others fail
 LINE = 0.02  # a line's width, of a fraction or relative
 SIMILAR = 0.05  # relative difference of areas that overlap
 SHIFT = 1.1  # factor between loads of turning points that differ
@@ -26,15 +26,27 @@ Curves = Sequence[Curve]
 Found = Mapping[str, str] | None  # what a sentence names; None if the data deny it
 
 
-def headline(name: str, data: Dataset) -> tuple[str, str]:
+def headline(
+    name: str,
+    data: Dataset,
+    windows: Sequence[Mapping] = (),
+    verdicts: Sequence[Mapping] = (),
+) -> tuple[str, str]:
     """What the ``data`` of a figure of the paper show, empty if they deny it, and what the paper
-    says, in a sentence that stands alone; both are empty for any other figure."""
+    says, in a sentence that stands alone, with the verdict on it; both are empty for any other
+    figure.  ``windows`` and ``verdicts`` are rows of the tables ``tpca_windows`` and
+    ``verdicts``."""
     words = FIGURES.get(name, {})
     if "paper" not in words:
         return "", ""
     curves = [one for one in curves_in(data) if AREA in one.values]
-    found = FOUND[name](curves)
-    paper = unicode(f"{SENTENCES['paper']} {words['paper']}")
+    if name in WITH_WINDOWS:
+        found = _windows(curves, windows, WITH_WINDOWS[name])
+    else:
+        found = FOUND[name](curves)
+    known = {row["verdict"] for row in verdicts if row["id"] in words["says"]}
+    verdict = f" ({known.pop() if len(known) == 1 else IN_PART})" if known else ""
+    paper = unicode(f"{SENTENCES['paper'].format(verdict)} {words['paper']}")
     if found is None:
         return "", paper
     return unicode(words["finding"].format(**found)), paper
@@ -119,23 +131,22 @@ def _mixed_by_surface(curves: Curves) -> Found:
 
 
 def _reversal(curves: Curves, parameter: str) -> Found:
-    """The dry area falls from curve to curve; with oil it rises from a load on, which is another
-    one for each pair of curves."""
+    """The dry area never rises from curve to curve; with oil it does so at high loads alone."""
     dry, wet = (_along(curves, parameter, is_dry=is_dry) for is_dry in (True, False))
     if len(dry) < 2 or len(wet) < 2:
         return None
-    falls = np.diff(np.log([one.values[AREA] for one in dry]), axis=0)
-    load = wet[0].values["load"]
-    loads = crossings(load, np.array([one.values[AREA] for one in wet]))
-    if falls.max() > LINE or not load[0] < loads.max() < load[-1]:
+    rise_dry, rise = (
+        np.diff(np.log([one.values[AREA] for one in each]), axis=0) for each in (dry, wet)
+    )
+    low = rise[:, : rise.shape[1] // 2]
+    if max(rise_dry.max(), low.max()) > LINE or rise[:, -1].min() <= 0.0:
         return None
-    ends = loads[loads > load[0]].min(), loads.max()
-    return dict(zip(("first", "last"), (power_text(float(f"{end:.2g}")) for end in ends)))
+    return {}
 
 
 def _small_loads_and_surfaces(curves: Curves) -> Found:
-    """Up to a load oil changes nothing on any surface, above it areas are smaller; from a roughness
-    on there is a turning point, dry and lubricated."""
+    """Oil changes no area at low loads, and lessens some at high ones; from a roughness on there is
+    a turning point, dry and lubricated."""
     dry, wet = (_along(curves, "roughness", is_dry=is_dry) for is_dry in (True, False))
     if not dry or len(dry) != len(wet):
         return None
@@ -143,37 +154,35 @@ def _small_loads_and_surfaces(curves: Curves) -> Found:
     change = areas[1] - areas[0]
     apart = np.abs(change).max(axis=0)
     turning = [one for one, other in zip(dry, wet, strict=True) if _turns(one) and _turns(other)]
-    if apart[0] > SIMILAR or apart[-1] < SIMILAR or change.max() > LINE:
+    low = apart[: apart.size // 2]
+    if low.max() > SIMILAR or apart[-1] < SIMILAR or change.max() > LINE:
         return None
     if not turning or turning != dry[-len(turning) :]:
         return None
-    load = first_fall(dry[0].values["load"], SIMILAR - apart)
-    return {
-        "load": power_text(float(f"{load:.2g}")),
-        "roughness": _number(turning[0], "roughness"),
-    }
+    return {"roughness": _number(turning[0], "roughness")}
 
 
-def _window(curves: Curves) -> Found:
-    """The sizes between which curves have a turning point, and others have none."""
-    by_size = _along(curves, "particle_diameter")
-    has = [_turns(one) for one in by_size]
-    turning = [one for one, turns in zip(by_size, has, strict=True) if turns]
-    if not turning or has[0] or has[-1] or np.count_nonzero(np.diff(has)) != 2:
+def _windows(curves: Curves, windows: Sequence[Mapping], count: int) -> Found:
+    """The computed limits of x_a/σ with turning points on each of so many surfaces, if just the
+    curves between them have one."""
+    found: dict[str, str] = {}
+    surfaces = _surfaces(curves)
+    if len(surfaces) != count:
         return None
-    ends = turning[0], turning[-1]
-    sizes = [_number(one, "particle_diameter") for one in ends]
-    ratios = [f"{one.condition.diameter_ratio:.2f}" for one in ends]
-    return dict(zip(("low", "high", "least", "most"), sizes + ratios, strict=True))
-
-
-def _windows(curves: Curves) -> Found:
-    """The ratios of size to roughness with turning points on two surfaces."""
-    found = [_window(on_surface) for on_surface in _surfaces(curves)]
-    if len(found) != 2 or None in found:
-        return None
-    ends = [f"{float(one[name]):g}" for one in found if one for name in ("least", "most")]
-    return dict(zip(("least", "most", "rough_least", "rough_most"), ends, strict=True))
+    for place, on_surface in enumerate(surfaces):
+        roughness = on_surface[0].condition.roughness
+        ends = {
+            row["end"]: row["diameter_over_roughness"]
+            for row in windows
+            if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
+        }
+        low, high = (ends.get(end, np.nan) for end in ("low", "high"))
+        turning = [one for one in on_surface if _turns(one)]
+        between = [one for one in on_surface if low < one.condition.diameter_ratio < high]
+        if not turning or turning != between:
+            return None
+        found |= {f"low_{place}": f"{low:.2f}", f"high_{place}": f"{high:.2f}"}
+    return found
 
 
 def _shift_by_viscosity(curves: Curves) -> Found:
@@ -184,7 +193,7 @@ def _shift_by_viscosity(curves: Curves) -> Found:
     loads = [_top(one) for one in (*turning[:1], *mixed)]
     if not mixed or np.ptp(heights) > LINE or not _rise(loads, LINE):
         return None
-    factor = f"{loads[-1] / loads[0]:.1g}"
+    factor = f"{loads[-1] / loads[0]:.2g}"
     return {"viscosity": _number(mixed[-1], "viscosity"), "factor": factor}
 
 
@@ -225,6 +234,7 @@ def _shift_by_density(curves: Curves) -> Found:
     return {"low": low, "high": high, "growths": f"{', '.join(first)} and {last}"}
 
 
+WITH_WINDOWS = {"fig09": 1, "fig10": 2}  # numbers of surfaces that their titles name
 FOUND: dict[str, Callable[[Curves], Found]] = {
     "fig03": _modes_by_size,
     "fig04": _mixed_by_viscosity,
@@ -232,8 +242,6 @@ FOUND: dict[str, Callable[[Curves], Found]] = {
     "fig06": lambda curves: _reversal(curves, "particle_diameter"),
     "fig07": lambda curves: _reversal(curves, "particle_density"),
     "fig08": _small_loads_and_surfaces,
-    "fig09": _window,
-    "fig10": _windows,
     "fig11": _shift_by_viscosity,
     "fig12": _turning_by_surface,
     "fig13": _shift_by_density,

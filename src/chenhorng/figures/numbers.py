@@ -65,7 +65,8 @@ def draw_numbers(axes: Axes, panel: Panel) -> None:
     pairs = sorted((key for key in ends if ends[key].size == 2), key=lambda key: np.ptp(ends[key]))
     for level, key in enumerate(pairs, 1):
         one = ranges[key][0]
-        _draw_bracket(axes, ends[key], names.get(one.curve, one.words), one.look["color"], level)
+        words = f"{one.words} for {names[one.curve]}" if one.curve in names else one.words
+        _draw_bracket(axes, ends[key], words, one.look["color"], level)
     if pairs:
         title = axes.get_title(loc="left")
         axes.set_title(title, loc="left", y=1.0, pad=LEVEL_PAD * (len(pairs) + 0.8))

@@ -35,13 +35,13 @@ OF_STATUS = {
 LOOKS: dict[str, dict[str, Any]] = {
     TURNING_POINTS: PEAK
     | {
-        "label": f"turning point (rise ≥ {PROMINENCE:g})",
+        "label": f"turning point (stands out ≥ {PROMINENCE:g})",
         "markerfacecolor": "C1",
         "markeredgecolor": "black",
     },
     SLIGHT: PEAK
     | {
-        "label": f"peak that rises by less than {PROMINENCE:g}",
+        "label": f"peak that stands out < {PROMINENCE:g}",
         "markerfacecolor": "white",
         "markeredgecolor": "0.45",
     },

@@ -212,7 +212,7 @@ function alongX(lines) {
   const ranges = [...d3.group(lines, ({ id }) => id).values()].filter(({ length }) => length === 2);
   return {
     limits: lines.map((line) => (ranges.flat().includes(line) ? { ...line, name: "" } : line)),
-    brackets: ranges.flatMap(([one, other]) => bracketOver([one.at[0], other.at[0]], one.name, one.color)),
+    brackets: ranges.flatMap(([one, other]) => bracketOver([one.at[0], other.at[0]], `printed for ${one.name}`, one.color)),
   };
 }
 
