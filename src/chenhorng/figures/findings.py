@@ -11,7 +11,7 @@ from chenhorng.sampling import first_fall, logarithm
 from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.netcdf import Dataset
 from thirdbody.plotting.load_curves import curves_in
-from thirdbody.plotting.marks import AREA, PROMINENCE, RATIO
+from thirdbody.plotting.marks import AREA, PROMINENCE, RATIO, peak_load
 from thirdbody.plotting.panels import Curve
 from thirdbody.symbols import power_text, unicode
 from thirdbody.variables import AXES
@@ -86,9 +86,13 @@ def _turns(curve: Curve) -> bool:
     return bool(peak_height(curve.values[RATIO]) >= PROMINENCE)
 
 
-def _top(curve: Curve, name: str = "load") -> float:
+def _top(curve: Curve, name: str) -> float:
     """The value of a variable where A_sa,t* is largest."""
     return float(curve.values[name][np.argmax(curve.values[RATIO])])
+
+
+def _top_load(curve: Curve) -> float:
+    return peak_load(curve.values["load"], curve.values[RATIO])
 
 
 def _rise(values: Sequence[float], by: float = 0.0) -> bool:
@@ -190,7 +194,7 @@ def _shift_by_viscosity(curves: Curves) -> Found:
     turning = [one for one in _along(curves, "viscosity") if _turns(one)]
     mixed = [one for one in turning[1:] if _top(one, SOLID) < BOUNDARY_LIMIT]
     heights = [_top(one, RATIO) for one in turning]
-    loads = [_top(one) for one in (*turning[:1], *mixed)]
+    loads = [_top_load(one) for one in (*turning[:1], *mixed)]
     if not mixed or np.ptp(heights) > LINE or not _rise(loads, LINE):
         return None
     factor = f"{loads[-1] / loads[0]:.2g}"
@@ -206,8 +210,8 @@ def _turning_by_surface(curves: Curves) -> Found:
     smoother, rougher = surfaces[0], surfaces[-1]
     has = [one for one in smoother if _turns(one)]
     gone = smoother[len(has) :]
-    moved = [_top(one) for one in has]
-    stays = [_top(one) for one in rougher]
+    moved = [_top_load(one) for one in has]
+    stays = [_top_load(one) for one in rougher]
     if not has or not gone or has != smoother[: len(has)] or max(moved) < SHIFT * moved[0]:
         return None
     if not all(map(_turns, rougher)) or max(stays) > SHIFT * min(stays):
@@ -224,7 +228,7 @@ def _shift_by_density(curves: Curves) -> Found:
         return None
     growths = []
     for surface in surfaces:
-        loads = [_top(one) for one, is_in in zip(surface, common, strict=True) if is_in]
+        loads = [_top_load(one) for one, is_in in zip(surface, common, strict=True) if is_in]
         growths.append(loads[-1] / loads[0])
     if not _rise(growths, LINE):
         return None

@@ -15,7 +15,14 @@ from thirdbody.core.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIM
 from thirdbody.plotting.axes import set_scales
 from thirdbody.plotting.drawing import ONE_COLUMN, empty_panels
 from thirdbody.plotting.keys import add_key, key_height, key_title, text_width
-from thirdbody.plotting.marks import LOOKS, PROMINENCE, RATIO, TURNING_POINTS, highest_point
+from thirdbody.plotting.marks import (
+    LOOKS,
+    PROMINENCE,
+    RATIO,
+    TURNING_POINTS,
+    highest_point,
+    peak_load,
+)
 from thirdbody.plotting.panels import Panel
 
 SOLID = "solid_load_fraction"
@@ -112,8 +119,7 @@ def _turning_points(x, y, ratio, is_load) -> Iterator[tuple[float, float]]:
             continue
         top, rise = highest_point(row)
         if 0 < top < load.size - 1 and rise >= PROMINENCE:
-            parabola = np.polyfit(np.log(load[top - 1 : top + 2]), row[top - 1 : top + 2], 2)
-            at = float(np.exp(-parabola[1] / (2.0 * parabola[0])))
+            at = peak_load(load, row)
             yield (at, float(other)) if is_load[0] else (float(other), at)
 
 

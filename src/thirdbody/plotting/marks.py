@@ -78,6 +78,17 @@ def highest_point(ratio: NDArray) -> tuple[int, float]:
     return top, float(ratio[top] - max(np.nanmin(ratio[: top + 1]), np.nanmin(ratio[top:])))
 
 
+def peak_load(load: NDArray, ratio: NDArray) -> float:
+    """The load at which A_sa,t* is highest: of the parabola in ln(load) through the highest point
+    and those beside it, or of that point where there is none."""
+    top, _ = highest_point(ratio)
+    if not 0 < top < load.size - 1:
+        return float(load[top])
+    three = slice(top - 1, top + 2)
+    curvature, slope, _ = np.polyfit(np.log(load[three] / load[top]), ratio[three], 2)
+    return float(load[top] * (np.exp(-slope / (2.0 * curvature)) if curvature < 0.0 else 1.0))
+
+
 def slight_series(x: str, y: str, curves: Sequence[Curve], least: float = 0.0) -> Iterator[Series]:
     """Peaks of A_sa,t* that are no turning points, if other curves have turning points.  Without
     ``least`` the axis is linear, and peaks near zero are left out."""
