@@ -15,7 +15,7 @@ from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.plotting.scales import label, shared_notes
 from thirdbody.symbols import mathtext
 
-INTERFACE, MODES = 3.4, 2.75  # heights of the figures [inches]
+INTERFACE, MODES = 3.55, 2.9  # heights of the figures [inches]
 INTERFACE_SHAPE, MODES_SHAPE = 0.42, 0.92  # height over length of their sections on paper
 MICROMETRE = 1e-6
 SCALE = 0.5e-6  # height of the scale bar [m]
