@@ -18,15 +18,15 @@ WIDTH = 80  # letters of a line of text
 SPEED_DIGITS = 3  # of the speed that follows from U/nu
 
 
-def wrapped(text: str, first: str = "", others: str = "") -> str:
-    """A text in lines of ``WIDTH`` columns that begin with ``first`` and ``others``.
+def wrapped(text: str, first: str = "", others: str = "", width: int = WIDTH) -> str:
+    """A text in lines of so many columns that begin with ``first`` and ``others``.
 
     A number stays on the line of its unit; options and paths stay whole.
     """
     tight = re.sub(TIGHT, "\N{NO-BREAK SPACE}", text)
     lines = textwrap.fill(
         tight,
-        WIDTH,
+        width,
         initial_indent=first,
         subsequent_indent=others,
         break_long_words=False,

@@ -414,7 +414,8 @@ def test_a_panel_alone_has_no_hairlines_and_the_colours_of_the_figure(datasets):
 def test_a_figure_says_how_many_of_its_statements_hold(datasets):
     words = ["holds"] * 7 + ["fails"] + [CONTRADICTED] * 2
     given = [{"id": "", "place": f"Figure {n}B", "verdict": word} for n in (4, 5) for word in words]
-    text = f"Of the paper's 10 statements here, with repeats and within tolerances, 7 hold, 1 fails, 2 {CONTRADICTED}."
+    counts = f"7 hold, 1 fails, 2 {CONTRADICTED}."
+    text = f"Of the paper's 10 statements here, with repeats and within tolerances, {counts}"
     for verdicts, expected in ((given, [text]), ([], [])):
         figure = plotted("fig04", datasets, verdicts=verdicts)
         texts = [" ".join(each.get_text().split()) for each in figure.findobj(Text)]

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from textwrap import fill
 from typing import Any
 
 from matplotlib.figure import Figure
@@ -16,6 +15,7 @@ from chenhorng.figures.numbers import draw_numbers, hide_coinciding
 from chenhorng.figures.printed import LOCUS
 from chenhorng.tables import TABLES, read_csv
 from thirdbody.netcdf import PlainDataset, read_plain
+from thirdbody.notes import wrapped
 from thirdbody.plotting.load_curves import Content, CurveFigure, curve_figure
 from thirdbody.plotting.marks import BAND, read_turning_points, turning_point_series
 from thirdbody.plotting.panels import Curve, Series
@@ -142,9 +142,9 @@ def plot(
     finding, paper = headline(name, data, windows, verdicts)
     if paper and not panel:
         inches = figure.get_figwidth()
-        first = fill(finding or data.attrs["title"], round(BOLD * inches))
+        first = wrapped(finding or data.attrs["title"], width=round(BOLD * inches))
         texts = paper, *_count(name, verdicts)
-        second = "\n".join(fill(text, round(LEAST * inches)) for text in texts)
+        second = "\n".join(wrapped(text, width=round(LEAST * inches)) for text in texts)
         _write_above(figure, first, second)
     return figure
 

@@ -1,6 +1,5 @@
 """Sensitivity to each unprinted input: a heat map of elasticities."""
 
-import textwrap
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,6 +9,7 @@ from matplotlib.collections import QuadMesh
 
 from chenhorng.figures.captions import FIGURES
 from chenhorng.sheets import result_name
+from thirdbody.notes import wrapped
 from thirdbody.plotting.drawing import TWO_COLUMNS, Drawing, empty_panels
 from thirdbody.plotting.panels import CURVE, Panel, Series
 from thirdbody.symbols import mathtext
@@ -65,11 +65,8 @@ def plot(rows: Sequence[Mapping], symbols: Mapping[str, str]) -> Drawing:
         words["missing"]: missing,
     }
     texts = [f"{what} {', '.join(each)}." for what, each in notes.items() if each]
-    lines = [
-        textwrap.fill(text.replace(" = ", "\xa0=\xa0").replace(" nm", "\xa0nm"), LETTERS)
-        for text in texts
-    ]
-    figure.supxlabel(mathtext("\n".join(lines)), fontsize=SIZE, x=0.02, ha="left")
+    lines = "\n".join(wrapped(text, width=LETTERS) for text in texts)
+    figure.supxlabel(mathtext(lines), fontsize=SIZE, x=0.02, ha="left")
     return figure
 
 
