@@ -223,6 +223,16 @@ def test_a_curve_of_one_interface_is_drawn_with_its_range(along, unit):
     assert not second.collections
 
 
+def test_the_load_of_a_peak_lies_between_those_that_are_solved():
+    load = np.geomspace(1e-7, 1e-4, 40)
+    ratio = np.exp(-(np.log(load / 3e-6) ** 2))
+    assert marks.peak_load(load, ratio) == pytest.approx(3e-6, rel=1e-3)
+    assert marks.peak_load(load[:10], ratio[:10]) == load[9]
+    assert marks.peak_load(load, np.ones(40)) == load[0]
+    plateau = np.minimum(ratio, 0.5)
+    assert load[0] < marks.peak_load(load, plateau) < load[-1]
+
+
 @pytest.mark.parametrize("solver", [tb.grid, tb.solve])
 @pytest.mark.parametrize("over", ["load", "load_N", "viscosity"])
 def test_data_of_members_are_drawn_as_the_best_with_the_range(defaults, over, solver):

@@ -22,7 +22,7 @@ SHOWING_WINDOWS = ("figures/fig09*", "figures/fig10*")
 # what stands beside the paper's numbers
 PRINTED = (
     "extracted/printed/*",
-    "extracted/counts/*",
+    "extracted/verdicts/*",
     *FIGURES,
     "tables/tpca_*",
     "tables/transitions.*",
@@ -43,7 +43,7 @@ DIGITS += ("tables/apparent_area.*", "tables/limits.*")
 TABLES_SHOWN = ("index.html", "captions.md", "SHA256SUMS")
 PAGE = ("explorer/*", *TABLES_SHOWN)
 ALL = (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *JUDGED, *SENSITIVITY, *PAGE)
-ALL += ("extracted/counts/*",)
+ALL += ("extracted/verdicts/*",)
 PROFILES = ("tables/profiles.*", "figures/profiles.*")
 ALL += DIGITS + HELD_OUT + SETS + PROFILES
 FORMATS = ("csv", "html", "tex")

@@ -17,7 +17,7 @@ from thirdbody.symbols import power_text, unicode
 from thirdbody.variables import AXES
 
 SOLID = "solid_load_fraction"
-IN_PART = "in part"  # holds what the paper says, where some of its statements hold and others fail
+IN_PART = "in part"  # the verdict on what the paper says, where its statements have several
 LINE = 0.02  # a line's width, of a fraction or relative
 SIMILAR = 0.05  # relative difference of areas that overlap
 SHIFT = 1.1  # factor between loads of turning points that differ
