@@ -197,7 +197,7 @@ def _shift_by_viscosity(curves: Curves) -> Found:
     loads = [_top_load(one) for one in (*turning[:1], *mixed)]
     if not mixed or np.ptp(heights) > LINE or not _rise(loads, LINE):
         return None
-    factor = f"{loads[-1] / loads[0]:.2g}"
+    factor = f"{loads[-1] / loads[0]:.1g}"
     return {"viscosity": _number(mixed[-1], "viscosity"), "factor": factor}
 
 
