@@ -1,4 +1,4 @@
-"""The verdict on each statement with the inputs of the run, without its story."""
+"""The verdict on each statement with the inputs of the run alone."""
 
 from chenhorng.claims.claims import load_claims
 from chenhorng.claims.judge import Judge, outcome

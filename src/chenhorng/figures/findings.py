@@ -7,6 +7,7 @@ import numpy as np
 
 from chenhorng.claims.courses import peak_height
 from chenhorng.figures.captions import FIGURES, SENTENCES
+from chenhorng.figures.printed import window_limits
 from chenhorng.sampling import first_fall, logarithm
 from thirdbody.core.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.netcdf import Dataset
@@ -174,13 +175,10 @@ def _windows(curves: Curves, windows: Sequence[Mapping], count: int) -> Found:
     if len(surfaces) != count:
         return None
     for place, on_surface in enumerate(surfaces):
-        roughness = on_surface[0].condition.roughness
-        ends = {
-            row["end"]: row["diameter_over_roughness"]
-            for row in windows
-            if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
-        }
-        low, high = (ends.get(end, np.nan) for end in ("low", "high"))
+        ends = window_limits(windows, on_surface[0].condition.roughness)
+        if ends.size != 2:
+            return None
+        low, high = np.sort(ends)
         turning = [one for one in on_surface if _turns(one)]
         between = [one for one in on_surface if low < one.condition.diameter_ratio < high]
         if not turning or turning != between:

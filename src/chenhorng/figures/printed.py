@@ -149,10 +149,15 @@ def printed_series(
                 )
 
 
+def window_limits(windows: Sequence[Mapping], roughness: float) -> NDArray:
+    """The finite limits of x_a/σ in rows of the table ``tpca_windows``, on a surface [m]."""
+    ends = np.array([row["diameter_over_roughness"] for row in windows if _is_on(row, roughness)])
+    return ends[np.isfinite(ends)]
+
+
 def window_series(windows: Sequence[Mapping], roughness: float) -> Iterator[Series]:
     """The computed limits of x_a/σ with turning points on a surface, if there are limits."""
-    ends = np.array([row["diameter_over_roughness"] for row in windows if _is_on(row, roughness)])
-    ends = ends[np.isfinite(ends)]
+    ends = window_limits(windows, roughness)
     if ends.size:
         no_y = np.full(ends.size, np.nan)
         look, words = LOOKS[WINDOW], "computed"
